@@ -1,0 +1,128 @@
+//! The stable codes of all messages.
+//!
+//! Ranges: 01 lexing and parsing, 02 names and types, 03 structure, 04 meaning, 05 limits of a target or an encoding,
+//! 06 traces, 09 faults of grafc itself. A code is never used again for something else. Each has a page in
+//! `docs/errors/`, which `grafc explain CODE` prints.
+
+/// How bad it is.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Severity {
+    /// No output is made.
+    Error,
+    /// Output is made, but the chart may not mean what its author thinks.
+    Warning,
+}
+
+macro_rules! codes {
+    ($($code:ident $slug:literal $severity:ident;)*) => {
+        /// A stable code of a message.
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        pub enum Code {
+            $(#[doc = $slug] $code,)*
+        }
+
+        impl Code {
+            /// Every code, in order.
+            pub const ALL: &'static [Code] = &[$(Code::$code,)*];
+
+            /// The code as it is printed: `E0201`.
+            pub fn as_str(self) -> &'static str {
+                match self { $(Code::$code => stringify!($code),)* }
+            }
+
+            /// A name for the fault: `unknown-name`.
+            pub fn slug(self) -> &'static str {
+                match self { $(Code::$code => $slug,)* }
+            }
+
+            /// Whether it stops the compilation.
+            pub fn severity(self) -> Severity {
+                match self { $(Code::$code => Severity::$severity,)* }
+            }
+
+            /// The page on it, in Markdown.
+            pub fn page(self) -> &'static str {
+                match self { $(Code::$code => include_str!(concat!("../../../docs/errors/", stringify!($code), ".md")),)* }
+            }
+
+            /// The code of this spelling, in any case.
+            pub fn parse(text: &str) -> Option<Code> {
+                Code::ALL.iter().copied().find(|c| c.as_str().eq_ignore_ascii_case(text))
+            }
+        }
+    };
+}
+
+codes! {
+    E0101 "unexpected-character" Error;
+    E0102 "unterminated-comment" Error;
+    E0103 "unterminated-string" Error;
+    E0104 "malformed-name" Error;
+    E0105 "malformed-number" Error;
+    E0106 "malformed-duration" Error;
+    E0107 "unexpected-token" Error;
+    E0108 "assignment-without-event" Error;
+    E0109 "text-too-long" Error;
+    E0110 "not-utf8" Error;
+
+    E0201 "unknown-name" Error;
+    E0202 "declared-twice" Error;
+    E0203 "names-differ-by-case" Error;
+    E0204 "implicit-name-taken" Error;
+    E0205 "type-mismatch" Error;
+    E0206 "not-a-condition" Error;
+    E0207 "not-assignable" Error;
+    E0208 "not-a-constant" Error;
+    E0209 "not-a-delay" Error;
+    E0210 "out-of-range" Error;
+    E0211 "constant-without-value" Error;
+    E0212 "malformed-address" Error;
+    E0213 "address-taken" Error;
+
+    E0301 "unknown-step" Error;
+    E0302 "unknown-grafcet" Error;
+    E0303 "step-named-twice" Error;
+    E0304 "transition-without-steps" Error;
+    E0305 "arc-crosses-frame" Error;
+    E0306 "macro-step-expansion" Error;
+    E0307 "action-on-macro-step" Error;
+    E0308 "initial-step-in-inactive-enclosure" Error;
+    E0309 "initial-enclosure-without-initial-step" Error;
+    E0310 "enclosure-without-activation-link" Error;
+    E0311 "enclosure-of-two-steps" Error;
+    E0312 "grafcet-never-activated" Error;
+    E0313 "cyclic-hierarchy" Error;
+    E0314 "forces-its-own-grafcet" Error;
+    E0315 "forced-step-outside-grafcet" Error;
+    E0316 "forced-macro-step" Error;
+    E0317 "steps-outside-grafcets" Error;
+    E0318 "not-an-enclosing-step" Error;
+    E0319 "activation-link-outside-enclosure" Error;
+    E0320 "enclosing-step-without-enclosure" Error;
+    E0321 "chart-without-steps" Error;
+
+    E0411 "cyclic-continuous-actions" Error;
+    E0412 "assigned-and-allocated" Error;
+    E0413 "edge-inside-edge" Error;
+    E0414 "edge-in-continuous-action" Error;
+    E0415 "edge-in-delay" Error;
+
+    W0401 "output-read" Warning;
+    W0402 "level-event" Warning;
+    W0403 "negated-edge" Warning;
+    W0404 "enclosure-may-be-empty" Warning;
+    W0405 "self-loop-with-events" Warning;
+    W0406 "source-transition-on-level" Warning;
+    W0407 "always-true-cycle" Warning;
+    W0408 "transient-step-with-continuous-action" Warning;
+
+    E0501 "enclosure-not-lowered" Error;
+    E0502 "forcing-not-lowered" Error;
+
+    E0601 "malformed-trace" Error;
+    E0602 "unknown-trace-column" Error;
+    E0603 "bad-trace-value" Error;
+    E0604 "trace-goes-back-in-time" Error;
+
+    E0901 "internal-error" Error;
+}

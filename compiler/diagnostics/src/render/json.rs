@@ -1,0 +1,107 @@
+//! Messages for scripts: one JSON object a line.
+//!
+//! ```text
+//! {"code":"E0201","slug":"unknown-name","severity":"error","message":"…","file":"a.gct",
+//!  "start":{"line":1,"column":7,"byte":6},"end":{…},"labels":[…],"notes":["…"],"help":null}
+//! ```
+//!
+//! Lines and columns count from 1, columns in characters, bytes from 0; an end is the place after the last character.
+//! `labels` holds the place itself, first, and then all others that are involved.
+
+use super::human::severity;
+use super::position::{Indexes, Position};
+use crate::{Diagnostic, Diagnostics, Label, SourceMap};
+use serde::Serialize;
+
+#[derive(Serialize)]
+struct Message<'a> {
+    code: &'a str,
+    slug: &'a str,
+    severity: &'a str,
+    message: &'a str,
+    file: &'a str,
+    start: Position,
+    end: Position,
+    labels: Vec<Place<'a>>,
+    notes: &'a [String],
+    help: Option<&'a str>,
+}
+
+#[derive(Serialize)]
+struct Place<'a> {
+    primary: bool,
+    file: &'a str,
+    start: Position,
+    end: Position,
+    text: &'a str,
+}
+
+/// All messages, in the order given, one line each.
+pub fn json(sources: &SourceMap, diagnostics: &Diagnostics) -> String {
+    let mut indexes = Indexes::default();
+    let mut out = String::new();
+    for diagnostic in diagnostics {
+        let message = message(sources, diagnostic, &mut indexes);
+        // Strings and numbers alone cannot be refused.
+        out.push_str(&serde_json::to_string(&message).unwrap_or_default());
+        out.push('\n');
+    }
+    out
+}
+
+fn message<'a>(sources: &'a SourceMap, diagnostic: &'a Diagnostic, indexes: &mut Indexes<'a>) -> Message<'a> {
+    let primary = place(sources, &diagnostic.primary, true, indexes);
+    let (file, start, end) = (primary.file, primary.start, primary.end);
+    let mut labels = vec![primary];
+    labels.extend(diagnostic.secondary.iter().map(|label| place(sources, label, false, indexes)));
+    Message {
+        code: diagnostic.code.as_str(),
+        slug: diagnostic.code.slug(),
+        severity: severity(diagnostic),
+        message: &diagnostic.message,
+        file,
+        start,
+        end,
+        labels,
+        notes: &diagnostic.notes,
+        help: diagnostic.help.as_deref(),
+    }
+}
+
+fn place<'a>(sources: &'a SourceMap, label: &'a Label, primary: bool, indexes: &mut Indexes<'a>) -> Place<'a> {
+    let index = indexes.get(sources, label.span.file);
+    let range = index.range(label.span);
+    let (start, end) = (index.position(range.start), index.position(range.end));
+    Place { primary, file: &index.file.name, start, end, text: &label.text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Code, Span};
+    use expect_test::expect;
+
+    #[test]
+    fn one_object_a_line_with_columns_in_characters() {
+        let mut sources = SourceMap::new();
+        let file = sources.add("ä \"b\".gct", "вход a : bool\r\nшаг\n");
+        let mut diagnostics = Diagnostics::new();
+        diagnostics.push(
+            Diagnostic::new(Code::E0201, Span::new(file, 9, 10), "unknown\nname")
+                .here("here")
+                .also(Span::new(file, 19, 25), "there")
+                .note("n")
+                .help("h"),
+        );
+        diagnostics.push(Diagnostic::new(Code::W0401, Span::new(file, 26, 26), "m"));
+        expect![[r#"
+            {"code":"E0201","slug":"unknown-name","severity":"error","message":"unknown\nname","file":"ä \"b\".gct","start":{"line":1,"column":6,"byte":9},"end":{"line":1,"column":7,"byte":10},"labels":[{"primary":true,"file":"ä \"b\".gct","start":{"line":1,"column":6,"byte":9},"end":{"line":1,"column":7,"byte":10},"text":"here"},{"primary":false,"file":"ä \"b\".gct","start":{"line":2,"column":1,"byte":19},"end":{"line":2,"column":4,"byte":25},"text":"there"}],"notes":["n"],"help":"h"}
+            {"code":"W0401","slug":"output-read","severity":"warning","message":"m","file":"ä \"b\".gct","start":{"line":3,"column":1,"byte":26},"end":{"line":3,"column":1,"byte":26},"labels":[{"primary":true,"file":"ä \"b\".gct","start":{"line":3,"column":1,"byte":26},"end":{"line":3,"column":1,"byte":26},"text":""}],"notes":[],"help":null}
+        "#]].assert_eq(&json(&sources, &diagnostics));
+    }
+
+    #[test]
+    fn no_messages_are_no_lines() {
+        assert_eq!(json(&SourceMap::new(), &Diagnostics::new()), "");
+    }
+}

@@ -1,0 +1,349 @@
+//! Messages for code-scanning tools: SARIF 2.1.0 (OASIS).
+//!
+//! One run. Its rules are the codes that occur, in order, each with its page; results are in the order given. No
+//! dates and no absolute paths other than those the user gave, so that equal runs give equal text.
+
+use super::position::Indexes;
+use crate::{Code, Diagnostic, Diagnostics, FileId, Label, Severity, SourceMap};
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
+
+/// A whole SARIF log; `version` is grafc's.
+pub fn sarif(sources: &SourceMap, diagnostics: &Diagnostics, version: &str) -> String {
+    let mut indexes = Indexes::default();
+    let used: BTreeSet<Code> = diagnostics.iter().map(|d| d.code).collect();
+    let rules: Vec<Code> = Code::ALL.iter().copied().filter(|code| used.contains(code)).collect();
+    let spans = diagnostics.iter().flat_map(|d| std::iter::once(&d.primary).chain(&d.secondary)).map(|l| l.span);
+    let files: Vec<FileId> = spans.map(|span| span.file).collect::<BTreeSet<_>>().into_iter().collect();
+    let mut places = Places { sources, files: &files, indexes: &mut indexes };
+    let results: Vec<Value> = diagnostics.iter().map(|d| result(d, &rules, &mut places)).collect();
+    let log = json!({
+        "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
+        "version": "2.1.0",
+        "runs": [{
+            "tool": { "driver": {
+                "name": "grafc",
+                "version": version,
+                "rules": rules.iter().copied().map(rule).collect::<Vec<_>>(),
+            }},
+            "columnKind": "unicodeCodePoints",
+            "artifacts": files.iter().map(|file| artifact(sources, *file)).collect::<Vec<_>>(),
+            "results": results,
+        }],
+    });
+    format!("{log:#}\n")
+}
+
+fn rule(code: Code) -> Value {
+    json!({
+        "id": code.as_str(),
+        "name": pascal_case(code.slug()),
+        "shortDescription": { "text": code.slug().replace('-', " ") },
+        "help": { "text": code.page(), "markdown": code.page() },
+        "defaultConfiguration": { "level": level(code) },
+    })
+}
+
+fn artifact(sources: &SourceMap, file: FileId) -> Value {
+    json!({ "location": { "uri": uri(&sources.file(file).name) } })
+}
+
+fn result(diagnostic: &Diagnostic, rules: &[Code], places: &mut Places) -> Value {
+    let mut text = diagnostic.message.clone();
+    for note in &diagnostic.notes {
+        text.push_str("\nnote: ");
+        text.push_str(note);
+    }
+    if let Some(help) = &diagnostic.help {
+        text.push_str("\nhelp: ");
+        text.push_str(help);
+    }
+    let related: Vec<Value> =
+        diagnostic.secondary.iter().enumerate().map(|(id, label)| places.location(label, Some(id))).collect();
+    let mut result = json!({
+        "ruleId": diagnostic.code.as_str(),
+        "level": level(diagnostic.code),
+        "message": { "text": text },
+        "locations": [places.location(&diagnostic.primary, None)],
+    });
+    if let Some(index) = rules.iter().position(|rule| *rule == diagnostic.code) {
+        result["ruleIndex"] = json!(index);
+    }
+    if !related.is_empty() {
+        result["relatedLocations"] = json!(related);
+    }
+    result
+}
+
+struct Places<'a, 'b> {
+    sources: &'a SourceMap,
+    files: &'b [FileId],
+    indexes: &'b mut Indexes<'a>,
+}
+
+impl Places<'_, '_> {
+    fn location(&mut self, label: &Label, id: Option<usize>) -> Value {
+        let index = self.indexes.get(self.sources, label.span.file);
+        let range = index.range(label.span);
+        let (start, end) = (index.position(range.start), index.position(range.end));
+        let mut artifact = json!({ "uri": uri(&index.file.name) });
+        if let Ok(index) = self.files.binary_search(&label.span.file) {
+            artifact["index"] = json!(index);
+        }
+        let mut location = json!({
+            "physicalLocation": {
+                "artifactLocation": artifact,
+                "region": {
+                    "startLine": start.line,
+                    "startColumn": start.column,
+                    "endLine": end.line,
+                    "endColumn": end.column,
+                    "byteOffset": start.byte,
+                    "byteLength": end.byte - start.byte,
+                },
+            },
+        });
+        if let Some(id) = id {
+            location["id"] = json!(id);
+        }
+        if !label.text.is_empty() {
+            location["message"] = json!({ "text": label.text });
+        }
+        location
+    }
+}
+
+fn level(code: Code) -> &'static str {
+    match code.severity() {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+    }
+}
+
+/// `unknown-name` as `UnknownName`, as SARIF viewers expect a rule's name.
+fn pascal_case(slug: &str) -> String {
+    slug.split('-')
+        .flat_map(|word| {
+            let mut characters = word.chars();
+            characters.next().map(|first| first.to_ascii_uppercase()).into_iter().chain(characters)
+        })
+        .collect()
+}
+
+/// A path as a URI reference (RFC 3986): relative paths stay relative, bytes that a URI cannot hold are escaped.
+fn uri(path: &str) -> String {
+    let path = if cfg!(windows) { path.replace('\\', "/") } else { path.to_string() };
+    let mut out = String::new();
+    if path.starts_with("//") {
+        out.push_str("file:");
+    } else if path.starts_with('/') {
+        out.push_str("file://");
+    } else if cfg!(windows) && path.as_bytes().get(1) == Some(&b':') {
+        out.push_str("file:///");
+    }
+    for byte in path.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' | b'/' => out.push(char::from(byte)),
+            _ => out.push_str(&format!("%{byte:02X}")),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Span;
+    use expect_test::expect;
+
+    #[test]
+    fn a_log_names_rules_artifacts_and_results() {
+        let mut sources = SourceMap::new();
+        let unused = sources.add("unused.gct", "");
+        let file = sources.add("my charts/ä.gct", "вход a\nb\n");
+        let mut diagnostics = Diagnostics::new();
+        diagnostics.push(Diagnostic::new(Code::W0401, Span::new(file, 9, 10), "output `a` is read"));
+        diagnostics.push(
+            Diagnostic::new(Code::E0104, Span::new(file, 11, 11), "m")
+                .here("here")
+                .also(Span::new(file, 0, 8), "there")
+                .note("n")
+                .help("h"),
+        );
+        diagnostics.push(Diagnostic::new(Code::W0401, Span::new(file, 11, 12), "again"));
+        let mut log: Value = serde_json::from_str(&sarif(&sources, &diagnostics, "1.2.3")).unwrap();
+        assert_ne!(unused, file);
+        for rule in log["runs"][0]["tool"]["driver"]["rules"].as_array_mut().unwrap() {
+            assert!(rule["help"]["text"].as_str().unwrap().starts_with(&format!("# {}", rule["id"].as_str().unwrap())));
+            rule.as_object_mut().unwrap().remove("help");
+        }
+        expect![[r#"
+            {
+              "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
+              "runs": [
+                {
+                  "artifacts": [
+                    {
+                      "location": {
+                        "uri": "my%20charts/%C3%A4.gct"
+                      }
+                    }
+                  ],
+                  "columnKind": "unicodeCodePoints",
+                  "results": [
+                    {
+                      "level": "warning",
+                      "locations": [
+                        {
+                          "physicalLocation": {
+                            "artifactLocation": {
+                              "index": 0,
+                              "uri": "my%20charts/%C3%A4.gct"
+                            },
+                            "region": {
+                              "byteLength": 1,
+                              "byteOffset": 9,
+                              "endColumn": 7,
+                              "endLine": 1,
+                              "startColumn": 6,
+                              "startLine": 1
+                            }
+                          }
+                        }
+                      ],
+                      "message": {
+                        "text": "output `a` is read"
+                      },
+                      "ruleId": "W0401",
+                      "ruleIndex": 1
+                    },
+                    {
+                      "level": "error",
+                      "locations": [
+                        {
+                          "message": {
+                            "text": "here"
+                          },
+                          "physicalLocation": {
+                            "artifactLocation": {
+                              "index": 0,
+                              "uri": "my%20charts/%C3%A4.gct"
+                            },
+                            "region": {
+                              "byteLength": 0,
+                              "byteOffset": 11,
+                              "endColumn": 1,
+                              "endLine": 2,
+                              "startColumn": 1,
+                              "startLine": 2
+                            }
+                          }
+                        }
+                      ],
+                      "message": {
+                        "text": "m\nnote: n\nhelp: h"
+                      },
+                      "relatedLocations": [
+                        {
+                          "id": 0,
+                          "message": {
+                            "text": "there"
+                          },
+                          "physicalLocation": {
+                            "artifactLocation": {
+                              "index": 0,
+                              "uri": "my%20charts/%C3%A4.gct"
+                            },
+                            "region": {
+                              "byteLength": 8,
+                              "byteOffset": 0,
+                              "endColumn": 5,
+                              "endLine": 1,
+                              "startColumn": 1,
+                              "startLine": 1
+                            }
+                          }
+                        }
+                      ],
+                      "ruleId": "E0104",
+                      "ruleIndex": 0
+                    },
+                    {
+                      "level": "warning",
+                      "locations": [
+                        {
+                          "physicalLocation": {
+                            "artifactLocation": {
+                              "index": 0,
+                              "uri": "my%20charts/%C3%A4.gct"
+                            },
+                            "region": {
+                              "byteLength": 1,
+                              "byteOffset": 11,
+                              "endColumn": 2,
+                              "endLine": 2,
+                              "startColumn": 1,
+                              "startLine": 2
+                            }
+                          }
+                        }
+                      ],
+                      "message": {
+                        "text": "again"
+                      },
+                      "ruleId": "W0401",
+                      "ruleIndex": 1
+                    }
+                  ],
+                  "tool": {
+                    "driver": {
+                      "name": "grafc",
+                      "rules": [
+                        {
+                          "defaultConfiguration": {
+                            "level": "error"
+                          },
+                          "id": "E0104",
+                          "name": "MalformedName",
+                          "shortDescription": {
+                            "text": "malformed name"
+                          }
+                        },
+                        {
+                          "defaultConfiguration": {
+                            "level": "warning"
+                          },
+                          "id": "W0401",
+                          "name": "OutputRead",
+                          "shortDescription": {
+                            "text": "output read"
+                          }
+                        }
+                      ],
+                      "version": "1.2.3"
+                    }
+                  }
+                }
+              ],
+              "version": "2.1.0"
+            }
+        "#]]
+        .assert_eq(&format!("{log:#}\n"));
+    }
+
+    #[test]
+    fn a_log_without_results_is_still_a_log() {
+        let log: Value = serde_json::from_str(&sarif(&SourceMap::new(), &Diagnostics::new(), "0")).unwrap();
+        assert_eq!(log["runs"][0]["results"], json!([]));
+        assert_eq!(log["version"], "2.1.0");
+    }
+
+    #[test]
+    fn paths_become_uri_references() {
+        assert_eq!(uri("a/b.gct"), "a/b.gct");
+        assert_eq!(uri("/a b.gct"), "file:///a%20b.gct");
+        assert_eq!(uri("a:b?#%.gct"), "a%3Ab%3F%23%25.gct");
+        assert_eq!(uri("<stdin>"), "%3Cstdin%3E");
+        assert_eq!(pascal_case("not-utf8"), "NotUtf8");
+    }
+}
