@@ -1,0 +1,369 @@
+//! The syntax tree: what the author wrote, losslessly enough to format it.
+//!
+//! Expressions lie in one arena, children before parents, so that no code walks them by recursion: the depth of
+//! nesting is the author's, not ours. Names are as written, without backquotes; nothing is resolved yet.
+
+use grafc_diagnostics::Span;
+use index_vec::{IndexVec, define_index_type};
+
+pub use crate::same::same;
+
+define_index_type! {
+    /// An expression of a [`Chart`].
+    pub struct ExprId = u32;
+    DISPLAY_FORMAT = "e{}";
+    DEBUG_FORMAT = "e{}";
+}
+
+/// The arena of expressions.
+pub type Exprs = IndexVec<ExprId, Expr>;
+
+/// A whole file.
+#[derive(Clone, Debug, Default)]
+pub struct Chart {
+    /// `chart Name "comment"`, if the file has one.
+    pub heading: Option<Heading>,
+    /// Declarations, grafcets, and (in a file with a single grafcet) steps and transitions, in source order.
+    pub items: Vec<Item>,
+    /// All expressions of the file.
+    pub exprs: Exprs,
+    /// All `//` and `(* *)` comments, in source order.
+    pub comments: Vec<Comment>,
+    /// The whole text.
+    pub span: Span,
+}
+
+/// `chart Name "comment"`.
+#[derive(Clone, Debug)]
+pub struct Heading {
+    /// The chart's name.
+    pub name: Name,
+    /// The attached comment.
+    pub comment: Option<Text>,
+    /// The whole line.
+    pub span: Span,
+}
+
+/// A name, a step label or a designation, without its backquotes.
+#[derive(Clone, Debug)]
+pub struct Name {
+    /// The name; of a numeric label its digits as written.
+    pub text: String,
+    /// Whether the author put it in backquotes.
+    pub quoted: bool,
+    /// The place.
+    pub span: Span,
+}
+
+/// An attached comment (IEC 60848, symbol 30): the string without its quotes and escapes.
+#[derive(Clone, Debug)]
+pub struct Text {
+    /// The text.
+    pub text: String,
+    /// The place, quotes included.
+    pub span: Span,
+}
+
+/// A `//` or `(* *)` comment.
+#[derive(Clone, Debug)]
+pub struct Comment {
+    /// The place, delimiters included.
+    pub span: Span,
+}
+
+/// What stands in a file, a grafcet or an expansion.
+#[derive(Clone, Debug)]
+pub enum Item {
+    /// `input`, `output`, `var`, `const`.
+    Declaration(Declaration),
+    /// `grafcet G1 { … }`.
+    Grafcet(Grafcet),
+    /// `expansion M3 { … }`.
+    Expansion(Expansion),
+    /// Any kind of step.
+    Step(Step),
+    /// A transition.
+    Transition(Transition),
+}
+
+/// `input a "comment", b : bool := 0 at %IX0.0`.
+#[derive(Clone, Debug)]
+pub struct Declaration {
+    /// Which keyword.
+    pub kind: DeclarationKind,
+    /// The names, each with its attached comment.
+    pub names: Vec<DeclaredName>,
+    /// The type.
+    pub ty: Type,
+    /// Where the type is written.
+    pub ty_span: Span,
+    /// `:= value`.
+    pub initial: Option<ExprId>,
+    /// `at %IX0.0`; several names count on from it.
+    pub address: Option<Text>,
+    /// The whole declaration.
+    pub span: Span,
+}
+
+/// The keyword of a declaration.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum DeclarationKind {
+    /// `input`
+    Input,
+    /// `output`
+    Output,
+    /// `var`
+    Variable,
+    /// `const`
+    Constant,
+}
+
+/// One name of a declaration.
+#[derive(Clone, Debug)]
+pub struct DeclaredName {
+    /// The name.
+    pub name: Name,
+    /// The attached comment.
+    pub comment: Option<Text>,
+}
+
+/// The elementary types of IEC 61131-3 that charts use.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Type {
+    /// `bool`
+    Bool,
+    /// `int`: 16 bits, signed
+    Int,
+    /// `dint`: 32 bits, signed
+    Dint,
+    /// `uint`: 16 bits
+    Uint,
+    /// `udint`: 32 bits
+    Udint,
+    /// `real`: IEEE 754 single
+    Real,
+    /// `lreal`: IEEE 754 double
+    Lreal,
+    /// `time`: milliseconds
+    Time,
+}
+
+/// `grafcet X9/G4 "comment" { … }`.
+#[derive(Clone, Debug)]
+pub struct Grafcet {
+    /// What stands before the name: `X9` in `X9/G4`; usually empty or one name. Each still begins with its `X`.
+    pub path: Vec<Name>,
+    /// The grafcet's name.
+    pub name: Name,
+    /// The attached comment.
+    pub comment: Option<Text>,
+    /// What is in the braces: steps, transitions, expansions.
+    pub items: Vec<Item>,
+    /// The whole block.
+    pub span: Span,
+}
+
+/// `expansion M3 "comment" { … }` (symbol 42).
+#[derive(Clone, Debug)]
+pub struct Expansion {
+    /// The macro-step that it expands.
+    pub macro_step: Name,
+    /// The attached comment.
+    pub comment: Option<Text>,
+    /// What is in the braces: steps, transitions, expansions.
+    pub items: Vec<Item>,
+    /// The whole block.
+    pub span: Span,
+}
+
+/// A step of any kind.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// Plain, enclosing or macro.
+    pub kind: StepKind,
+    /// `initial`.
+    pub initial: bool,
+    /// `activated`: the step bears an activation link (symbol 41).
+    pub activated: bool,
+    /// The label.
+    pub label: Name,
+    /// The attached comment.
+    pub comment: Option<Text>,
+    /// The actions in its braces.
+    pub actions: Vec<Action>,
+    /// The whole item.
+    pub span: Span,
+}
+
+/// The kinds of step.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum StepKind {
+    /// `step` (symbols 1 and 3)
+    Plain,
+    /// `enclosing step` (symbols 4 and 5)
+    Enclosing,
+    /// `macro step` (symbol 6)
+    Macro,
+}
+
+/// `transition (5) "comment" 1, 2 -> 3 : condition { C := C + 1 }`.
+#[derive(Clone, Debug)]
+pub struct Transition {
+    /// What is in the parentheses (symbol 8).
+    pub designation: Option<Name>,
+    /// The attached comment.
+    pub comment: Option<Text>,
+    /// The immediately preceding steps; none for a source transition.
+    pub from: Vec<Name>,
+    /// The immediately succeeding steps; none for a sink transition.
+    pub to: Vec<Name>,
+    /// The transition-condition.
+    pub condition: ExprId,
+    /// Assignments on clearing.
+    pub actions: Vec<Assignment>,
+    /// The whole item.
+    pub span: Span,
+}
+
+/// `C := C + 1`.
+#[derive(Clone, Debug)]
+pub struct Assignment {
+    /// What is assigned.
+    pub target: Name,
+    /// The value; arithmetic (`+` adds).
+    pub value: ExprId,
+    /// The whole assignment.
+    pub span: Span,
+}
+
+/// One action in a step's braces.
+#[derive(Clone, Debug)]
+pub struct Action {
+    /// Which form.
+    pub kind: ActionKind,
+    /// The whole action.
+    pub span: Span,
+}
+
+/// The forms of action.
+#[derive(Clone, Debug)]
+pub enum ActionKind {
+    /// `V2`, `V2 if d` (symbols 20 to 25).
+    Continuous {
+        /// The output.
+        target: Name,
+        /// The assignment condition.
+        condition: Option<ExprId>,
+    },
+    /// `C := C + 1 on activation` (symbols 26 to 29).
+    Stored {
+        /// What is assigned.
+        assignment: Assignment,
+        /// When.
+        event: Event,
+    },
+    /// `force G12{8, 9, 11}` (symbol 37).
+    Force {
+        /// The forced grafcet.
+        grafcet: Name,
+        /// The forced situation.
+        situation: Situation,
+    },
+}
+
+/// When a stored action of a step is done.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Event {
+    /// `on activation` (symbol 27)
+    Activation,
+    /// `on deactivation` (symbol 28)
+    Deactivation,
+    /// `on event ↑a` (symbol 29)
+    Event(ExprId),
+}
+
+/// A forced situation.
+#[derive(Clone, Debug)]
+pub enum Situation {
+    /// `{8, 9, 11}`; `{}` empties the grafcet.
+    Steps(Vec<Name>),
+    /// `{*}`: the current situation, frozen.
+    Current,
+    /// `{INIT}`: the initial situation.
+    Initial,
+}
+
+/// An expression and its place.
+#[derive(Clone, Debug)]
+pub struct Expr {
+    /// What it is.
+    pub kind: ExprKind,
+    /// Where it is.
+    pub span: Span,
+}
+
+/// The forms of expression, of conditions and of arithmetic alike.
+#[derive(Clone, PartialEq, Debug)]
+pub enum ExprKind {
+    /// A variable or an implicit variable.
+    Name(String),
+    /// `3`, `16#FF`: a whole number; `1` and `0` are also Boolean constants.
+    Integer(i64),
+    /// `8.5`
+    Real(f64),
+    /// `3s`, `T#1m30s`, in milliseconds.
+    Duration(i64),
+    /// `true`, `false`
+    Bool(bool),
+    /// `( … )`: kept, for the formatter.
+    Paren(ExprId),
+    /// `[ … ]`: a predicate (symbol 19).
+    Predicate(ExprId),
+    /// `not a`
+    Not(ExprId),
+    /// `-a`
+    Negate(ExprId),
+    /// `↑a` (symbol 15)
+    Rise(ExprId),
+    /// `↓a` (symbol 16)
+    Fall(ExprId),
+    /// `a and b`, `C + 1`, `C < N`.
+    Binary(BinaryOp, ExprId, ExprId),
+    /// `3s/a/7s`, `4s/X27`, `X2/5s`: two or three parts, as written (symbols 17 and 18).
+    Delay(Vec<ExprId>),
+    /// A part that could not be read; an error has been reported.
+    Error,
+}
+
+/// The operators between two operands.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum BinaryOp {
+    /// `and`, `·`, `&`
+    And,
+    /// `or`, `|`, and `+` outside brackets
+    Or,
+    /// `xor`
+    Xor,
+    /// `=`
+    Equal,
+    /// `<>`, `≠`
+    NotEqual,
+    /// `<`
+    Less,
+    /// `<=`, `≤`
+    LessEqual,
+    /// `>`
+    Greater,
+    /// `>=`, `≥`
+    GreaterEqual,
+    /// `+` inside brackets and in assignments
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/` inside brackets and in assignments
+    Divide,
+    /// `mod`
+    Modulo,
+}

@@ -1,0 +1,102 @@
+//! Whether two trees are the same but for their places.
+//!
+//! The parser fills the arena in the order of the text, so the arenas of two texts with the same meaning are equal
+//! element by element, and nothing needs to be walked in depth.
+
+use crate::ast::*;
+
+/// Whether two texts were read as the same chart: everything but spans, and as many comments.
+pub fn same(a: &Chart, b: &Chart) -> bool {
+    let headings = match (&a.heading, &b.heading) {
+        (Some(a), Some(b)) => name(&a.name, &b.name) && text(&a.comment, &b.comment),
+        (None, None) => true,
+        (Some(_), None) | (None, Some(_)) => false,
+    };
+    headings
+        && a.comments.len() == b.comments.len()
+        && a.exprs.len() == b.exprs.len()
+        && a.exprs.iter().zip(&b.exprs).all(|(a, b)| a.kind == b.kind)
+        && items(&a.items, &b.items)
+}
+
+fn all<T>(a: &[T], b: &[T], same: impl Fn(&T, &T) -> bool) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same(a, b))
+}
+
+fn name(a: &Name, b: &Name) -> bool {
+    a.text == b.text && a.quoted == b.quoted
+}
+
+fn names(a: &[Name], b: &[Name]) -> bool {
+    all(a, b, name)
+}
+
+fn text(a: &Option<Text>, b: &Option<Text>) -> bool {
+    a.as_ref().map(|a| &a.text) == b.as_ref().map(|b| &b.text)
+}
+
+/// Blocks are nested at most 64 deep (see `items.rs`), so this may recurse.
+fn items(a: &[Item], b: &[Item]) -> bool {
+    all(a, b, |a, b| match (a, b) {
+        (Item::Declaration(a), Item::Declaration(b)) => {
+            a.kind == b.kind
+                && all(&a.names, &b.names, |a, b| name(&a.name, &b.name) && text(&a.comment, &b.comment))
+                && a.ty == b.ty
+                && a.initial == b.initial
+                && text(&a.address, &b.address)
+        }
+        (Item::Grafcet(a), Item::Grafcet(b)) => {
+            names(&a.path, &b.path)
+                && name(&a.name, &b.name)
+                && text(&a.comment, &b.comment)
+                && items(&a.items, &b.items)
+        }
+        (Item::Expansion(a), Item::Expansion(b)) => {
+            name(&a.macro_step, &b.macro_step) && text(&a.comment, &b.comment) && items(&a.items, &b.items)
+        }
+        (Item::Step(a), Item::Step(b)) => {
+            a.kind == b.kind
+                && (a.initial, a.activated) == (b.initial, b.activated)
+                && name(&a.label, &b.label)
+                && text(&a.comment, &b.comment)
+                && all(&a.actions, &b.actions, action)
+        }
+        (Item::Transition(a), Item::Transition(b)) => {
+            a.designation.as_ref().map(|n| (&n.text, n.quoted)) == b.designation.as_ref().map(|n| (&n.text, n.quoted))
+                && text(&a.comment, &b.comment)
+                && names(&a.from, &b.from)
+                && names(&a.to, &b.to)
+                && a.condition == b.condition
+                && all(&a.actions, &b.actions, assignment)
+        }
+        (
+            Item::Declaration(_) | Item::Grafcet(_) | Item::Expansion(_) | Item::Step(_) | Item::Transition(_),
+            Item::Declaration(_) | Item::Grafcet(_) | Item::Expansion(_) | Item::Step(_) | Item::Transition(_),
+        ) => false,
+    })
+}
+
+fn assignment(a: &Assignment, b: &Assignment) -> bool {
+    name(&a.target, &b.target) && a.value == b.value
+}
+
+fn action(a: &Action, b: &Action) -> bool {
+    use ActionKind::*;
+    match (&a.kind, &b.kind) {
+        (Continuous { target: a, condition: c }, Continuous { target: b, condition: d }) => name(a, b) && c == d,
+        (Stored { assignment: a, event: e }, Stored { assignment: b, event: f }) => assignment(a, b) && e == f,
+        (Force { grafcet: a, situation: s }, Force { grafcet: b, situation: t }) => name(a, b) && situation(s, t),
+        (Continuous { .. } | Stored { .. } | Force { .. }, Continuous { .. } | Stored { .. } | Force { .. }) => false,
+    }
+}
+
+fn situation(a: &Situation, b: &Situation) -> bool {
+    match (a, b) {
+        (Situation::Steps(a), Situation::Steps(b)) => names(a, b),
+        (Situation::Current, Situation::Current) | (Situation::Initial, Situation::Initial) => true,
+        (
+            Situation::Steps(_) | Situation::Current | Situation::Initial,
+            Situation::Steps(_) | Situation::Current | Situation::Initial,
+        ) => false,
+    }
+}
