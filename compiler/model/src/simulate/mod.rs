@@ -1,0 +1,98 @@
+//! The reference simulator: the rules of the semantics, literally, one group of rules a file.
+//!
+//! | rules | file |
+//! | --- | --- |
+//! | M1 macro-steps | `flat` |
+//! | X1-X6 expressions | `plan` (what is evaluated when), `context`, `delay`, `arithmetic` |
+//! | R2 orders in force | `orders` |
+//! | R5 settling | `settle` |
+//! | R7 stored actions | `stored` |
+//! | R1, R3, R4, R6, R8 micro-step | `micro_step` |
+//! | R9-R14 reactions | `reaction` |
+//!
+//! It is the oracle of the compiler's tests: plain before fast, and sharing no code with the lowering of charts. It
+//! neither panics nor recurses, whatever the chart.
+
+mod arithmetic;
+mod context;
+mod delay;
+mod flat;
+mod micro_step;
+mod orders;
+mod plan;
+mod reaction;
+mod settle;
+mod stored;
+#[cfg(test)]
+mod tests;
+
+use crate::chart::{Chart, ExprId, StepId, Value, VariableId};
+use crate::reaction::{Flags, Profile};
+use context::Values;
+use delay::Delay;
+use flat::Flat;
+use index_vec::IndexVec;
+use orders::Orders;
+use plan::Plan;
+
+/// Whether each step is active.
+pub type Activity = IndexVec<StepId, bool>;
+
+/// The state of A2: nothing else survives from one micro-step to the next.
+#[derive(Clone, PartialEq, Debug)]
+pub struct State {
+    /// `X`: the situation.
+    active: Activity,
+    /// `V` and `I`: stored variables, inputs, and what never changes; entries of wires are not read.
+    variables: IndexVec<VariableId, Value>,
+    /// `τ`: when each step was last activated.
+    since: IndexVec<StepId, i64>,
+    /// `D`: the memory of each delay; other entries are not read.
+    delays: IndexVec<ExprId, Delay>,
+    /// `m`: the operand of each edge in the context before; other entries are not read.
+    edges: IndexVec<ExprId, bool>,
+}
+
+/// A chart that is being run.
+#[derive(Clone, Debug)]
+pub struct Simulator<'a> {
+    chart: &'a Chart,
+    profile: Profile,
+    flat: Flat,
+    orders: Orders,
+    plan: Plan,
+    state: State,
+    /// The inputs of the reaction before; none before the first.
+    previous: Option<Vec<Value>>,
+    flags: Flags,
+    /// Values of the latest context; those that a context reads it has written before.
+    values: Values,
+}
+
+impl<'a> Simulator<'a> {
+    /// A chart before its initial reaction.
+    pub fn new(chart: &'a Chart, profile: Profile) -> Self {
+        Simulator {
+            chart,
+            profile,
+            flat: Flat::new(chart),
+            orders: Orders::new(chart),
+            plan: Plan::new(chart),
+            state: State {
+                active: chart.steps.iter().map(|_| false).collect(),
+                variables: chart.variables.iter().map(|variable| variable.initial).collect(),
+                since: chart.steps.iter().map(|_| 0).collect(),
+                delays: chart.exprs.iter().map(|_| Delay::default()).collect(),
+                edges: chart.exprs.iter().map(|_| false).collect(),
+            },
+            previous: None,
+            flags: Flags::default(),
+            values: Values::new(chart),
+        }
+    }
+
+    /// The state after the latest reaction.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+}

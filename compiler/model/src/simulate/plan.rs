@@ -1,0 +1,251 @@
+//! X6: what is evaluated in a context, and in which order.
+//!
+//! Operands come before what they are operands of. In the pool that is so already; reading a continuously assigned
+//! name adds an edge, from the name to the conditions of its continuous actions, wherever these stand. Delays lie in
+//! edges and never the other way round, and conditions of continuous actions hold no edge, so one order serves: inner
+//! delays, outer delays, operands of edges, everything else.
+
+use crate::chart::{Chart, Event, ExprId, ExprKind, Mode, VariableId, VariableKind};
+use index_vec::IndexVec;
+
+/// Something that has a value in a context.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Node {
+    /// An expression.
+    Expr(ExprId),
+    /// `wire(B)`: a continuously assigned name.
+    Wire(VariableId),
+}
+
+/// What edges and delays do in an evaluation.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Memory {
+    /// A context: delays are updated, edges compared with the context before.
+    Update,
+    /// Delays keep the value of the latest context, and there is no edge.
+    Hold,
+    /// Before the first context: fresh delays, whose memory is then thrown away, and no edge.
+    Fresh,
+}
+
+/// A set of nodes.
+#[derive(Clone, Debug)]
+struct Marks {
+    exprs: IndexVec<ExprId, bool>,
+    wires: IndexVec<VariableId, bool>,
+}
+
+/// What is evaluated when, each list operands first.
+#[derive(Clone, Debug)]
+pub(super) struct Plan {
+    /// By name, the places of its continuous actions in [`Chart::continuous`].
+    pub actions: IndexVec<VariableId, Vec<usize>>,
+    /// In every context: transition-conditions, event expressions, and all edges and delays of the chart.
+    pub context: Vec<Node>,
+    /// Event expressions with their edges replaced by 0 (R7).
+    pub levels: Vec<Node>,
+    /// Continuously assigned outputs (R11).
+    pub outputs: Vec<Node>,
+    /// Each edge and its operand.
+    pub edges: Vec<(ExprId, ExprId)>,
+    /// All nodes of the chart.
+    all: Vec<Node>,
+    /// The set of `context`.
+    in_context: Marks,
+}
+
+impl Plan {
+    pub fn new(chart: &Chart) -> Self {
+        let mut actions: IndexVec<VariableId, Vec<usize>> = chart.variables.iter().map(|_| Vec::new()).collect();
+        for (place, action) in chart.continuous.iter().enumerate() {
+            actions[action.target].push(place);
+        }
+        let conditions = chart.transitions.iter().map(|t| Node::Expr(t.condition));
+        let events: Vec<Node> = chart.stored.iter().filter_map(|s| event_expression(s.event)).map(Node::Expr).collect();
+        let outputs: Vec<Node> = chart
+            .variables
+            .iter_enumerated()
+            .filter(|(_, v)| v.kind == VariableKind::Output && v.mode == Mode::Wire)
+            .map(|(id, _)| Node::Wire(id))
+            .collect();
+
+        let mut context: Vec<Node> = conditions.chain(events.iter().copied()).collect();
+        let mut roots = context.clone();
+        roots.extend(chart.continuous.iter().filter_map(|action| action.condition).map(Node::Expr));
+        roots.extend(chart.stored.iter().map(|stored| Node::Expr(stored.value)));
+        roots.extend(outputs.iter().copied());
+        let all = operands_first(chart, &actions, &roots);
+
+        let mut edges = Vec::new();
+        for &node in &all {
+            let Node::Expr(id) = node else { continue };
+            match chart.exprs[id].kind {
+                ExprKind::Rise(operand) | ExprKind::Fall(operand) => {
+                    edges.push((id, operand));
+                    context.push(node);
+                }
+                ExprKind::Delay { .. } => context.push(node),
+                ExprKind::Literal(_)
+                | ExprKind::Variable(_)
+                | ExprKind::StepActive(_)
+                | ExprKind::StepTime(_)
+                | ExprKind::MacroActive(_)
+                | ExprKind::GrafcetActive(_)
+                | ExprKind::Not(_)
+                | ExprKind::And(..)
+                | ExprKind::Or(..)
+                | ExprKind::Xor(..)
+                | ExprKind::Compare(..)
+                | ExprKind::Arithmetic(..)
+                | ExprKind::Negate(_)
+                | ExprKind::Widen(_) => {}
+            }
+        }
+
+        let in_context = reach(chart, &actions, context, Memory::Update);
+        let levels = reach(chart, &actions, events, Memory::Hold);
+        let outputs = reach(chart, &actions, outputs, Memory::Hold);
+        Plan {
+            context: in_context.select(&all),
+            levels: levels.select(&all),
+            outputs: outputs.select(&all),
+            actions,
+            edges,
+            all,
+            in_context,
+        }
+    }
+
+    /// What the right sides need beyond what the context has evaluated.
+    pub fn beyond_context(&self, chart: &Chart, values: impl Iterator<Item = ExprId>) -> Vec<Node> {
+        let marks = reach(chart, &self.actions, values.map(Node::Expr).collect(), Memory::Hold);
+        let mut nodes = marks.select(&self.all);
+        nodes.retain(|&node| !self.in_context.has(node));
+        nodes
+    }
+
+    /// What the right sides need before the first context.
+    pub fn before_first_context(&self, chart: &Chart, values: impl Iterator<Item = ExprId>) -> Vec<Node> {
+        reach(chart, &self.actions, values.map(Node::Expr).collect(), Memory::Fresh).select(&self.all)
+    }
+}
+
+/// The expression of an action on event.
+fn event_expression(event: Event) -> Option<ExprId> {
+    match event {
+        Event::Event(_, expression) => Some(expression),
+        Event::Deactivation(_) | Event::Clearing(_) | Event::Activation(_) => None,
+    }
+}
+
+impl Marks {
+    fn none(chart: &Chart) -> Self {
+        Marks {
+            exprs: chart.exprs.iter().map(|_| false).collect(),
+            wires: chart.variables.iter().map(|_| false).collect(),
+        }
+    }
+
+    fn has(&self, node: Node) -> bool {
+        match node {
+            Node::Expr(id) => self.exprs[id],
+            Node::Wire(id) => self.wires[id],
+        }
+    }
+
+    /// Adds a node; says whether it is new.
+    fn add(&mut self, node: Node) -> bool {
+        let mark = match node {
+            Node::Expr(id) => &mut self.exprs[id],
+            Node::Wire(id) => &mut self.wires[id],
+        };
+        !std::mem::replace(mark, true)
+    }
+
+    fn select(&self, nodes: &[Node]) -> Vec<Node> {
+        nodes.iter().copied().filter(|&node| self.has(node)).collect()
+    }
+}
+
+/// Everything that the roots need in an evaluation of this kind.
+fn reach(chart: &Chart, actions: &IndexVec<VariableId, Vec<usize>>, roots: Vec<Node>, memory: Memory) -> Marks {
+    let mut marks = Marks::none(chart);
+    let mut todo = roots;
+    while let Some(node) = todo.pop() {
+        if marks.add(node) {
+            operands(chart, actions, node, memory, &mut todo);
+        }
+    }
+    marks
+}
+
+/// Everything that the roots reach, operands first. A cycle of continuous actions, which a checked chart has not, is
+/// cut where it is met.
+fn operands_first(chart: &Chart, actions: &IndexVec<VariableId, Vec<usize>>, roots: &[Node]) -> Vec<Node> {
+    enum Visit {
+        Enter(Node),
+        Leave(Node),
+    }
+    let mut order = Vec::new();
+    let mut entered = Marks::none(chart);
+    let mut todo: Vec<Visit> = roots.iter().rev().map(|&node| Visit::Enter(node)).collect();
+    let mut found = Vec::new();
+    while let Some(visit) = todo.pop() {
+        match visit {
+            Visit::Enter(node) => {
+                if entered.add(node) {
+                    todo.push(Visit::Leave(node));
+                    operands(chart, actions, node, Memory::Update, &mut found);
+                    todo.extend(found.drain(..).rev().map(Visit::Enter));
+                }
+            }
+            Visit::Leave(node) => order.push(node),
+        }
+    }
+    order
+}
+
+/// Appends what a node needs in an evaluation of this kind.
+fn operands(
+    chart: &Chart,
+    actions: &IndexVec<VariableId, Vec<usize>>,
+    node: Node,
+    memory: Memory,
+    found: &mut Vec<Node>,
+) {
+    let id = match node {
+        Node::Expr(id) => id,
+        Node::Wire(variable) => {
+            let conditions = actions[variable].iter().filter_map(|&place| chart.continuous[place].condition);
+            found.extend(conditions.map(Node::Expr));
+            return;
+        }
+    };
+    match chart.exprs[id].kind {
+        ExprKind::Literal(_)
+        | ExprKind::StepActive(_)
+        | ExprKind::StepTime(_)
+        | ExprKind::MacroActive(_)
+        | ExprKind::GrafcetActive(_) => {}
+        ExprKind::Variable(variable) => match chart.variables[variable].mode {
+            Mode::Wire => found.push(Node::Wire(variable)),
+            Mode::Given | Mode::Stored => {}
+        },
+        ExprKind::Rise(operand) | ExprKind::Fall(operand) => match memory {
+            Memory::Update => found.push(Node::Expr(operand)),
+            Memory::Hold | Memory::Fresh => {}
+        },
+        ExprKind::Delay { operand, .. } => match memory {
+            Memory::Update | Memory::Fresh => found.push(Node::Expr(operand)),
+            Memory::Hold => {}
+        },
+        ExprKind::Not(operand) | ExprKind::Negate(operand) | ExprKind::Widen(operand) => {
+            found.push(Node::Expr(operand));
+        }
+        ExprKind::And(a, b)
+        | ExprKind::Or(a, b)
+        | ExprKind::Xor(a, b)
+        | ExprKind::Compare(_, a, b)
+        | ExprKind::Arithmetic(_, a, b) => found.extend([Node::Expr(a), Node::Expr(b)]),
+    }
+}

@@ -1,0 +1,119 @@
+//! R9-R14: reactions.
+
+use super::Simulator;
+use super::arithmetic::{convert, same};
+use super::plan::{Memory, Node};
+use super::settle::{Conflict, Phase, settle};
+use super::stored::allocate;
+use crate::chart::{Event, Mode, Stored, Value, VariableKind};
+use crate::reaction::{Evolution, Response, Stimulus};
+
+impl Simulator<'_> {
+    /// Reacts to inputs at an instant; the first call is the initial reaction.
+    pub fn react(&mut self, stimulus: &Stimulus) -> Response {
+        let t = stimulus.t_ms;
+        let inputs = self.set_inputs(&stimulus.inputs);
+        // There is no input event at the initial reaction: what came before is taken to have been the same.
+        let input_event = match &self.previous {
+            Some(previous) => previous.iter().zip(&inputs).any(|(&old, &new)| !same(old, new)),
+            None => {
+                self.start(t);
+                false
+            }
+        };
+        self.previous = Some(inputs);
+        match self.profile.evolution {
+            Evolution::Stable => self.evolve(t, input_event),
+            // R14: exactly one micro-step a call.
+            Evolution::Scan => {
+                self.micro_step(t, input_event);
+            }
+        }
+        self.publish(t)
+    }
+
+    /// R9: inputs are constant during the reaction. An input that is not given keeps its value.
+    fn set_inputs(&mut self, given: &[Value]) -> Vec<Value> {
+        let mut given = given.iter();
+        let mut inputs = Vec::new();
+        for (id, variable) in self.chart.variables.iter_enumerated() {
+            if variable.kind == VariableKind::Input {
+                if let Some(&value) = given.next() {
+                    self.state.variables[id] = convert(variable.ty, value);
+                }
+                inputs.push(self.state.variables[id]);
+            }
+        }
+        inputs
+    }
+
+    /// R9: micro-steps until nothing changes, or until there have been too many.
+    fn evolve(&mut self, t: i64, input_event: bool) {
+        let bound = self.profile.bound_for(self.chart.steps.len(), self.chart.transitions.len());
+        let mut done = 0;
+        while self.micro_step(t, input_event && done == 0) {
+            done += 1;
+            if done >= bound {
+                self.flags.livelock = true;
+                break;
+            }
+        }
+    }
+
+    /// R10, up to the loop: the initial situation, and the actions on activation of its steps. These see the settled
+    /// situation, initial values, no edge, and delays as in a first context; what delays remember and what edges
+    /// compare with begins in the first micro-step.
+    fn start(&mut self, t: i64) {
+        let before = self.state.active.clone();
+        let mut initial = self.chart.steps.iter().map(|step| step.initial).collect();
+        let Conflict(conflict) = settle(self.chart, &self.orders, Phase::Start, &before, &mut initial);
+        self.flags.force_conflict |= conflict;
+        self.state.active = initial;
+        for since in &mut self.state.since {
+            *since = t;
+        }
+        if self.profile.initial_actions {
+            let on_activation = |stored: &&Stored| match stored.event {
+                Event::Activation(step) => self.state.active[step],
+                Event::Event(..) | Event::Deactivation(_) | Event::Clearing(_) => false,
+            };
+            let triggered: Vec<&Stored> = self.chart.stored.iter().filter(on_activation).collect();
+            let nodes = self.plan.before_first_context(self.chart, triggered.iter().map(|stored| stored.value));
+            self.evaluate(&nodes, Memory::Fresh, t);
+            let allocated = allocate(&triggered, &self.values, &mut self.state);
+            self.flags.alloc_conflict |= allocated.conflict;
+        }
+        self.take_edges_as_seen(t);
+    }
+
+    /// `m := cur` of the first context, so that no edge is true in it.
+    fn take_edges_as_seen(&mut self, t: i64) {
+        // The context is evaluated on copies: its delays are updated, and its divisions count, in the micro-step.
+        let mut first = self.clone();
+        let nodes: Vec<Node> = first.plan.context.clone();
+        first.evaluate(&nodes, Memory::Update, t);
+        for &(edge, operand) in &self.plan.edges {
+            self.state.edges[edge] = first.values.holds(operand);
+        }
+    }
+
+    /// R11, R14: outputs of the situation and the variables reached, with the delays of the latest context. After a
+    /// stable reaction that is the latest context itself.
+    fn publish(&mut self, t: i64) -> Response {
+        let nodes = std::mem::take(&mut self.plan.outputs);
+        self.evaluate(&nodes, Memory::Hold, t);
+        self.plan.outputs = nodes;
+        let outputs =
+            self.chart.variables.iter_enumerated().filter(|(_, variable)| variable.kind == VariableKind::Output);
+        Response {
+            outputs: outputs
+                .map(|(id, variable)| match variable.mode {
+                    Mode::Wire => Value::Bool(self.values.wire(id)),
+                    Mode::Given | Mode::Stored => self.state.variables[id],
+                })
+                .collect(),
+            situation: self.state.active.iter_enumerated().filter(|(_, active)| **active).map(|(id, _)| id).collect(),
+            flags: self.flags,
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! R7: stored actions.
+
+use super::arithmetic::same;
+use super::context::Values;
+use super::{Activity, State};
+use crate::chart::{Chart, Event, Stored, TransitionId, Value, VariableId};
+use index_vec::IndexVec;
+
+/// What happened in a micro-step, as far as stored actions ask.
+pub(super) struct Happened<'a> {
+    /// The situation that the events occur in.
+    pub before: &'a Activity,
+    /// The situation that the micro-step leads to.
+    pub after: &'a Activity,
+    /// The transitions that were cleared.
+    pub cleared: &'a IndexVec<TransitionId, bool>,
+    /// By stored action, whether its event expression holds with all edges replaced by 0.
+    pub levels: &'a [bool],
+    /// Whether this is the first micro-step after a change of inputs.
+    pub input_event: bool,
+}
+
+impl Happened<'_> {
+    /// The actions that were triggered: on event, deactivation, clearing, activation, each in order of declaration.
+    pub fn triggered<'c>(&self, chart: &'c Chart, values: &Values) -> Vec<&'c Stored> {
+        let mut classes: [Vec<&Stored>; 4] = Default::default();
+        for (stored, &level) in chart.stored.iter().zip(self.levels) {
+            let (class, happened) = match stored.event {
+                // A level occurs once at an input event; an edge whenever it is seen.
+                Event::Event(step, expression) => {
+                    (0, self.before[step] && values.holds(expression) && (!level || self.input_event))
+                }
+                Event::Deactivation(step) => (1, self.before[step] && !self.after[step]),
+                Event::Clearing(transition) => (2, self.cleared[transition]),
+                Event::Activation(step) => (3, self.after[step] && !self.before[step]),
+            };
+            if happened {
+                classes[class].push(stored);
+            }
+        }
+        classes.into_iter().flatten().collect()
+    }
+}
+
+/// What the allocations of one micro-step come to.
+#[must_use]
+pub(super) struct Allocated {
+    /// Some variable has another value than before.
+    pub changed: bool,
+    /// Some variable was given different values.
+    pub conflict: bool,
+}
+
+/// Allocates in order, so that the last one wins. The right sides have all been evaluated before.
+pub(super) fn allocate(triggered: &[&Stored], values: &Values, state: &mut State) -> Allocated {
+    let mut new: IndexVec<VariableId, Option<Value>> = state.variables.iter().map(|_| None).collect();
+    let mut conflict = false;
+    for stored in triggered {
+        let value = values.of(stored.value);
+        conflict |= new[stored.target].is_some_and(|earlier| !same(earlier, value));
+        new[stored.target] = Some(value);
+    }
+    let mut changed = false;
+    for (id, value) in new.into_iter_enumerated() {
+        if let Some(value) = value {
+            changed |= !same(state.variables[id], value);
+            state.variables[id] = value;
+        }
+    }
+    Allocated { changed, conflict }
+}

@@ -1,0 +1,16 @@
+//! Traces: what goes into a run and what comes out, as CSV.
+//!
+//! A stimulus trace has a header `t_ms,NAME,…` of inputs, then a row a call. Inputs that it does not name keep their
+//! initial value, an empty cell keeps the value of the row before. Booleans are `0`, `1`, `FALSE` or `TRUE`, times
+//! are in milliseconds. A result has the columns `t_ms`, the outputs, `situation` and `flags`.
+
+mod read;
+#[cfg(test)]
+mod tests;
+mod write;
+
+pub use read::parse_trace;
+pub use write::write_trace;
+
+/// The name of the column of times.
+const TIME: &str = "t_ms";
