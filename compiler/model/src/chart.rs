@@ -1,0 +1,370 @@
+//! The checked chart: names resolved, types known, hierarchy known acyclic.
+//!
+//! Macro-steps, enclosures and forcing are still whole. Every list is in order of declaration, and ids are places in
+//! these lists. Expressions lie in one pool, children before parents; walk it with loops, never by recursion.
+
+use grafc_diagnostics::Span;
+pub use grafc_syntax::ast::Type;
+use index_vec::{IndexVec, define_index_type};
+
+macro_rules! ids {
+    ($($(#[$doc:meta])* $name:ident $format:literal;)*) => {
+        $(define_index_type! {
+            $(#[$doc])*
+            pub struct $name = u32;
+            DISPLAY_FORMAT = $format;
+            DEBUG_FORMAT = $format;
+        })*
+    };
+}
+
+ids! {
+    /// A declared variable.
+    VariableId "v{}";
+    /// A step; macro-steps are not among them.
+    StepId "s{}";
+    /// A macro-step.
+    MacroId "m{}";
+    /// A transition.
+    TransitionId "t{}";
+    /// A partial grafcet.
+    GrafcetId "g{}";
+    /// An expression.
+    ExprId "e{}";
+}
+
+/// A checked chart.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    /// The name in its heading, or the name that the caller chose (of the file).
+    pub name: String,
+    /// The attached comment.
+    pub comment: Option<String>,
+    /// Inputs, outputs, internal variables and constants, in order of declaration.
+    pub variables: IndexVec<VariableId, Variable>,
+    /// Steps, those of expansions included.
+    pub steps: IndexVec<StepId, Step>,
+    /// Macro-steps.
+    pub macro_steps: IndexVec<MacroId, MacroStep>,
+    /// Transitions.
+    pub transitions: IndexVec<TransitionId, Transition>,
+    /// Partial grafcets.
+    pub grafcets: IndexVec<GrafcetId, Grafcet>,
+    /// All grafcets, sorted by (level, declaration): an encloser or forcer comes before what it encloses or forces.
+    pub hierarchy: Vec<GrafcetId>,
+    /// Continuous actions, in order of declaration.
+    pub continuous: Vec<Continuous>,
+    /// Stored actions, in order of declaration.
+    pub stored: Vec<Stored>,
+    /// Forcing orders, in order of declaration: the first of one level has precedence.
+    pub orders: Vec<Order>,
+    /// The pool of expressions.
+    pub exprs: IndexVec<ExprId, Expr>,
+}
+
+/// A declared variable.
+#[derive(Clone, Debug)]
+pub struct Variable {
+    /// The name as declared, without backquotes.
+    pub name: String,
+    /// The attached comment.
+    pub comment: Option<String>,
+    /// Input, output, internal or constant.
+    pub kind: VariableKind,
+    /// The type.
+    pub ty: Type,
+    /// `:= value`, or the zero of the type; the value of a constant.
+    pub initial: Value,
+    /// Whether `:= value` was written.
+    pub initial_given: bool,
+    /// `%IX0.0`, counted on where several names shared one.
+    pub address: Option<String>,
+    /// How it gets its value.
+    pub mode: Mode,
+    /// The name in its declaration.
+    pub span: Span,
+}
+
+/// The kinds of variable.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum VariableKind {
+    /// Given from outside before each reaction.
+    Input,
+    /// Published after each reaction.
+    Output,
+    /// Internal.
+    Internal,
+    /// Never changes.
+    Constant,
+}
+
+/// How a variable gets its value (`M` of rule A1: a name is either a wire or stored, never both).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Mode {
+    /// From outside, or constant, or never: the value is the input or `initial`.
+    Given,
+    /// By continuous actions: true while one of them applies.
+    Wire,
+    /// By stored actions.
+    Stored,
+}
+
+/// A value. `Bool`, the four integers as `Int`, both reals as `Real` (a `real` is rounded to single), `time` as `Time`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Value {
+    /// `bool`
+    Bool(bool),
+    /// `int`, `dint`, `uint`, `udint`
+    Int(i64),
+    /// `real`, `lreal`
+    Real(f64),
+    /// `time`, in milliseconds
+    Time(i64),
+}
+
+/// A step.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// The label: `X` + label is its activity, `T` + label its duration.
+    pub label: String,
+    /// The attached comment.
+    pub comment: Option<String>,
+    /// The partial grafcet that it belongs to; steps of an expansion belong to their macro-step's (M1).
+    pub grafcet: GrafcetId,
+    /// The macro-step whose expansion holds it directly.
+    pub expansion_of: Option<MacroId>,
+    /// In the initial situation.
+    pub initial: bool,
+    /// Bears an activation link.
+    pub activated: bool,
+    /// Is an enclosing step.
+    pub enclosing: bool,
+    /// The label in its declaration.
+    pub span: Span,
+}
+
+/// A macro-step and its expansion (M1).
+#[derive(Clone, Debug)]
+pub struct MacroStep {
+    /// The label: `X` + label is its activity.
+    pub label: String,
+    /// The attached comment.
+    pub comment: Option<String>,
+    /// The partial grafcet that it belongs to.
+    pub grafcet: GrafcetId,
+    /// The macro-step whose expansion holds it directly.
+    pub expansion_of: Option<MacroId>,
+    /// Where arcs into it lead.
+    pub entry: StepId,
+    /// Where arcs out of it start.
+    pub exit: StepId,
+    /// The label in its declaration.
+    pub span: Span,
+}
+
+/// One end of an arc.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Node {
+    /// A step.
+    Step(StepId),
+    /// A macro-step.
+    Macro(MacroId),
+}
+
+/// A transition.
+#[derive(Clone, Debug)]
+pub struct Transition {
+    /// The designation in parentheses.
+    pub designation: Option<String>,
+    /// The attached comment.
+    pub comment: Option<String>,
+    /// The partial grafcet that it belongs to.
+    pub grafcet: GrafcetId,
+    /// The immediately preceding steps, without repetition.
+    pub pre: Vec<Node>,
+    /// The immediately succeeding steps, without repetition.
+    pub post: Vec<Node>,
+    /// The transition-condition; Boolean.
+    pub condition: ExprId,
+    /// The whole item.
+    pub span: Span,
+}
+
+/// A partial grafcet.
+#[derive(Clone, Debug)]
+pub struct Grafcet {
+    /// The name: `X` + name is its activity.
+    pub name: String,
+    /// The attached comment.
+    pub comment: Option<String>,
+    /// The step that encloses it.
+    pub enclosing_step: Option<StepId>,
+    /// Longest chain of orders and enclosures above it (M2); 0 at the top.
+    pub level: u32,
+    /// Its steps, those of expansions included, in order of declaration.
+    pub steps: Vec<StepId>,
+    /// The name in its heading (of an implied grafcet: the start of the text).
+    pub span: Span,
+}
+
+/// A continuous action: `target` is true while `step` is active and `condition` holds.
+#[derive(Clone, Debug)]
+pub struct Continuous {
+    /// The step.
+    pub step: StepId,
+    /// The output or internal variable.
+    pub target: VariableId,
+    /// The assignment condition; none is always true.
+    pub condition: Option<ExprId>,
+    /// The whole action.
+    pub span: Span,
+}
+
+/// A stored action: `target := value` when `event` occurs.
+#[derive(Clone, Debug)]
+pub struct Stored {
+    /// When.
+    pub event: Event,
+    /// What is assigned.
+    pub target: VariableId,
+    /// The value; of the target's type.
+    pub value: ExprId,
+    /// The whole action.
+    pub span: Span,
+}
+
+/// When a stored action is done (R7).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Event {
+    /// Kind E: the step is active in the old situation and the expression is true.
+    Event(StepId, ExprId),
+    /// Kind D: the step is deactivated.
+    Deactivation(StepId),
+    /// Kind T: the transition is cleared.
+    Clearing(TransitionId),
+    /// Kind A: the step is activated.
+    Activation(StepId),
+}
+
+/// A forcing order, in force while its step is active (R2).
+#[derive(Clone, Debug)]
+pub struct Order {
+    /// The forcing step.
+    pub step: StepId,
+    /// The forced grafcet.
+    pub grafcet: GrafcetId,
+    /// The forced situation.
+    pub situation: Situation,
+    /// The whole order.
+    pub span: Span,
+}
+
+/// A forced situation.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Situation {
+    /// Exactly these steps of the grafcet, in order of declaration, without repetition.
+    Steps(Vec<StepId>),
+    /// The current situation, frozen.
+    Current,
+    /// The initial situation.
+    Initial,
+}
+
+/// An expression, its type and its place.
+#[derive(Clone, Debug)]
+pub struct Expr {
+    /// What it is.
+    pub kind: ExprKind,
+    /// Its type.
+    pub ty: Type,
+    /// Its place.
+    pub span: Span,
+}
+
+/// The forms of expression. All children have smaller ids.
+#[derive(Clone, PartialEq, Debug)]
+pub enum ExprKind {
+    /// A literal of type `ty`.
+    Literal(Value),
+    /// A declared variable, constants included.
+    Variable(VariableId),
+    /// `Xn`
+    StepActive(StepId),
+    /// `Tn`: time since its activation, 0 while inactive (X2).
+    StepTime(StepId),
+    /// `XMn`
+    MacroActive(MacroId),
+    /// `XGn`
+    GrafcetActive(GrafcetId),
+    /// Boolean.
+    Not(ExprId),
+    /// Boolean.
+    And(ExprId, ExprId),
+    /// Boolean.
+    Or(ExprId, ExprId),
+    /// Boolean.
+    Xor(ExprId, ExprId),
+    /// `↑e` (X4); `e` holds no edge.
+    Rise(ExprId),
+    /// `↓e` (X4); `e` holds no edge.
+    Fall(ExprId),
+    /// `on/e/off` (X5); `e` holds no edge.
+    Delay {
+        /// On-delay; zero if not given.
+        on: DelayTime,
+        /// The operand; Boolean.
+        operand: ExprId,
+        /// Off-delay; zero if not given.
+        off: DelayTime,
+    },
+    /// Both sides have the same type.
+    Compare(Comparison, ExprId, ExprId),
+    /// Sides and result have the type of the node, save that `time * n`, `n * time` and `time / n` take a whole number.
+    /// Wraps around at the width of the type; division by zero gives 0 and raises DIV0.
+    Arithmetic(Arithmetic, ExprId, ExprId),
+    /// `-e`; wraps around.
+    Negate(ExprId),
+    /// A conversion without loss to the type of the node: `int` to `dint`, `uint` to `real`, …
+    Widen(ExprId),
+}
+
+/// A delay: milliseconds, and the constant that gave them, if one did.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct DelayTime {
+    /// Milliseconds, at least 0.
+    pub ms: i64,
+    /// The time constant.
+    pub constant: Option<VariableId>,
+}
+
+/// Comparisons.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Comparison {
+    /// `=`
+    Equal,
+    /// `<>`
+    NotEqual,
+    /// `<`
+    Less,
+    /// `<=`
+    LessEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterEqual,
+}
+
+/// Arithmetic operators.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Arithmetic {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`, towards zero for integers
+    Divide,
+    /// `mod`, with the sign of the dividend
+    Modulo,
+}

@@ -1,0 +1,148 @@
+//! W0407: transitions that are always true lead in a circle.
+//!
+//! Once one of its steps is active, the situation goes round without end and is never stable (IEC 60848, 4.9.3): the reaction is
+//! stopped at its bound, and the flag LIVELOCK is raised.
+//!
+//! A transition counts only if each step before it is entered by another that counts: a circle that waits for a step from
+//! outside stops. A self-loop changes nothing, and a source transition holds its steps active, so neither counts.
+//!
+//! Warned of: `transition 1 -> 2 : 1`, `transition 2 -> 1 : 1`
+//! Not warned of: `transition 1 -> 2 : a`, `transition 2 -> 1 : 1`
+
+use super::arcs;
+use super::truth::{Edges, Truth, truths};
+use crate::chart::{Chart, StepId, TransitionId};
+use crate::resolve::Resolved;
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
+use index_vec::{IndexVec, index_vec};
+
+/// More transitions of a circle are not shown.
+const SHOWN: usize = 8;
+
+/// Applies the rule: one warning a circle.
+pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
+    let chart = &resolved.chart;
+    let counting = counting(chart);
+    // Every step before a counting transition is entered by another: going up ends in a circle.
+    let mut entered_by: IndexVec<StepId, Option<TransitionId>> = index_vec![None; chart.steps.len()];
+    for (id, transition) in chart.transitions.iter_enumerated().filter(|(id, _)| counting[*id]) {
+        for step in arcs::entered_anew(chart, transition) {
+            entered_by[step].get_or_insert(id);
+        }
+    }
+    let mut walk_of: IndexVec<TransitionId, Option<TransitionId>> = index_vec![None; chart.transitions.len()];
+    for start in chart.transitions.indices().filter(|&id| counting[id]) {
+        let up = |id: TransitionId| {
+            let step = arcs::left(chart, &chart.transitions[id]).next()?;
+            entered_by[step]
+        };
+        let mut at = start;
+        while walk_of[at].is_none() {
+            walk_of[at] = Some(start);
+            let Some(next) = up(at) else { break };
+            at = next;
+        }
+        if walk_of[at] == Some(start) && up(at).is_some() {
+            let circle: Vec<TransitionId> = std::iter::successors(up(at), |&id| up(id).filter(|_| id != at)).collect();
+            diagnostics.push(report(chart, &circle));
+        }
+    }
+}
+
+/// The transitions that can be cleared again and again without anything from outside.
+fn counting(chart: &Chart) -> IndexVec<TransitionId, bool> {
+    let truths = truths(chart, Edges::Sometimes);
+    let mut counting: IndexVec<TransitionId, bool> = chart
+        .transitions
+        .iter()
+        .map(|transition| !transition.pre.is_empty() && truths[transition.condition] == Truth::Always)
+        .collect();
+    let mut entries: IndexVec<StepId, usize> = index_vec![0; chart.steps.len()];
+    let mut leaving: IndexVec<StepId, Vec<TransitionId>> = index_vec![Vec::new(); chart.steps.len()];
+    for (id, transition) in chart.transitions.iter_enumerated().filter(|(id, _)| counting[*id]) {
+        for step in arcs::entered_anew(chart, transition) {
+            entries[step] += 1;
+        }
+        for step in arcs::left(chart, transition) {
+            leaving[step].push(id);
+        }
+    }
+    // A step that nothing enters takes out the transitions after it, and so on.
+    let mut starved: Vec<StepId> = entries.iter_enumerated().filter(|(_, n)| **n == 0).map(|(id, _)| id).collect();
+    while let Some(step) = starved.pop() {
+        for &id in &leaving[step] {
+            if std::mem::replace(&mut counting[id], false) {
+                for step in arcs::entered_anew(chart, &chart.transitions[id]) {
+                    entries[step] -= 1;
+                    if entries[step] == 0 {
+                        starved.push(step);
+                    }
+                }
+            }
+        }
+    }
+    counting
+}
+
+fn report(chart: &Chart, circle: &[TransitionId]) -> Diagnostic {
+    let span = |id: &TransitionId| chart.transitions[*id].span;
+    let first = circle.iter().map(span).min().unwrap_or_default();
+    let mut diagnostic =
+        Diagnostic::new(Code::W0407, first, "this transition and others that are always true lead in a circle");
+    for place in circle.iter().map(span).filter(|&place| place != first).take(SHOWN) {
+        diagnostic = diagnostic.also(place, "always true");
+    }
+    diagnostic
+        .note("IEC 60848, 4.9.3: the situation is never stable; a reaction stops at its bound and raises LIVELOCK")
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::checks::testing::{passes, passes_with};
+
+    #[test]
+    fn two_steps() {
+        passes_with(&["W0407"], "initial step 1 step 2 transition 1 -> 2 : 1 transition 2 -> 1 : true");
+    }
+
+    #[test]
+    fn over_a_join() {
+        passes_with(&["W0407"], "initial step 1 step 2 step 3 transition 1 -> 2, 3 : 1 transition 2, 3 -> 1 : 1");
+    }
+
+    #[test]
+    fn two_circles() {
+        passes_with(
+            &["W0407", "W0407"],
+            "initial step 1 step 2 initial step 3 step 4 transition 1 -> 2 : 1 transition 2 -> 1 : 1
+             transition 3 -> 4 : 1 transition 4 -> 3 : 1",
+        );
+    }
+
+    #[test]
+    fn over_a_macro_step() {
+        passes_with(
+            &["W0407"],
+            "initial step 1 macro step M2 transition 1 -> M2 : 1 transition M2 -> 1 : 1
+             expansion M2 { step E2 step S2 transition E2 -> S2 : 1 }",
+        );
+    }
+
+    #[test]
+    fn a_condition_in_the_circle() {
+        passes("input a : bool initial step 1 step 2 transition 1 -> 2 : a transition 2 -> 1 : 1");
+    }
+
+    #[test]
+    fn a_join_that_waits() {
+        passes(
+            "input a : bool initial step 1 step 2 step 3 transition 1, 3 -> 2 : 1 transition 2 -> 1 : 1
+             transition 2 -> 3 : a",
+        );
+    }
+
+    #[test]
+    fn a_self_loop_is_stable() {
+        passes("initial step 1 transition 1 -> 1 : 1");
+    }
+}

@@ -1,0 +1,82 @@
+//! W0404: an enclosure can become empty while its enclosing step is active.
+//!
+//! The activity of an enclosing step means that something in each of its enclosures is active (IEC 60848, 7.4 and table 10). A sink
+//! transition takes the last active step away; an order can empty the enclosure too. The enclosing step stays active all
+//! the same.
+//!
+//! A sink transition is sensible where several steps of the enclosure are active at once, so it is warned of only where
+//! one step is activated and no transition activates more steps than it deactivates.
+//!
+//! Warned of: `grafcet X9/G4 { activated step 40  transition 40 -> : a }`
+//! Not warned of: `grafcet X9/G4 { activated step 40  activated step 41  transition 41 -> : a }`
+
+use crate::chart::{GrafcetId, Situation, TransitionId};
+use crate::resolve::Resolved;
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
+use index_vec::{IndexVec, index_vec};
+
+const MEANING: &str = "IEC 60848, 7.4: while an enclosing step is active, a step in each of its enclosures is";
+
+/// Applies the rule.
+pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
+    let chart = &resolved.chart;
+    let is_enclosed = |grafcet: GrafcetId| chart.grafcets[grafcet].enclosing_step.is_some();
+    for order in chart.orders.iter().filter(|order| is_enclosed(order.grafcet)) {
+        let empties = match &order.situation {
+            Situation::Steps(steps) => steps.is_empty(),
+            Situation::Initial => !chart.grafcets[order.grafcet].steps.iter().any(|&step| chart.steps[step].initial),
+            Situation::Current => false,
+        };
+        if empties {
+            let name = &chart.grafcets[order.grafcet].name;
+            let message = format!("the order empties the enclosure `{name}`, whose enclosing step stays active");
+            diagnostics.push(Diagnostic::new(Code::W0404, order.span, message).note(MEANING));
+        }
+    }
+    let mut sinks: IndexVec<GrafcetId, Option<TransitionId>> = index_vec![None; chart.grafcets.len()];
+    let mut grows: IndexVec<GrafcetId, bool> = index_vec![false; chart.grafcets.len()];
+    for (id, transition) in chart.transitions.iter_enumerated() {
+        if transition.post.is_empty() {
+            sinks[transition.grafcet].get_or_insert(id);
+        }
+        grows[transition.grafcet] |= transition.post.len() > transition.pre.len();
+    }
+    for (id, grafcet) in chart.grafcets.iter_enumerated().filter(|(id, _)| is_enclosed(*id)) {
+        let count = |marked: fn(&crate::chart::Step) -> bool| {
+            grafcet.steps.iter().filter(|&&step| marked(&chart.steps[step])).count()
+        };
+        let one_at_a_time = !grows[id] && count(|step| step.activated) <= 1 && count(|step| step.initial) <= 1;
+        if let Some(sink) = sinks[id].filter(|_| one_at_a_time) {
+            let message =
+                format!("the transition empties the enclosure `{}`, whose enclosing step stays active", grafcet.name);
+            diagnostics.push(Diagnostic::new(Code::W0404, chart.transitions[sink].span, message).note(MEANING));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::checks::testing::{passes, passes_with};
+
+    fn with(enclosure: &str) -> String {
+        format!("input a, b : bool grafcet G1 {{ initial step 1 enclosing step 9 }} grafcet X9/G4 {{ {enclosure} }}")
+    }
+
+    #[test]
+    fn a_sink_takes_the_only_active_step() {
+        passes_with(&["W0404"], &with("activated step 40 transition 40 -> : a"));
+    }
+
+    #[test]
+    fn a_sink_beside_other_active_steps() {
+        passes(&with("activated step 40 activated step 41 transition 41 -> : a"));
+        passes(&with("activated step 40 step 41 transition 40 -> 40, 41 : ↑a transition 41 -> : b"));
+    }
+
+    #[test]
+    fn an_order() {
+        let enclosure = with("activated step 40");
+        passes_with(&["W0404"], &format!("{enclosure} grafcet G0 {{ initial step 90 {{ force G4{{}} }} }}"));
+        passes(&format!("{enclosure} grafcet G0 {{ initial step 90 {{ force G4{{40}} }} }}"));
+    }
+}

@@ -1,0 +1,94 @@
+//! W0405: a step with a self-loop has actions or times that the loop does not start anew.
+//!
+//! A step that is activated and deactivated at once stays active (IEC 60848, 4.5.6, rule 5): its actions on activation and on
+//! deactivation are not done, and its duration runs on.
+//!
+//! Warned of: `step 2 { C := C + 1 on activation }`, `transition 2 -> 2 : ↑a`
+//! Not warned of: `transition 2 -> 2 : ↑a { C := C + 1 }`
+
+use crate::chart::{Chart, Event, ExprKind, Node, StepId};
+use crate::resolve::Resolved;
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
+use index_vec::{IndexVec, index_vec};
+use rustc_hash::FxHashSet;
+
+/// Applies the rule: one warning a transition.
+pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
+    let chart = &resolved.chart;
+    let sensitive = sensitive(chart);
+    let mut after = FxHashSet::default();
+    for transition in &chart.transitions {
+        after.clear();
+        after.extend(transition.post.iter().copied());
+        let found = transition.pre.iter().filter(|node| after.contains(node)).find_map(|node| match *node {
+            Node::Step(step) => Some((step, sensitive[step]?)),
+            Node::Macro(_) => None, // it leaves the exit and enters the entry
+        });
+        if let Some((step, (what, place))) = found {
+            let step = &chart.steps[step];
+            let message = format!("the transition leads from step `{}` to itself, which does not {what}", step.label);
+            diagnostics.push(
+                Diagnostic::new(Code::W0405, transition.span, message)
+                    .also(place, "this runs on, or is not done")
+                    .note("IEC 60848, 4.5.6: a step that is activated and deactivated at once remains active")
+                    .note("an assignment on clearing, in the braces of the transition, is done every time"),
+            );
+        }
+    }
+}
+
+/// For each step what a real activation or deactivation of it would do, and where that is written.
+fn sensitive(chart: &Chart) -> IndexVec<StepId, Option<(&'static str, Span)>> {
+    let mut sensitive: IndexVec<StepId, Option<(&'static str, Span)>> = index_vec![None; chart.steps.len()];
+    for action in &chart.stored {
+        match action.event {
+            Event::Activation(step) => _ = sensitive[step].get_or_insert(("activate it anew", action.span)),
+            Event::Deactivation(step) => _ = sensitive[step].get_or_insert(("deactivate it", action.span)),
+            Event::Event(..) | Event::Clearing(_) => {}
+        }
+    }
+    for expr in &chart.exprs {
+        let timed = match expr.kind {
+            ExprKind::StepTime(step) => Some(step),
+            ExprKind::Delay { operand, .. } => match chart.exprs[operand].kind {
+                ExprKind::StepActive(step) => Some(step),
+                _ => None,
+            },
+            _ => None,
+        };
+        if let Some(step) = timed {
+            sensitive[step].get_or_insert(("start its time anew", expr.span));
+        }
+    }
+    sensitive
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::checks::testing::{passes, passes_with};
+
+    #[test]
+    fn an_action_on_activation() {
+        passes_with(
+            &["W0405"],
+            "input a : bool var C : int initial step 1 { C := C + 1 on activation } transition 1 -> 1 : ↑a",
+        );
+    }
+
+    #[test]
+    fn a_duration() {
+        passes_with(
+            &["W0405"],
+            "input a : bool initial step 1 step 2 transition 1 -> 1 : ↑a transition 1 -> 2 : 3s/X1",
+        );
+        passes_with(
+            &["W0405"],
+            "input a : bool initial step 1 step 2 transition 1 -> 1 : ↑a transition 1 -> 2 : [T1 > 3s]",
+        );
+    }
+
+    #[test]
+    fn an_action_on_clearing() {
+        passes("input a : bool var C : int output V : bool initial step 1 { V } transition 1 -> 1 : ↑a { C := C + 1 }");
+    }
+}

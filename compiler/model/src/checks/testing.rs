@@ -1,0 +1,55 @@
+//! What the tests of the rules share.
+
+use grafc_diagnostics::{FileId, Severity};
+
+/// The codes of all messages on a chart.
+pub fn codes(text: &str) -> Vec<&'static str> {
+    let (tree, mut diagnostics) = grafc_syntax::parse(FileId(0), text);
+    let (chart, more) = crate::check(&tree, "test");
+    diagnostics.append(more);
+    assert_eq!(
+        chart.is_some(),
+        !diagnostics.has_errors(),
+        "a chart comes out if and only if nothing is wrong: {diagnostics:#?}"
+    );
+    diagnostics.iter().map(|diagnostic| diagnostic.code.as_str()).collect()
+}
+
+/// The chart breaks this rule once, and no other.
+pub fn breaks(code: &str, text: &str) {
+    assert_eq!(codes(text), [code], "{text}");
+}
+
+/// The chart gets these messages, in order of place.
+pub fn breaks_all(expected: &[&str], text: &str) {
+    assert_eq!(codes(text), expected, "{text}");
+}
+
+/// Nothing is said of the chart.
+pub fn passes(text: &str) {
+    breaks_all(&[], text);
+}
+
+/// Nothing but these warnings is said of the chart.
+pub fn passes_with(warnings: &[&str], text: &str) {
+    let severity = |code: &&str| grafc_diagnostics::Code::parse(code).map(|code| code.severity());
+    assert!(warnings.iter().all(|code| severity(code) == Some(Severity::Warning)), "{warnings:?} are warnings");
+    breaks_all(warnings, text);
+}
+
+/// The only help that is given on a chart.
+pub fn help(text: &str) -> Option<String> {
+    let (tree, _) = grafc_syntax::parse(FileId(0), text);
+    let (_, diagnostics) = crate::check(&tree, "test");
+    let helps: Vec<String> = diagnostics.iter().filter_map(|diagnostic| diagnostic.help.clone()).collect();
+    assert!(helps.len() <= 1, "{helps:?}");
+    helps.into_iter().next()
+}
+
+/// A chart in which nothing is wrong.
+pub fn chart(text: &str) -> crate::chart::Chart {
+    let (tree, diagnostics) = grafc_syntax::parse(FileId(0), text);
+    assert!(!diagnostics.has_errors(), "{diagnostics:#?}");
+    let (chart, diagnostics) = crate::check(&tree, "test");
+    chart.unwrap_or_else(|| panic!("{diagnostics:#?}"))
+}

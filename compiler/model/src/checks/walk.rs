@@ -1,0 +1,64 @@
+//! Ways through the pool of expressions, with loops.
+
+use crate::chart::{Expr, ExprId, ExprKind};
+use index_vec::IndexVec;
+
+/// The operands of an expression.
+pub fn operands(kind: &ExprKind) -> impl Iterator<Item = ExprId> + use<> {
+    let (first, second) = match *kind {
+        ExprKind::Literal(_)
+        | ExprKind::Variable(_)
+        | ExprKind::StepActive(_)
+        | ExprKind::StepTime(_)
+        | ExprKind::MacroActive(_)
+        | ExprKind::GrafcetActive(_) => (None, None),
+        ExprKind::Not(a) | ExprKind::Rise(a) | ExprKind::Fall(a) | ExprKind::Negate(a) | ExprKind::Widen(a) => {
+            (Some(a), None)
+        }
+        ExprKind::Delay { operand, .. } => (Some(operand), None),
+        ExprKind::And(a, b)
+        | ExprKind::Or(a, b)
+        | ExprKind::Xor(a, b)
+        | ExprKind::Compare(_, a, b)
+        | ExprKind::Arithmetic(_, a, b) => (Some(a), Some(b)),
+    };
+    first.into_iter().chain(second)
+}
+
+/// An expression and all below it, in order of the text.
+pub fn below(exprs: &IndexVec<ExprId, Expr>, root: ExprId) -> impl Iterator<Item = ExprId> {
+    let mut open = vec![root];
+    std::iter::from_fn(move || {
+        let id = open.pop()?;
+        let place = open.len();
+        open.extend(operands(&exprs[id].kind));
+        open[place..].reverse();
+        Some(id)
+    })
+}
+
+/// For each expression the first edge in it that no other edge and no delay holds.
+pub fn first_edges(exprs: &IndexVec<ExprId, Expr>) -> IndexVec<ExprId, Option<ExprId>> {
+    let mut edges: IndexVec<ExprId, Option<ExprId>> = IndexVec::with_capacity(exprs.len());
+    for (id, expr) in exprs.iter_enumerated() {
+        edges.push(match expr.kind {
+            ExprKind::Rise(_) | ExprKind::Fall(_) => Some(id),
+            ExprKind::Delay { .. } => None, // E0415
+            ExprKind::Literal(_)
+            | ExprKind::Variable(_)
+            | ExprKind::StepActive(_)
+            | ExprKind::StepTime(_)
+            | ExprKind::MacroActive(_)
+            | ExprKind::GrafcetActive(_)
+            | ExprKind::Not(_)
+            | ExprKind::And(..)
+            | ExprKind::Or(..)
+            | ExprKind::Xor(..)
+            | ExprKind::Compare(..)
+            | ExprKind::Arithmetic(..)
+            | ExprKind::Negate(_)
+            | ExprKind::Widen(_) => operands(&expr.kind).find_map(|operand| edges[operand]),
+        });
+    }
+    edges
+}

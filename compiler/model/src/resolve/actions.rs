@@ -1,0 +1,264 @@
+//! The interpretation: transition-conditions, actions and forcing orders, in source order.
+
+use super::expressions::{Context, Need};
+use super::parts::{Holder, Parts};
+use super::scope::{Label, Reference, Scope, kind};
+use super::types;
+use crate::chart::{
+    Chart, Continuous, Event, Expr, ExprId, ExprKind, Mode, Node, Order, Situation, StepId, Stored, TransitionId, Type,
+    Value, VariableId, VariableKind,
+};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
+use grafc_syntax::ast;
+use index_vec::IndexVec;
+
+/// Fills in conditions, actions and orders; gives back whether none had to be left out.
+pub fn interpret<'a>(
+    tree: &'a ast::Exprs,
+    parts: &Parts<'a>,
+    scope: &Scope<'a>,
+    constants: &IndexVec<VariableId, Option<Value>>,
+    chart: &mut Chart,
+    diagnostics: &mut Diagnostics,
+) -> bool {
+    let mut interpretation = Interpretation { tree, scope, constants, chart, diagnostics, complete: true };
+    for holder in &parts.holders {
+        match *holder {
+            Holder::Step(index) => {
+                let part = &parts.steps[index];
+                for action in &part.ast.actions {
+                    match part.node {
+                        Node::Step(step) => interpretation.action(step, action),
+                        Node::Macro(_) => interpretation.action_on_macro_step(action),
+                    }
+                }
+            }
+            Holder::Transition(id) => interpretation.transition(id, parts.transitions[id].ast),
+        }
+    }
+    let complete = interpretation.complete;
+    set_modes(chart);
+    complete
+}
+
+struct Interpretation<'i, 'a> {
+    tree: &'a ast::Exprs,
+    scope: &'i Scope<'a>,
+    constants: &'i IndexVec<VariableId, Option<Value>>,
+    chart: &'i mut Chart,
+    diagnostics: &'i mut Diagnostics,
+    complete: bool,
+}
+
+impl Interpretation<'_, '_> {
+    fn transition(&mut self, id: TransitionId, transition: &ast::Transition) {
+        let condition = self.expression(transition.condition, Need::Condition);
+        self.chart.transitions[id].condition = condition;
+        for assignment in &transition.actions {
+            self.assignment(assignment, Event::Clearing(id), assignment.span);
+        }
+    }
+
+    fn action(&mut self, step: StepId, action: &ast::Action) {
+        match &action.kind {
+            ast::ActionKind::Continuous { target, condition } => {
+                let target = self.condition_target(target);
+                let condition = condition.map(|condition| self.expression(condition, Need::Condition));
+                if let Some(target) = target {
+                    self.chart.continuous.push(Continuous { step, target, condition, span: action.span });
+                }
+            }
+            ast::ActionKind::Stored { assignment, event } => {
+                let event = match *event {
+                    ast::Event::Activation => Event::Activation(step),
+                    ast::Event::Deactivation => Event::Deactivation(step),
+                    ast::Event::Event(condition) => Event::Event(step, self.expression(condition, Need::Condition)),
+                };
+                self.assignment(assignment, event, action.span);
+            }
+            ast::ActionKind::Force { grafcet, situation } => {
+                let forced = self.scope.label(&grafcet.text);
+                let situation = self.situation(situation);
+                match forced {
+                    Some(Label::Grafcet(id)) => {
+                        self.chart.orders.push(Order { step, grafcet: id, situation, span: action.span });
+                    }
+                    Some(Label::Step(_) | Label::Macro(_)) | None => {
+                        self.fault(self.scope.unknown_grafcet(&grafcet.text, grafcet.span));
+                    }
+                }
+            }
+        }
+    }
+
+    /// A macro-step bears no actions (E0307); what is in them is resolved all the same, and then forgotten.
+    fn action_on_macro_step(&mut self, action: &ast::Action) {
+        let before = (self.chart.continuous.len(), self.chart.stored.len(), self.chart.orders.len());
+        self.action(StepId::new(0), action);
+        self.chart.continuous.truncate(before.0);
+        self.chart.stored.truncate(before.1);
+        self.chart.orders.truncate(before.2);
+    }
+
+    fn assignment(&mut self, assignment: &ast::Assignment, event: Event, span: Span) {
+        let Some(target) = self.target(&assignment.target) else { return };
+        let value = self.expression(assignment.value, Need::Value(self.chart.variables[target].ty));
+        self.chart.stored.push(Stored { event, target, value, span });
+    }
+
+    /// The steps of a forced situation, in order of declaration.
+    fn situation(&mut self, situation: &ast::Situation) -> Situation {
+        let names = match situation {
+            ast::Situation::Current => return Situation::Current,
+            ast::Situation::Initial => return Situation::Initial,
+            ast::Situation::Steps(names) => names,
+        };
+        let mut steps = Vec::with_capacity(names.len());
+        for name in names {
+            match self.scope.node(&name.text) {
+                Some(Node::Step(step)) => steps.push(step),
+                Some(Node::Macro(_)) => {} // E0316
+                None => self.fault(self.scope.unknown_step(&name.text, name.span)),
+            }
+        }
+        steps.sort_unstable();
+        steps.dedup(); // E0303
+        Situation::Steps(steps)
+    }
+
+    /// A variable that conditions can be assigned to.
+    fn condition_target(&mut self, name: &ast::Name) -> Option<VariableId> {
+        let target = self.target(name)?;
+        let variable = &self.chart.variables[target];
+        if variable.ty == Type::Bool {
+            return Some(target);
+        }
+        let message =
+            format!("`{}` is `{}`, and a continuous action assigns a condition", name.text, types::name(variable.ty));
+        let diagnostic = Diagnostic::new(Code::E0205, name.span, message)
+            .also(variable.span, "declared here")
+            .note("IEC 60848, 4.8.2: a continuous action assigns true or false to a Boolean output")
+            .help(format!("say what value it gets and when, as in `{} := … on activation`", name.text));
+        self.fault(diagnostic);
+        None
+    }
+
+    /// A variable that can be assigned to.
+    fn target(&mut self, name: &ast::Name) -> Option<VariableId> {
+        let diagnostic = match self.scope.reference(&name.text) {
+            Some(Reference::Variable(id)) => {
+                let variable = &self.chart.variables[id];
+                let what = match variable.kind {
+                    VariableKind::Output | VariableKind::Internal => return Some(id),
+                    VariableKind::Input => "an input",
+                    VariableKind::Constant => "a constant",
+                };
+                Diagnostic::new(Code::E0207, name.span, format!("`{}` is {what} and cannot be assigned to", name.text))
+                    .also(variable.span, "declared here")
+            }
+            Some(Reference::Activity(label)) => {
+                let what = kind(label);
+                let message = format!("`{}` is the activity of a {what} and cannot be assigned to", name.text);
+                Diagnostic::new(Code::E0207, name.span, message)
+                    .note("steps are activated by the clearing of transitions, by forcing and by enclosing steps")
+            }
+            Some(Reference::Duration(_)) => {
+                let message = format!("`{}` is the duration of a step and cannot be assigned to", name.text);
+                Diagnostic::new(Code::E0207, name.span, message)
+            }
+            None => self.scope.unknown_name(&name.text, name.span),
+        };
+        self.fault(diagnostic);
+        None
+    }
+
+    /// An expression, or a stand-in if it is faulty.
+    fn expression(&mut self, written: ast::ExprId, need: Need) -> ExprId {
+        let context =
+            Context { tree: self.tree, scope: self.scope, variables: &self.chart.variables, constants: self.constants };
+        context.resolve(written, need, &mut self.chart.exprs, self.diagnostics).unwrap_or_else(|| {
+            self.complete = false;
+            let span = self.tree[written].span;
+            self.chart.exprs.push(Expr { kind: ExprKind::Literal(Value::Bool(false)), ty: Type::Bool, span })
+        })
+    }
+
+    fn fault(&mut self, diagnostic: Diagnostic) {
+        self.complete = false;
+        self.diagnostics.push(diagnostic);
+    }
+}
+
+/// A variable is a wire or stored by the actions on it; where it is both (E0412), the chart goes no further.
+fn set_modes(chart: &mut Chart) {
+    for action in &chart.stored {
+        chart.variables[action.target].mode = Mode::Stored;
+    }
+    for action in &chart.continuous {
+        chart.variables[action.target].mode = Mode::Wire;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::chart::{Event, Mode, Situation, StepId, TransitionId};
+    use crate::checks::testing::{breaks, breaks_all, chart};
+
+    #[test]
+    fn what_cannot_be_assigned_to() {
+        breaks("E0207", "input a : bool initial step 1 { a }");
+        breaks("E0207", "const a : bool := 1 initial step 1 { a := 0 on activation }");
+        breaks("E0207", "initial step 1 { X1 := 0 on activation }");
+        breaks("E0207", "input a : bool initial step 1 transition 1 -> 1 : ↑a { T1 := 0s }");
+    }
+
+    #[test]
+    fn types_of_assignments() {
+        breaks("E0205", "var n : int initial step 1 { n }");
+        breaks("E0205", "var n : int var k : dint initial step 1 { n := k on activation }");
+        breaks("E0205", "var n : int initial step 1 { n := 8.5 on activation }");
+        breaks("E0205", "var n : int input a : bool initial step 1 { n := a on activation }");
+        breaks("E0205", "var b : bool initial step 1 { b := 2 on activation }");
+        breaks("E0206", "var n : int initial step 1 { n := 1 on event n }");
+        breaks("E0210", "var n : int initial step 1 { n := 70000 on activation }");
+    }
+
+    #[test]
+    fn actions_keep_the_order_of_the_text() {
+        let chart = chart(
+            "input a : bool output V, W : bool var C : int
+             transition (1) 1 -> 2 : ↑a { C := 1 }
+             initial step 1 { C := 2 on deactivation V W if a }
+             step 2 { C := 3 on activation C := 4 on event ↑a }",
+        );
+        let events: Vec<bool> = chart.stored.iter().map(|action| matches!(action.event, Event::Clearing(_))).collect();
+        assert_eq!(events, [true, false, false, false]);
+        assert_eq!(chart.stored[0].event, Event::Clearing(TransitionId::new(0)));
+        assert_eq!(chart.stored[1].event, Event::Deactivation(StepId::new(0)));
+        assert_eq!(chart.stored[2].event, Event::Activation(StepId::new(1)));
+        assert_eq!(chart.continuous.len(), 2);
+        let modes: Vec<Mode> = chart.variables.iter().map(|variable| variable.mode).collect();
+        assert_eq!(modes, [Mode::Given, Mode::Wire, Mode::Wire, Mode::Stored]);
+    }
+
+    #[test]
+    fn forced_situations() {
+        let chart = chart(
+            "grafcet G1 { initial step 1 { force G2{22, 21} force G3{*} } step 2 { force G2{} force G3{INIT} } }
+             grafcet G2 { step 21 step 22 } grafcet G3 { initial step 31 }",
+        );
+        let situations: Vec<&Situation> = chart.orders.iter().map(|order| &order.situation).collect();
+        let in_order = Situation::Steps(vec![StepId::new(2), StepId::new(3)]);
+        assert_eq!(situations, [&in_order, &Situation::Current, &Situation::Steps(vec![]), &Situation::Initial]);
+        let levels: Vec<u32> = chart.grafcets.iter().map(|grafcet| grafcet.level).collect();
+        assert_eq!(levels, [0, 1, 1]);
+    }
+
+    #[test]
+    fn the_faults_of_one_action_do_not_hide_those_of_another() {
+        breaks_all(
+            &["E0207", "E0201", "E0301", "E0206"],
+            "input a : bool output V : bool var n : int initial step 1 { a V if b } transition 1 -> 2 : n",
+        );
+    }
+}

@@ -1,0 +1,274 @@
+//! Variables: their types, and the values given to them.
+//!
+//! A value is a constant expression, and items have no order, so a constant may be used above its declaration. Values are
+//! found in the order of dependence, with a stack of our own.
+
+use super::addresses;
+use super::expressions::{Context, Need};
+use super::fold::fold;
+use super::parts::Parts;
+use super::scope::{Reference, Scope};
+use super::types;
+use crate::chart::{Mode, Value, Variable, VariableId, VariableKind};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
+use grafc_syntax::ast;
+use index_vec::IndexVec;
+use rustc_hash::FxHashSet;
+
+/// The variables as declared, all zero.
+pub fn variables(parts: &Parts) -> IndexVec<VariableId, Variable> {
+    let mut variables = IndexVec::new();
+    for declaration in &parts.declarations {
+        for declared in &declaration.names {
+            variables.push(Variable {
+                name: declared.name.text.clone(),
+                comment: declared.comment.as_ref().map(|comment| comment.text.clone()),
+                kind: addresses::kind(declaration.kind),
+                ty: declaration.ty,
+                initial: types::zero(declaration.ty),
+                initial_given: declaration.initial.is_some(),
+                address: None,
+                mode: Mode::Given,
+                span: declared.name.span,
+            });
+        }
+    }
+    variables
+}
+
+/// Evaluates all values of declarations into `variables`; gives back those of the constants that have one.
+pub fn evaluate(
+    tree: &ast::Exprs,
+    parts: &Parts,
+    scope: &Scope,
+    variables: &mut IndexVec<VariableId, Variable>,
+    diagnostics: &mut Diagnostics,
+) -> Values {
+    let mut owners = IndexVec::with_capacity(variables.len());
+    for (index, declaration) in parts.declarations.iter().enumerate() {
+        owners.extend(declaration.names.iter().map(|_| index));
+    }
+    let mut evaluation = Evaluation {
+        tree,
+        parts,
+        scope,
+        variables,
+        owners,
+        states: vec![State::Untouched; parts.declarations.len()],
+        values: Values { constants: index_vec::index_vec![None; 0], complete: true },
+        diagnostics,
+    };
+    evaluation.values.constants.resize(evaluation.variables.len(), None);
+    for index in 0..parts.declarations.len() {
+        evaluation.declaration(index);
+    }
+    evaluation.values
+}
+
+/// What the declarations came to.
+pub struct Values {
+    /// The values of the constants; none where it is faulty, and of variables.
+    pub constants: IndexVec<VariableId, Option<Value>>,
+    /// Whether no value is missing.
+    pub complete: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum State {
+    Untouched,
+    /// On the stack: who depends on it now depends on itself.
+    Open,
+    Done,
+}
+
+struct Evaluation<'e, 'a> {
+    tree: &'a ast::Exprs,
+    parts: &'e Parts<'a>,
+    scope: &'e Scope<'a>,
+    variables: &'e mut IndexVec<VariableId, Variable>,
+    /// The declaration of each variable.
+    owners: IndexVec<VariableId, usize>,
+    states: Vec<State>,
+    values: Values,
+    diagnostics: &'e mut Diagnostics,
+}
+
+impl Evaluation<'_, '_> {
+    /// Evaluates a declaration after all that it depends on.
+    fn declaration(&mut self, root: usize) {
+        if self.states[root] != State::Untouched {
+            return;
+        }
+        self.states[root] = State::Open;
+        let mut open = vec![(root, self.dependencies(root))];
+        while let Some((index, dependencies)) = open.last_mut() {
+            let index = *index;
+            match dependencies.pop() {
+                Some((next, _)) if self.states[next] == State::Untouched => {
+                    self.states[next] = State::Open;
+                    let dependencies = self.dependencies(next);
+                    open.push((next, dependencies));
+                }
+                Some((next, place)) if self.states[next] == State::Open => {
+                    let name = &self.parts.declarations[next].names[0].name;
+                    let message = format!("the value of `{}` depends on itself", name.text);
+                    self.diagnostics.push(
+                        Diagnostic::new(Code::E0208, self.tree[place].span, message).also(name.span, "declared here"),
+                    );
+                    // Done without a value: what depends on it keeps silent.
+                    self.values.complete = false;
+                    self.states[next] = State::Done;
+                }
+                Some(_) => {}
+                None => {
+                    open.pop();
+                    if self.states[index] == State::Open {
+                        self.states[index] = State::Done;
+                        self.value(index);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The declarations of constants that the value of this one names, and where.
+    fn dependencies(&self, index: usize) -> Vec<(usize, ast::ExprId)> {
+        let mut found = Vec::new();
+        let mut seen = FxHashSet::default();
+        let mut open: Vec<ast::ExprId> = self.parts.declarations[index].initial.into_iter().collect();
+        while let Some(id) = open.pop() {
+            match &self.tree[id].kind {
+                ast::ExprKind::Name(name) => {
+                    if let Some(Reference::Variable(variable)) = self.scope.reference(name)
+                        && self.variables[variable].kind == VariableKind::Constant
+                        && seen.insert(variable)
+                    {
+                        found.push((self.owners[variable], id));
+                    }
+                }
+                ast::ExprKind::Integer(_)
+                | ast::ExprKind::Real(_)
+                | ast::ExprKind::Duration(_)
+                | ast::ExprKind::Bool(_)
+                | ast::ExprKind::Error => {}
+                ast::ExprKind::Paren(a)
+                | ast::ExprKind::Predicate(a)
+                | ast::ExprKind::Not(a)
+                | ast::ExprKind::Negate(a)
+                | ast::ExprKind::Rise(a)
+                | ast::ExprKind::Fall(a) => open.push(*a),
+                ast::ExprKind::Binary(_, a, b) => open.extend([*b, *a]),
+                ast::ExprKind::Delay(parts) => open.extend(parts),
+            }
+        }
+        found
+    }
+
+    /// Evaluates a declaration whose constants are known.
+    fn value(&mut self, index: usize) {
+        let declaration = self.parts.declarations[index];
+        let ids = self.ids(index);
+        let is_constant = declaration.kind == ast::DeclarationKind::Constant;
+        let Some(initial) = declaration.initial else {
+            for id in ids.filter(|_| is_constant) {
+                let variable = &self.variables[id];
+                let message = format!("the constant `{}` has no value", variable.name);
+                let diagnostic = Diagnostic::new(Code::E0211, variable.span, message);
+                self.diagnostics.push(diagnostic.help("give it one: `:= value` after the type"));
+            }
+            return;
+        };
+        let context = Context {
+            tree: self.tree,
+            scope: self.scope,
+            variables: self.variables,
+            constants: &self.values.constants,
+        };
+        let mut pool = IndexVec::new();
+        let root = context.resolve(initial, Need::Value(declaration.ty), &mut pool, self.diagnostics);
+        let value = root.and_then(|root| {
+            let kinds = &*self.variables;
+            match fold(&pool, root, &self.values.constants, |id| kinds[id].kind == VariableKind::Constant) {
+                Ok(value) => value,
+                Err(diagnostic) => {
+                    self.diagnostics.push(diagnostic);
+                    None
+                }
+            }
+        });
+        let Some(value) = value else {
+            self.values.complete = false;
+            return;
+        };
+        for id in ids {
+            self.variables[id].initial = value;
+            if is_constant {
+                self.values.constants[id] = Some(value);
+            }
+        }
+    }
+
+    /// The variables of a declaration: its names have consecutive ids.
+    fn ids(&self, index: usize) -> impl Iterator<Item = VariableId> + use<> {
+        let first = self.owners.raw.partition_point(|&owner| owner < index);
+        (first..first + self.parts.declarations[index].names.len()).map(VariableId::new)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::chart::Value;
+    use crate::checks::testing::{breaks, chart, passes};
+
+    fn value(declaration: &str) -> Value {
+        let chart = chart(&format!("{declaration} initial step 1"));
+        chart.variables.last().expect("there is a declaration").initial
+    }
+
+    #[test]
+    fn values_are_folded() {
+        assert_eq!(value("var v : int := 2 + 3 * 4"), Value::Int(14));
+        assert_eq!(value("var v : int := -7 / 2"), Value::Int(-3));
+        assert_eq!(value("var v : int := -7 mod 2"), Value::Int(-1));
+        assert_eq!(value("var v : real := 1 / 4"), Value::Real(0.25));
+        assert_eq!(value("var v : real := 0.1"), Value::Real(f64::from(0.1_f32)));
+        assert_eq!(value("var v : lreal := 0.1"), Value::Real(0.1));
+        assert_eq!(value("var v : time := 2 * 3s + 500ms"), Value::Time(6500));
+        assert_eq!(value("var v : time := 3s / 2"), Value::Time(1500));
+        assert_eq!(value("var v : bool := 1"), Value::Bool(true));
+        assert_eq!(value("var v : bool := not true or [3 > 2]"), Value::Bool(true));
+        assert_eq!(value("const N : int := 3 var v : lreal := N + 1"), Value::Real(4.0));
+        assert_eq!(value("var v : int := -32768"), Value::Int(-32768));
+        assert_eq!(value("var v : dint"), Value::Int(0));
+    }
+
+    #[test]
+    fn constants_are_used_above_their_declaration() {
+        assert_eq!(value("const B : int := A + 1 const A : int := 2 var v : int := B"), Value::Int(3));
+    }
+
+    #[test]
+    fn what_is_not_constant() {
+        breaks("E0208", "input n : int var v : int := n initial step 1");
+        breaks("E0208", "var v : bool := X1 initial step 1");
+        breaks("E0208", "var v : int := 1 / 0 initial step 1");
+        breaks("E0208", "const A : int := A initial step 1");
+        breaks("E0208", "const A : int := B const B : int := C const C : int := A initial step 1");
+        breaks("E0211", "const A : int initial step 1");
+    }
+
+    #[test]
+    fn a_faulty_constant_is_reported_once() {
+        breaks("E0208", "const A : time := A initial step 1 transition 1 -> 1 : A/X1 and [T1 > 2 * A]");
+        breaks("E0211", "const A : int const B : int := A + 1 initial step 1 transition 1 -> 1 : [B > A]");
+    }
+
+    #[test]
+    fn values_that_do_not_fit() {
+        breaks("E0210", "var v : int := 32768 initial step 1");
+        breaks("E0210", "var v : uint := -1 initial step 1");
+        breaks("E0210", "var v : int := 200 * 200 initial step 1");
+        breaks("E0210", "const t : time := 20h var v : time := 100 * t initial step 1");
+        passes("var a : int := -32768 var b : udint := 4294967295 var c : dint := 16#7FFFFFFF initial step 1");
+    }
+}

@@ -1,0 +1,66 @@
+//! From the syntax tree to the chart: names, types, constants, who belongs where.
+//!
+//! What is wrong is reported and left out or given a stand-in, so that the rules in `checks/` see all the rest. A chart
+//! with stand-ins never leaves [`check`](crate::check()).
+
+mod actions;
+mod addresses;
+mod declarations;
+mod expressions;
+mod fold;
+pub mod parts;
+pub mod scope;
+mod structure;
+mod suggest;
+pub mod types;
+
+use crate::chart::{Chart, MacroId};
+use grafc_diagnostics::Diagnostics;
+use grafc_syntax::ast;
+use index_vec::IndexVec;
+use parts::{ExpansionId, Parts};
+use scope::Scope;
+
+/// A chart under check, with what it was made of.
+pub struct Resolved<'a> {
+    /// The items as written, by their ids.
+    pub parts: Parts<'a>,
+    /// What names mean.
+    pub scope: Scope<'a>,
+    /// The macro-step of each expansion, if there is one.
+    pub expanded: IndexVec<ExpansionId, Option<MacroId>>,
+    /// The chart. Levels and `hierarchy` are not known yet.
+    pub chart: Chart,
+    /// Whether no stand-in is in it.
+    pub complete: bool,
+}
+
+/// Resolves a syntax tree.
+pub fn resolve<'a>(tree: &'a ast::Chart, default_name: &str, diagnostics: &mut Diagnostics) -> Resolved<'a> {
+    let mut parts = Parts::collect(tree);
+    let scope = Scope::declare(&parts, diagnostics);
+    let mut variables = declarations::variables(&parts);
+    addresses::assign(&parts, &mut variables, diagnostics);
+    let values = declarations::evaluate(&tree.exprs, &parts, &scope, &mut variables, diagnostics);
+    let mut chart = Chart {
+        name: tree.heading.as_ref().map_or_else(|| default_name.to_owned(), |heading| heading.name.text.clone()),
+        comment: tree.heading.as_ref().and_then(|heading| comment(&heading.comment)),
+        variables,
+        steps: IndexVec::new(),
+        macro_steps: IndexVec::new(),
+        transitions: IndexVec::new(),
+        grafcets: IndexVec::new(),
+        hierarchy: Vec::new(),
+        continuous: Vec::new(),
+        stored: Vec::new(),
+        orders: Vec::new(),
+        exprs: IndexVec::new(),
+    };
+    let expanded = structure::build(&mut parts, &scope, &mut chart, diagnostics);
+    let interpreted = actions::interpret(&tree.exprs, &parts, &scope, &values.constants, &mut chart, diagnostics);
+    Resolved { parts, scope, expanded, chart, complete: values.complete && interpreted }
+}
+
+fn comment(text: &Option<ast::Text>) -> Option<String> {
+    text.as_ref().map(|text| text.text.clone())
+}

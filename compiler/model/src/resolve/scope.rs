@@ -1,0 +1,395 @@
+//! What names mean: declared variables, labels, and the implicit variables that labels bring.
+//!
+//! Names are case-sensitive here and not on IEC targets, so two names that differ only by case are refused (E0203); of
+//! two equal ones the first keeps the name (E0202), and what an implicit variable is called nobody may declare (E0204).
+
+use super::parts::Parts;
+use super::suggest::Suggestions;
+use crate::chart::{GrafcetId, MacroId, Node, StepId, VariableId};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
+use grafc_syntax::ast;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// What a label stands for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Label {
+    /// A step.
+    Step(StepId),
+    /// A macro-step.
+    Macro(MacroId),
+    /// A partial grafcet.
+    Grafcet(GrafcetId),
+}
+
+/// What a name in an expression stands for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Reference {
+    /// A declared variable.
+    Variable(VariableId),
+    /// `X` and a label.
+    Activity(Label),
+    /// `T` and a step label.
+    Duration(StepId),
+}
+
+/// The name of a grafcet in a file without grafcet blocks.
+pub const IMPLIED_GRAFCET: &str = "G1";
+
+/// Who has which name.
+pub struct Scope<'a> {
+    variables: FxHashMap<&'a str, VariableId>,
+    labels: FxHashMap<&'a str, Label>,
+    /// The labels that were given twice (E0202): who names one may mean another than the first.
+    ambiguous: FxHashSet<&'a str>,
+    /// Both again in order of declaration, for suggestions.
+    variable_names: Vec<&'a str>,
+    label_names: Vec<(&'a str, Label)>,
+    suggestions: Suggestions,
+}
+
+impl<'a> Scope<'a> {
+    /// The names of a chart. Variables have their places in the declarations as ids.
+    pub fn declare(parts: &Parts<'a>, diagnostics: &mut Diagnostics) -> Self {
+        let mut scope = Scope {
+            variables: FxHashMap::default(),
+            labels: FxHashMap::default(),
+            ambiguous: FxHashSet::default(),
+            variable_names: Vec::new(),
+            label_names: Vec::new(),
+            suggestions: Suggestions::new(),
+        };
+        let folded = scope.declare_variables(parts, diagnostics);
+        scope.declare_labels(parts, &folded, diagnostics);
+        scope
+    }
+
+    /// Enters the variables; returns them by their names without regard to case.
+    fn declare_variables(
+        &mut self,
+        parts: &Parts<'a>,
+        diagnostics: &mut Diagnostics,
+    ) -> FxHashMap<String, &'a ast::Name> {
+        let mut folded: FxHashMap<String, &'a ast::Name> = FxHashMap::default();
+        let names = parts.declarations.iter().flat_map(|declaration| &declaration.names);
+        for (index, declared) in names.enumerate() {
+            let name = &declared.name;
+            let id = VariableId::new(index);
+            if let Some(first) = folded.get(&name.text.to_lowercase()) {
+                diagnostics.push(if first.text == name.text {
+                    Diagnostic::new(Code::E0202, name.span, format!("`{}` is declared twice", name.text))
+                        .also(first.span, "first declared here")
+                } else {
+                    differ_by_case(name, &first.text, first.span)
+                });
+            } else {
+                folded.insert(name.text.to_lowercase(), name);
+            }
+            if !self.variables.contains_key(name.text.as_str()) {
+                self.variables.insert(&name.text, id);
+                self.variable_names.push(&name.text);
+            }
+        }
+        folded
+    }
+
+    fn declare_labels(
+        &mut self,
+        parts: &Parts<'a>,
+        variables: &FxHashMap<String, &'a ast::Name>,
+        diagnostics: &mut Diagnostics,
+    ) {
+        let mut folded: FxHashMap<String, (&'a str, Label, Span)> = FxHashMap::default();
+        for (text, label, span) in labels(parts) {
+            match folded.get(&text.to_lowercase()) {
+                Some(&(first, earlier, first_span)) if first == text => {
+                    self.ambiguous.insert(text);
+                    if let Some(diagnostic) = declared_twice(parts, text, label, span, earlier, first_span) {
+                        diagnostics.push(diagnostic);
+                    }
+                    continue;
+                }
+                Some(&(first, _, first_span)) => {
+                    let name = ast::Name { text: text.to_owned(), quoted: false, span };
+                    diagnostics.push(differ_by_case(&name, first, first_span));
+                }
+                None => {
+                    folded.insert(text.to_lowercase(), (text, label, span));
+                    for (implicit, what) in implicit_names(text, label) {
+                        if let Some(name) = variables.get(&implicit.to_lowercase()) {
+                            let owner = format!("{} `{text}`", kind(label));
+                            diagnostics.push(taken(name, &implicit, what, &owner, span));
+                        }
+                    }
+                }
+            }
+            self.labels.entry(text).or_insert(label);
+            self.label_names.push((text, label));
+        }
+    }
+
+    /// What a label stands for.
+    pub fn label(&self, text: &str) -> Option<Label> {
+        self.labels.get(text).copied()
+    }
+
+    /// The step or macro-step of a label.
+    pub fn node(&self, text: &str) -> Option<Node> {
+        match self.label(text)? {
+            Label::Step(step) => Some(Node::Step(step)),
+            Label::Macro(macro_step) => Some(Node::Macro(macro_step)),
+            Label::Grafcet(_) => None,
+        }
+    }
+
+    /// Whether the label was given twice, so that rules on what it stands for had better keep silent.
+    pub fn is_ambiguous(&self, text: &str) -> bool {
+        self.ambiguous.contains(text)
+    }
+
+    /// What a name in an expression stands for.
+    pub fn reference(&self, text: &str) -> Option<Reference> {
+        if let Some(&variable) = self.variables.get(text) {
+            return Some(Reference::Variable(variable));
+        }
+        if let Some(label) = text.strip_prefix('X').and_then(|rest| self.label(rest)) {
+            return Some(Reference::Activity(label));
+        }
+        match text.strip_prefix('T').and_then(|rest| self.label(rest)) {
+            Some(Label::Step(step)) => Some(Reference::Duration(step)),
+            Some(Label::Macro(_) | Label::Grafcet(_)) | None => None,
+        }
+    }
+
+    /// The error on a name that means nothing in an expression.
+    pub fn unknown_name(&self, text: &str, span: Span) -> Diagnostic {
+        let diagnostic = Diagnostic::new(Code::E0201, span, format!("nothing is called `{text}`"));
+        match text.strip_prefix('T').and_then(|rest| self.label(rest)) {
+            Some(Label::Macro(_)) => return diagnostic.note("a macro-step has no duration, only its steps have"),
+            Some(Label::Grafcet(_)) => return diagnostic.note("a grafcet has no duration, only its steps have"),
+            Some(Label::Step(_)) | None => {}
+        }
+        if let Some(label) = self.label(text) {
+            let what = kind(label);
+            return diagnostic.help(format!("the activity of the {what} `{text}` is written `X{text}`"));
+        }
+        if let Some(near) = self.suggestions.nearest(text, self.variable_names.iter().copied()) {
+            return diagnostic.help(format!("did you mean `{near}`?"));
+        }
+        let implicit = ['X', 'T'].into_iter().find_map(|prefix| Some((prefix, text.strip_prefix(prefix)?)));
+        let Some((prefix, rest)) = implicit else {
+            return diagnostic.note("every variable is declared: `input`, `output`, `var` or `const`");
+        };
+        let candidates = self.label_names.iter().filter(|(_, label)| prefix == 'X' || matches!(label, Label::Step(_)));
+        match self.suggestions.nearest(rest, candidates.map(|&(name, _)| name)) {
+            Some(near) => diagnostic.help(format!("did you mean `{prefix}{near}`?")),
+            None => diagnostic.note(format!("no variable is declared by this name, and no step is labelled `{rest}`")),
+        }
+    }
+
+    /// The error on a label that is none of a step or macro-step.
+    pub fn unknown_step(&self, text: &str, span: Span) -> Diagnostic {
+        let diagnostic = Diagnostic::new(Code::E0301, span, format!("there is no step `{text}`"));
+        if let Some(Label::Grafcet(_)) = self.label(text) {
+            return diagnostic.note(format!("`{text}` is a grafcet"));
+        }
+        if let Some(rest) = text.strip_prefix('X')
+            && self.node(rest).is_some()
+        {
+            return diagnostic.help(format!("a step is named by its label: `{rest}`"));
+        }
+        let candidates = self.label_names.iter().filter(|(_, label)| !matches!(label, Label::Grafcet(_)));
+        self.with_suggestion(diagnostic, text, candidates)
+    }
+
+    /// The error on a name that is none of a grafcet.
+    pub fn unknown_grafcet(&self, text: &str, span: Span) -> Diagnostic {
+        let diagnostic = Diagnostic::new(Code::E0302, span, format!("there is no grafcet `{text}`"));
+        match self.label(text) {
+            Some(label @ (Label::Step(_) | Label::Macro(_))) => {
+                return diagnostic.note(format!("`{text}` is a {}", kind(label)));
+            }
+            Some(Label::Grafcet(_)) | None => {}
+        }
+        let candidates = self.label_names.iter().filter(|(_, label)| matches!(label, Label::Grafcet(_)));
+        self.with_suggestion(diagnostic, text, candidates)
+    }
+
+    fn with_suggestion<'n>(
+        &self,
+        diagnostic: Diagnostic,
+        text: &str,
+        candidates: impl Iterator<Item = &'n (&'a str, Label)>,
+    ) -> Diagnostic
+    where
+        'a: 'n,
+    {
+        match self.suggestions.nearest(text, candidates.map(|&(name, _)| name)) {
+            Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
+            None => diagnostic,
+        }
+    }
+}
+
+/// What messages call it.
+pub fn kind(label: Label) -> &'static str {
+    match label {
+        Label::Step(_) => "step",
+        Label::Macro(_) => "macro-step",
+        Label::Grafcet(_) => "grafcet",
+    }
+}
+
+/// All labels: grafcets first, for they are the larger thing and keep their name in a quarrel.
+fn labels<'a>(parts: &Parts<'a>) -> impl Iterator<Item = (&'a str, Label, Span)> {
+    let grafcets = parts.grafcets.iter_enumerated().filter(|(id, _)| !parts.is_stray(*id)).map(|(id, part)| {
+        let name = part.ast.map_or(IMPLIED_GRAFCET, |grafcet| grafcet.name.text.as_str());
+        (name, Label::Grafcet(id), part.span)
+    });
+    let steps = parts.steps.iter().map(|part| {
+        let label = match part.node {
+            Node::Step(step) => Label::Step(step),
+            Node::Macro(macro_step) => Label::Macro(macro_step),
+        };
+        (part.ast.label.text.as_str(), label, part.ast.label.span)
+    });
+    grafcets.chain(steps)
+}
+
+/// The implicit variables of a label, and what they say.
+fn implicit_names(text: &str, label: Label) -> Vec<(String, &'static str)> {
+    let activity = (format!("X{text}"), "activity");
+    match label {
+        Label::Step(_) => vec![activity, (format!("T{text}"), "duration")],
+        Label::Macro(_) | Label::Grafcet(_) => vec![activity],
+    }
+}
+
+fn differ_by_case(name: &ast::Name, first: &str, first_span: Span) -> Diagnostic {
+    Diagnostic::new(Code::E0203, name.span, format!("`{}` and `{first}` differ only by case", name.text))
+        .also(first_span, format!("`{first}` is here"))
+        .note("IEC 61131-3 does not tell capital letters from small ones: the two would be one name")
+}
+
+fn taken(name: &ast::Name, implicit: &str, what: &str, label: &str, label_span: Span) -> Diagnostic {
+    let place = format!("the {label} is here");
+    if name.text == implicit {
+        Diagnostic::new(Code::E0204, name.span, format!("`{implicit}` already names the {what} of {label}"))
+            .also(label_span, place)
+            .help("give the variable another name")
+    } else {
+        let message = format!("`{}` and `{implicit}`, the {what} of {label}, differ only by case", name.text);
+        Diagnostic::new(Code::E0203, name.span, message)
+            .also(label_span, place)
+            .note("IEC 61131-3 does not tell capital letters from small ones: the two would be one name")
+            .help("give the variable another name")
+    }
+}
+
+/// The error on a label that has been given before; none if another rule says it better.
+fn declared_twice(
+    parts: &Parts,
+    text: &str,
+    label: Label,
+    span: Span,
+    first: Label,
+    first_span: Span,
+) -> Option<Diagnostic> {
+    if let (Label::Grafcet(a), Label::Grafcet(b)) = (first, label) {
+        let path = |id: GrafcetId| parts.grafcets[id].ast.and_then(|grafcet| grafcet.path.last());
+        let differ = path(a).zip(path(b)).is_some_and(|(a, b)| a.text != b.text);
+        if differ {
+            return None; // E0311
+        }
+    }
+    let diagnostic = Diagnostic::new(Code::E0202, span, format!("the label `{text}` is given twice"));
+    Some(match first {
+        Label::Grafcet(id) if parts.grafcets[id].ast.is_none() => {
+            diagnostic.note(format!("a file without `grafcet` blocks is one grafcet named `{IMPLIED_GRAFCET}`"))
+        }
+        Label::Grafcet(_) | Label::Step(_) | Label::Macro(_) => diagnostic
+            .also(first_span, format!("here it labels a {}", kind(first)))
+            .note("steps, macro-steps and grafcets share their labels, over the whole chart"),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::checks::testing::{breaks, breaks_all, help, passes};
+
+    #[test]
+    fn names_that_mean_nothing() {
+        breaks("E0201", "initial step 1 step 2 transition 1 -> 2 : valve");
+        breaks("E0201", "initial step 1 step 2 transition 1 -> 2 : X3");
+        breaks("E0201", "initial step 1 { V }");
+        breaks("E0301", "input a : bool initial step 1 transition 1 -> 2 : a");
+        breaks("E0301", "grafcet G1 { initial step 1 { force G2{3} } } grafcet G2 { step 2 }");
+        breaks("E0301", "grafcet G1 { initial step 1 } grafcet X9/G2 { activated step 2 }");
+        breaks("E0302", "initial step 1 { force G2{} }");
+    }
+
+    #[test]
+    fn each_unknown_name_is_reported() {
+        breaks_all(&["E0201", "E0201", "E0201"], "initial step 1 transition 1 -> 1 : x and not y or 3s/z");
+    }
+
+    #[test]
+    fn near_names_are_suggested() {
+        let near = |text: &str| help(text).unwrap_or_default();
+        assert_eq!(near("input valve : bool initial step 1 transition 1 -> 1 : valev"), "did you mean `valve`?");
+        assert_eq!(near("initial step Filling transition Filling -> Filling : XFiling"), "did you mean `XFilling`?");
+        assert_eq!(near("initial step Filling transition Filling -> Filing : 1"), "did you mean `Filling`?");
+        assert_eq!(near("initial step 1 { force Mian{} }"), "");
+        assert_eq!(near("grafcet Main { initial step 1 { force Mian{} } }"), "did you mean `Main`?");
+        assert_eq!(
+            near("initial step Fill transition Fill -> Fill : Fill"),
+            "the activity of the step `Fill` is written `XFill`"
+        );
+        assert_eq!(near("initial step 5 transition 5 -> 5 : 5"), "the activity of step `5` is written `X5`");
+        assert_eq!(near("initial step 5 transition X5 -> 5 : 1"), "a step is named by its label: `5`");
+    }
+
+    #[test]
+    fn what_has_no_duration() {
+        breaks("E0201", "grafcet G1 { initial step 1 transition 1 -> 1 : [TG1 > 3s] }");
+    }
+
+    #[test]
+    fn names_given_twice() {
+        breaks("E0202", "input a : bool var a : int initial step 1");
+        breaks("E0202", "initial step 1 step 1");
+        breaks("E0202", "grafcet G1 { initial step 1 } grafcet G1 { initial step 2 }");
+        breaks("E0202", "grafcet G1 { initial step 1 } grafcet G2 { initial step G1 }");
+        breaks("E0202", "initial step G1");
+    }
+
+    #[test]
+    fn a_label_given_twice_breaks_nothing_else() {
+        breaks(
+            "E0202",
+            "input a : bool grafcet G1 { initial step 1 } grafcet G2 { initial step 1 step 2 transition 1 -> 2 : a }",
+        );
+    }
+
+    #[test]
+    fn names_that_differ_by_case() {
+        breaks("E0203", "input Valve, valve : bool initial step 1");
+        breaks("E0203", "input Ä, ä : bool initial step 1");
+        breaks("E0203", "initial step Fill step fill");
+        breaks("E0203", "grafcet G1 { initial step 1 } grafcet g1 { initial step 2 }");
+        breaks("E0203", "input x1 : bool initial step 1");
+    }
+
+    #[test]
+    fn names_of_implicit_variables() {
+        breaks("E0204", "input X1 : bool initial step 1");
+        breaks("E0204", "input T1 : bool initial step 1");
+        breaks("E0204", "input XG1 : bool initial step 1");
+        breaks("E0204", "input XM3 : bool initial step 1 macro step M3 expansion M3 { step E3 step S3 }");
+        passes("input X2, T2, TG1, G2 : bool initial step 1");
+    }
+
+    #[test]
+    fn a_label_is_no_variable() {
+        passes("input Fill : bool initial step Fill step Drain transition Fill -> Drain : Fill and XFill");
+    }
+}
