@@ -1,0 +1,82 @@
+//! Checked chart to Petri net. Translates, decides nothing.
+
+use crate::net::{MacroStep, Net, Place, Transition};
+use grafc_model::chart::{Chart, MacroId, Node, StepId};
+use index_vec::IndexVec;
+
+/// The Petri net of a checked chart; macro-steps, enclosures and orders stand in side tables.
+pub fn build(chart: &Chart) -> Net {
+    let mut macro_steps: IndexVec<MacroId, MacroStep> = chart
+        .macro_steps
+        .iter()
+        .map(|m| MacroStep {
+            label: m.label.clone(),
+            entry: m.entry,
+            exit: m.exit,
+            places: Vec::new(),
+            inner: Vec::new(),
+            entered_by: Vec::new(),
+            left_by: Vec::new(),
+        })
+        .collect();
+    for (id, step) in chart.steps.iter_enumerated() {
+        if let Some(m) = step.expansion_of {
+            macro_steps[m].places.push(id);
+        }
+    }
+    for (id, inner) in chart.macro_steps.iter_enumerated() {
+        if let Some(m) = inner.expansion_of {
+            macro_steps[m].inner.push(id);
+        }
+    }
+    let mut transitions = IndexVec::with_capacity(chart.transitions.len());
+    for (id, t) in chart.transitions.iter_enumerated() {
+        let mut places = |nodes: &[Node], table: fn(&mut MacroStep) -> &mut Vec<_>| -> Vec<StepId> {
+            let mut steps = Vec::with_capacity(nodes.len());
+            for node in nodes {
+                match *node {
+                    Node::Step(s) => steps.push(s),
+                    Node::Macro(m) => table(&mut macro_steps[m]).push(id),
+                }
+            }
+            steps
+        };
+        let pre = places(&t.pre, |m| &mut m.left_by);
+        let post = places(&t.post, |m| &mut m.entered_by);
+        transitions.push(Transition {
+            designation: t.designation.clone(),
+            comment: t.comment.clone(),
+            grafcet: t.grafcet,
+            pre,
+            post,
+            condition: t.condition,
+            span: t.span,
+        });
+    }
+    Net {
+        name: chart.name.clone(),
+        comment: chart.comment.clone(),
+        variables: chart.variables.clone(),
+        places: chart
+            .steps
+            .iter()
+            .map(|s| Place {
+                label: s.label.clone(),
+                comment: s.comment.clone(),
+                grafcet: s.grafcet,
+                initial: s.initial,
+                activated: s.activated,
+                span: s.span,
+            })
+            .collect(),
+        transitions,
+        grafcets: chart.grafcets.clone(),
+        hierarchy: chart.hierarchy.clone(),
+        macro_steps,
+        continuous: chart.continuous.clone(),
+        stored: chart.stored.clone(),
+        orders: chart.orders.clone(),
+        exprs: chart.exprs.clone(),
+        facts: Vec::new(),
+    }
+}
