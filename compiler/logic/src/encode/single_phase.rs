@@ -1,0 +1,13 @@
+//! Single-phase (Shalyto's methods 2 and 3): `N = S OR X AND NOT R`.
+//!
+//! R is the clearing of the step's own downstream transitions, so the step goes in the very micro-step in which its
+//! successors come. S dominates: a step that is deactivated and activated at once stays active (IEC 60848, rule 5).
+
+use super::Place;
+use crate::formula::{FormulaId, Pool};
+
+pub(super) fn next(pool: &mut Pool, place: &Place) -> FormulaId {
+    let kept = pool.not(place.reset);
+    let stays = pool.and([place.active, kept]);
+    pool.or([place.set, stays])
+}

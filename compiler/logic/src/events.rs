@@ -1,0 +1,228 @@
+//! What happens in a micro-step: clearings, activations and deactivations as net changes (R6), and the events of stored
+//! actions (R7).
+
+use crate::encode::Place;
+use crate::formula::{Formula, FormulaId};
+use crate::lower::Lowering;
+use crate::scan::{Role, Statement, VarId};
+use crate::tokens::Components;
+use grafc_model::chart::{StepId, TransitionId, Type};
+use grafc_net::Net;
+use index_vec::IndexVec;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::BTreeSet;
+
+/// The clearing of each transition, latched before anything is written.
+pub(crate) struct Clearings {
+    /// The variable of each transition.
+    pub(crate) variable: IndexVec<TransitionId, VarId>,
+    /// Transitions that lead into a step, self-loops left out.
+    into: IndexVec<StepId, Vec<TransitionId>>,
+    /// Transitions that lead out of a step, self-loops left out.
+    out_of: IndexVec<StepId, Vec<TransitionId>>,
+    /// Transitions that lead out of a step and back into it at once.
+    loops: IndexVec<StepId, Vec<TransitionId>>,
+}
+
+impl Clearings {
+    /// Makes the variables and returns the statements that set them.
+    pub(crate) fn new(
+        lowering: &mut Lowering,
+        conditions: &IndexVec<TransitionId, FormulaId>,
+    ) -> (Self, Vec<Statement>) {
+        let net = lowering.net;
+        let none = || -> IndexVec<StepId, Vec<TransitionId>> { net.places.iter().map(|_| Vec::new()).collect() };
+        let mut clearings = Clearings { variable: IndexVec::new(), into: none(), out_of: none(), loops: none() };
+        let mut statements = Vec::with_capacity(net.transitions.len());
+        // The last transition that touched a step, to tell self-loops in one pass.
+        let mut before: IndexVec<StepId, Option<TransitionId>> = net.places.iter().map(|_| None).collect();
+        let mut after = before.clone();
+        for (t, transition) in net.transitions.iter_enumerated() {
+            transition.pre.iter().for_each(|s| before[*s] = Some(t));
+            transition.post.iter().for_each(|s| after[*s] = Some(t));
+            for s in &transition.pre {
+                let table = if after[*s] == Some(t) { &mut clearings.loops } else { &mut clearings.out_of };
+                table[*s].push(t);
+            }
+            for s in transition.post.iter().filter(|s| before[**s] != Some(t)) {
+                clearings.into[*s].push(t);
+            }
+            let enabled: Vec<FormulaId> = transition.pre.iter().map(|s| lowering.active(*s)).collect();
+            let value = lowering.pool.and(enabled.into_iter().chain([conditions[t]]));
+            let name = transition.designation.clone().unwrap_or_else(|| (t.index() + 1).to_string());
+            let target = lowering.symbols.fresh(Role::Temporary, format!("clr_{name}"), Type::Bool, None);
+            clearings.variable.push(target);
+            statements.push(Statement::Assign { target, value, remark: Some(drawn(net, t)) });
+        }
+        (clearings, statements)
+    }
+
+    fn any(&self, lowering: &mut Lowering, transitions: impl IntoIterator<Item = TransitionId>) -> FormulaId {
+        let cleared: Vec<FormulaId> =
+            transitions.into_iter().map(|t| lowering.symbols.read(&mut lowering.pool, self.variable[t])).collect();
+        lowering.pool.or(cleared)
+    }
+
+    /// Whether a transition leads from one of the steps of `from` to `to`, another step.
+    pub(crate) fn leads(&self, net: &Net, from: &BTreeSet<StepId>, to: StepId) -> bool {
+        self.into[to].iter().any(|t| net.transitions[*t].pre.iter().any(|s| from.contains(s)))
+    }
+
+    /// What decides on the next activity of a step; none if no transition touches it.
+    pub(crate) fn place(&self, lowering: &mut Lowering, s: StepId) -> Option<Place> {
+        if self.into[s].is_empty() && self.out_of[s].is_empty() {
+            // A self-loop alone neither activates nor deactivates: set dominates.
+            return None;
+        }
+        let set = self.any(lowering, self.into[s].iter().chain(&self.loops[s]).copied());
+        let reset = self.any(lowering, self.out_of[s].iter().chain(&self.loops[s]).copied());
+        Some(Place { active: lowering.active(s), set, reset })
+    }
+
+    /// `s` is active after the micro-step and was not before.
+    pub(crate) fn activated(&self, lowering: &mut Lowering, components: &Components, s: StepId) -> FormulaId {
+        let set = self.any(lowering, self.into[s].iter().copied());
+        if components.covers(s) {
+            // The step that the token of a component comes to was inactive.
+            return set;
+        }
+        let active = lowering.active(s);
+        let inactive = lowering.pool.not(active);
+        lowering.pool.and([set, inactive])
+    }
+
+    /// `s` was active before the micro-step and is not after.
+    pub(crate) fn deactivated(&self, lowering: &mut Lowering, components: &Components, s: StepId) -> FormulaId {
+        let reset = self.any(lowering, self.out_of[s].iter().copied());
+        if components.covers(s) {
+            return reset;
+        }
+        let set = self.any(lowering, self.into[s].iter().chain(&self.loops[s]).copied());
+        let not_set = lowering.pool.not(set);
+        lowering.pool.and([reset, not_set])
+    }
+
+    /// Whether the situation changes, as the terms of a disjunction: the clearings that move the token of a component,
+    /// and for what no component covers, activation and deactivation step by step. A transition that waits for an edge
+    /// is left out: the edge itself asks for another micro-step.
+    pub(crate) fn changes(
+        &self,
+        lowering: &mut Lowering,
+        components: &Components,
+        conditions: &IndexVec<TransitionId, FormulaId>,
+    ) -> Vec<FormulaId> {
+        let net = lowering.net;
+        let edges: FxHashSet<VarId> = lowering.edges.iter().flat_map(|e| [e.rise, e.fall]).flatten().collect();
+        let is_edge = |f: FormulaId| matches!(lowering.pool.get(f), Formula::Variable(v) if edges.contains(v));
+        let waits: IndexVec<TransitionId, bool> = conditions
+            .iter()
+            .map(|c| match lowering.pool.get(*c) {
+                Formula::And(factors) => factors.iter().any(|f| is_edge(*f)),
+                Formula::Variable(_) => is_edge(*c),
+                Formula::Constant(_)
+                | Formula::TimerDone(_)
+                | Formula::TimerElapsed(_)
+                | Formula::Not(_)
+                | Formula::Or(_)
+                | Formula::Xor(..)
+                | Formula::Compare(..)
+                | Formula::Arithmetic(..)
+                | Formula::Negate(_)
+                | Formula::Widen(_) => false,
+            })
+            .collect();
+        let mut moves: IndexVec<TransitionId, bool> = net.transitions.iter().map(|_| false).collect();
+        for s in net.places.indices().filter(|s| components.covers(*s)) {
+            self.out_of[s].iter().for_each(|t| moves[*t] = true);
+        }
+        let moving: Vec<TransitionId> = net.transitions.indices().filter(|t| moves[*t] && !waits[*t]).collect();
+        let mut terms: Vec<FormulaId> =
+            moving.into_iter().map(|t| lowering.symbols.read(&mut lowering.pool, self.variable[t])).collect();
+        for s in net.places.indices() {
+            let others =
+                |list: &[TransitionId]| list.iter().copied().filter(|t| !moves[*t] && !waits[*t]).collect::<Vec<_>>();
+            let (into, out_of) = (others(&self.into[s]), others(&self.out_of[s]));
+            if !into.is_empty() {
+                let (set, active) = (self.any(lowering, into), lowering.active(s));
+                let inactive = lowering.pool.not(active);
+                terms.push(lowering.pool.and([set, inactive]));
+            }
+            if !out_of.is_empty() {
+                let reset = self.any(lowering, out_of);
+                let set = self.any(lowering, self.into[s].iter().chain(&self.loops[s]).copied());
+                let not_set = lowering.pool.not(set);
+                terms.push(lowering.pool.and([reset, not_set]));
+            }
+        }
+        terms
+    }
+}
+
+/// Activations and deactivations that stored actions wait for; one that several wait for becomes a variable.
+pub(crate) struct StepEvents {
+    activated: FxHashMap<StepId, FormulaId>,
+    deactivated: FxHashMap<StepId, FormulaId>,
+    /// The statements that set the variables.
+    pub(crate) statements: Vec<Statement>,
+}
+
+impl StepEvents {
+    /// Counts what the stored actions wait for.
+    pub(crate) fn new(lowering: &mut Lowering, clearings: &Clearings, components: &Components) -> Self {
+        use grafc_model::chart::Event;
+        let net = lowering.net;
+        let mut uses: FxHashMap<(StepId, bool), usize> = FxHashMap::default();
+        for action in &net.stored {
+            match action.event {
+                Event::Activation(s) => *uses.entry((s, true)).or_default() += 1,
+                Event::Deactivation(s) => *uses.entry((s, false)).or_default() += 1,
+                Event::Event(..) | Event::Clearing(_) => {}
+            }
+        }
+        let mut events =
+            StepEvents { activated: FxHashMap::default(), deactivated: FxHashMap::default(), statements: Vec::new() };
+        for s in net.places.indices() {
+            for (activation, word) in [(true, "act"), (false, "deact")] {
+                let Some(count) = uses.get(&(s, activation)) else { continue };
+                let value = if activation {
+                    clearings.activated(lowering, components, s)
+                } else {
+                    clearings.deactivated(lowering, components, s)
+                };
+                let simple = lowering.pool.operands(value).next().is_none();
+                let value = if simple || *count == 1 {
+                    value
+                } else {
+                    let name = format!("{word}_{}", net.places[s].label);
+                    let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
+                    events.statements.push(Statement::Assign { target, value, remark: None });
+                    lowering.symbols.read(&mut lowering.pool, target)
+                };
+                if activation { &mut events.activated } else { &mut events.deactivated }.insert(s, value);
+            }
+        }
+        events
+    }
+
+    /// The activation of a step that some stored action waits for.
+    pub(crate) fn activated(&self, s: StepId) -> FormulaId {
+        self.activated[&s]
+    }
+
+    /// The deactivation of a step that some stored action waits for.
+    pub(crate) fn deactivated(&self, s: StepId) -> FormulaId {
+        self.deactivated[&s]
+    }
+}
+
+/// A transition as the chart writes it: `5, 8 -> 9 "comment"`.
+fn drawn(net: &Net, t: TransitionId) -> String {
+    let labels = |steps: &[StepId]| steps.iter().map(|s| net.places[*s].label.as_str()).collect::<Vec<_>>().join(", ");
+    let transition = &net.transitions[t];
+    let mut text = format!("{} -> {}", labels(&transition.pre), labels(&transition.post)).trim().to_owned();
+    if let Some(comment) = &transition.comment {
+        text.push_str(": ");
+        text.push_str(comment);
+    }
+    text
+}

@@ -1,0 +1,121 @@
+//! Delays and step durations (X2, X5).
+//!
+//! `on/e/off` is TOF(TON(e, on), off), each part left out where its time is zero. The off-delay is a TON on the negated
+//! signal and a bit that it resets, because targets disagree on the output of TOF before its first true input.
+
+use super::{Context, Lowering, Moment};
+use crate::formula::{FormulaId, Type, Value};
+use crate::scan::{Preset, Role, Statement, Timer, TimerId};
+use grafc_model::chart::{DelayTime, ExprId, ExprKind, StepId};
+
+impl Lowering<'_> {
+    pub(super) fn delay(
+        &mut self,
+        cx: &mut Context,
+        e: ExprId,
+        on: DelayTime,
+        operand: ExprId,
+        off: DelayTime,
+    ) -> FormulaId {
+        match cx.moment {
+            Moment::First if on.ms > 0 => self.pool.truth(false),
+            Moment::First => cx.exprs[&operand],
+            Moment::After => self.delay_values[&e],
+            Moment::MicroStep => {
+                let input = cx.exprs[&operand];
+                let value = match self.delay_of.get(&(input, on, off)) {
+                    Some(known) => *known,
+                    None => {
+                        let value = self.run_delay(cx, input, on, operand, off);
+                        self.delay_of.insert((input, on, off), value);
+                        value
+                    }
+                };
+                self.delay_values.insert(e, value);
+                value
+            }
+        }
+    }
+
+    fn run_delay(
+        &mut self,
+        cx: &mut Context,
+        input: FormulaId,
+        on: DelayTime,
+        operand: ExprId,
+        off: DelayTime,
+    ) -> FormulaId {
+        let base = self.base_name(operand, self.delay_of.len() + 1);
+        let raised = if on.ms > 0 {
+            let timer = self.timer(format!("on_{base}"), on);
+            cx.statements.push(Statement::CallTimer { timer, input });
+            self.pool.timer_done(timer)
+        } else {
+            input
+        };
+        if off.ms > 0 {
+            let held = self.symbols.fresh(Role::Memory, format!("held_{base}"), Type::Bool, None);
+            let timer = self.timer(format!("off_{base}"), off);
+            let low = self.pool.not(raised);
+            cx.statements.push(Statement::CallTimer { timer, input: low });
+            let (still, over) = (self.symbols.read(&mut self.pool, held), self.pool.timer_done(timer));
+            let not_over = self.pool.not(over);
+            let keeps = self.pool.and([still, not_over]);
+            let value = self.pool.or([raised, keeps]);
+            cx.statements.push(Statement::Assign { target: held, value, remark: None });
+            still
+        } else if on.ms > 0 {
+            raised
+        } else {
+            // No delay at all: still a value of this micro-step, which outputs read after the situation has changed.
+            let value = self.symbols.fresh(Role::Temporary, format!("now_{base}"), Type::Bool, None);
+            cx.statements.push(Statement::Assign { target: value, value: input, remark: None });
+            self.symbols.read(&mut self.pool, value)
+        }
+    }
+
+    fn timer(&mut self, name: String, time: DelayTime) -> TimerId {
+        let constant = time.constant.map(|c| self.symbols.declared(c));
+        self.timers.push(Timer { name, preset: Some(Preset { ms: time.ms, constant }), comment: None })
+    }
+
+    /// `Tn`: its timer runs as soon as the step is active, see `compile`.
+    pub(super) fn step_time(&mut self, cx: &Context, step: StepId) -> FormulaId {
+        if cx.moment == Moment::First {
+            return self.constant(Value::Time(0), Type::Time);
+        }
+        let label = &self.net.places[step].label;
+        let timers = &mut self.timers;
+        let timer = *self.step_timers.entry(step).or_insert_with(|| {
+            timers.push(Timer {
+                name: format!("T{label}"),
+                preset: None,
+                comment: Some(format!("duration of step {label}")),
+            })
+        });
+        self.pool.timer_elapsed(timer)
+    }
+
+    /// A word for what an operand is: its name if it has one, else a number.
+    pub(super) fn base_name(&self, operand: ExprId, number: usize) -> String {
+        match &self.net.exprs[operand].kind {
+            ExprKind::Variable(v) => self.net.variables[*v].name.clone(),
+            ExprKind::StepActive(s) => format!("X{}", self.net.places[*s].label),
+            ExprKind::MacroActive(m) => format!("X{}", self.net.macro_steps[*m].label),
+            ExprKind::GrafcetActive(g) => format!("X{}", self.net.grafcets[*g].name),
+            ExprKind::Literal(_)
+            | ExprKind::StepTime(_)
+            | ExprKind::Not(_)
+            | ExprKind::And(..)
+            | ExprKind::Or(..)
+            | ExprKind::Xor(..)
+            | ExprKind::Rise(_)
+            | ExprKind::Fall(_)
+            | ExprKind::Delay { .. }
+            | ExprKind::Compare(..)
+            | ExprKind::Arithmetic(..)
+            | ExprKind::Negate(_)
+            | ExprKind::Widen(_) => number.to_string(),
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! Edges (X4) by explicit memory of their operand.
+//!
+//! `↑e` is true in the one micro-step in which `e` is true and was false in the context before. Function blocks such as
+//! R_TRIG are of no use here: they see an edge at power-up and lose edges when they are not called in every context.
+
+use super::{Context, Lowering, Moment};
+use crate::formula::{Formula, FormulaId, Type};
+use crate::scan::{Role, Statement, VarId};
+use grafc_model::chart::ExprId;
+
+/// One operand of edges and what is kept of it.
+pub(crate) struct EdgeOperand {
+    /// The operand in the chart: the first of those that have the same formula.
+    pub(crate) operand: ExprId,
+    /// Its value now.
+    pub(crate) now: FormulaId,
+    /// Its value in the context before.
+    pub(crate) old: VarId,
+    /// True at a rising edge, if the chart asks.
+    pub(crate) rise: Option<VarId>,
+    /// True at a falling edge, if the chart asks.
+    pub(crate) fall: Option<VarId>,
+}
+
+impl Lowering<'_> {
+    pub(super) fn edge(&mut self, cx: &mut Context, operand: ExprId, rising: bool) -> FormulaId {
+        match cx.moment {
+            // No edge is true at the start (R10), and the checks allow none in continuous actions.
+            Moment::First | Moment::After => return self.pool.truth(false),
+            Moment::MicroStep => {}
+        }
+        let formula = cx.exprs[&operand];
+        let index = match self.edge_of.get(&formula) {
+            Some(known) => *known,
+            None => self.remember(cx, operand, formula),
+        };
+        let (slot, word) = match (&mut self.edges[index], rising) {
+            (edge, true) => (&mut edge.rise, "rise"),
+            (edge, false) => (&mut edge.fall, "fall"),
+        };
+        if let Some(known) = *slot {
+            return self.symbols.read(&mut self.pool, known);
+        }
+        let base = self.base_name(self.edges[index].operand, index + 1);
+        let target = self.symbols.fresh(Role::Temporary, format!("{word}_{base}"), Type::Bool, None);
+        let edge = &mut self.edges[index];
+        *(if rising { &mut edge.rise } else { &mut edge.fall }) = Some(target);
+        let (now, old) = (edge.now, self.symbols.read(&mut self.pool, edge.old));
+        let value = if rising {
+            let before = self.pool.not(old);
+            self.pool.and([now, before])
+        } else {
+            let gone = self.pool.not(now);
+            self.pool.and([gone, old])
+        };
+        cx.statements.push(Statement::Assign { target, value, remark: None });
+        self.symbols.read(&mut self.pool, target)
+    }
+
+    fn remember(&mut self, cx: &mut Context, operand: ExprId, formula: FormulaId) -> usize {
+        let base = self.base_name(operand, self.edges.len() + 1);
+        let now = match self.pool.get(formula) {
+            Formula::Variable(_) | Formula::TimerDone(_) | Formula::Constant(_) => formula,
+            Formula::TimerElapsed(_)
+            | Formula::Not(_)
+            | Formula::And(_)
+            | Formula::Or(_)
+            | Formula::Xor(..)
+            | Formula::Compare(..)
+            | Formula::Arithmetic(..)
+            | Formula::Negate(_)
+            | Formula::Widen(_) => {
+                let target = self.symbols.fresh(Role::Temporary, format!("now_{base}"), Type::Bool, None);
+                cx.statements.push(Statement::Assign { target, value: formula, remark: None });
+                self.symbols.read(&mut self.pool, target)
+            }
+        };
+        let old = self.symbols.fresh(Role::Memory, format!("old_{base}"), Type::Bool, None);
+        let index = self.edges.len();
+        self.edges.push(EdgeOperand { operand, now, old, rise: None, fall: None });
+        self.edge_of.insert(formula, index);
+        index
+    }
+
+    /// Whether some operand has changed since the context before.
+    pub(crate) fn edges_changed(&mut self) -> FormulaId {
+        let mut changed = Vec::with_capacity(self.edges.len());
+        for edge in &self.edges {
+            let old = self.symbols.read(&mut self.pool, edge.old);
+            changed.push(self.pool.xor(edge.now, old));
+        }
+        self.pool.or(changed)
+    }
+
+    /// The memory for the next micro-step.
+    pub(crate) fn remember_operands(&self) -> Vec<Statement> {
+        self.edges.iter().map(|e| Statement::Assign { target: e.old, value: e.now, remark: None }).collect()
+    }
+}

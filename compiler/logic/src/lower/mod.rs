@@ -1,0 +1,386 @@
+//! Conditions and values of the net to formulas, with the statements that must stand before they can be read.
+//!
+//! A [`Context`] is one moment of the scan at which inputs, situation and variables are fixed: the initial reaction, a
+//! micro-step, or the outputs. In it every condition has one meaning (X1-X6), and whatever a formula cannot hold itself
+//! becomes a definition that is emitted once, before its first use: the wire that a condition reads, the activity of a
+//! macro-step, a delay, an intermediate result that has to wrap around at the width of its type.
+
+mod arithmetic;
+mod delays;
+mod edges;
+
+pub(crate) use edges::EdgeOperand;
+
+use crate::formula::{FormulaId, Pool, Type, Value};
+use crate::scan::{Role, Statement, Timer, TimerId, VarId};
+use crate::symbols::Symbols;
+use grafc_model::chart::{DelayTime, ExprId, ExprKind, GrafcetId, MacroId, Mode, StepId, VariableId};
+use grafc_net::Net;
+use index_vec::IndexVec;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::BTreeMap;
+
+/// The moments at which conditions are evaluated.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Moment {
+    /// The initial reaction before its first micro-step: no edges, delays as they start (R10).
+    First,
+    /// A micro-step on the old situation (R1).
+    MicroStep,
+    /// After the evolution: the new situation, with the delays of the last micro-step (R11, R14).
+    After,
+}
+
+/// What has been lowered at one moment.
+pub(crate) struct Context {
+    moment: Moment,
+    /// The definitions, in the order in which they must be done.
+    pub(crate) statements: Vec<Statement>,
+    exprs: FxHashMap<ExprId, FormulaId>,
+    wires: FxHashSet<VariableId>,
+    macros: FxHashMap<MacroId, FormulaId>,
+    grafcets: FxHashMap<GrafcetId, FormulaId>,
+    /// Variables that hold an intermediate result, and the order in which they came.
+    latched: FxHashMap<FormulaId, VarId>,
+    latched_in_order: Vec<FormulaId>,
+}
+
+impl Context {
+    fn latch_in(&mut self, value: FormulaId, variable: VarId) {
+        self.latched.insert(value, variable);
+        self.latched_in_order.push(value);
+    }
+
+    pub(crate) fn new(moment: Moment) -> Self {
+        Context {
+            moment,
+            statements: Vec::new(),
+            exprs: FxHashMap::default(),
+            wires: FxHashSet::default(),
+            macros: FxHashMap::default(),
+            grafcets: FxHashMap::default(),
+            latched: FxHashMap::default(),
+            latched_in_order: Vec::new(),
+        }
+    }
+}
+
+/// Everything that lowering shares between moments.
+pub(crate) struct Lowering<'n> {
+    pub(crate) net: &'n Net,
+    pub(crate) symbols: Symbols,
+    pub(crate) pool: Pool,
+    pub(crate) timers: IndexVec<TimerId, Timer>,
+    /// Timers of step durations.
+    pub(crate) step_timers: BTreeMap<StepId, TimerId>,
+    /// Edge operands, in the order in which they were met.
+    pub(crate) edges: Vec<EdgeOperand>,
+    edge_of: FxHashMap<FormulaId, usize>,
+    delay_of: FxHashMap<(FormulaId, DelayTime, DelayTime), FormulaId>,
+    /// The value of each delay after the last micro-step.
+    delay_values: FxHashMap<ExprId, FormulaId>,
+    /// The continuous actions of each wire.
+    continuous_of: FxHashMap<VariableId, Vec<usize>>,
+    latches: usize,
+    /// The pieces of conditions that were too deep, in the order of their definition.
+    pub(crate) parts: Vec<(VarId, FormulaId)>,
+    /// Variables that have been written already, and the copies to read instead (see `allocate`).
+    pub(crate) redirected: FxHashMap<VariableId, VarId>,
+}
+
+/// Compilers of PLCs take no more than 150 nested parentheses; a reader takes fewer.
+const DEEPEST: u32 = 40;
+
+/// What a formula may depend on.
+#[derive(Clone, Copy)]
+enum Need {
+    Expr(ExprId),
+    Wire(VariableId),
+    Macro(MacroId),
+    Grafcet(GrafcetId),
+}
+
+impl<'n> Lowering<'n> {
+    pub(crate) fn new(net: &'n Net) -> Self {
+        let mut continuous_of: FxHashMap<VariableId, Vec<usize>> = FxHashMap::default();
+        for (index, action) in net.continuous.iter().enumerate() {
+            continuous_of.entry(action.target).or_default().push(index);
+        }
+        Lowering {
+            net,
+            symbols: Symbols::new(net),
+            pool: Pool::default(),
+            timers: IndexVec::new(),
+            step_timers: BTreeMap::new(),
+            edges: Vec::new(),
+            edge_of: FxHashMap::default(),
+            delay_of: FxHashMap::default(),
+            delay_values: FxHashMap::default(),
+            continuous_of,
+            latches: 0,
+            parts: Vec::new(),
+            redirected: FxHashMap::default(),
+        }
+    }
+
+    /// The formula of a condition or value at a moment.
+    pub(crate) fn expr(&mut self, cx: &mut Context, root: ExprId) -> FormulaId {
+        self.satisfy(cx, Need::Expr(root));
+        cx.exprs[&root]
+    }
+
+    /// Emits the assignment of a wire at a moment, after those of the wires that it reads.
+    pub(crate) fn wire(&mut self, cx: &mut Context, wire: VariableId) {
+        self.satisfy(cx, Need::Wire(wire));
+    }
+
+    /// Lowers what `root` needs, then `root`: a walk with its own stack, since the depth of a condition is the author's.
+    fn satisfy(&mut self, cx: &mut Context, root: Need) {
+        let mut stack = vec![(root, false)];
+        let mut needs = Vec::new();
+        while let Some((need, ready)) = stack.pop() {
+            if self.is_done(cx, need) {
+                continue;
+            }
+            if ready {
+                self.build(cx, need);
+                continue;
+            }
+            stack.push((need, true));
+            needs.clear();
+            self.needs(cx, need, &mut needs);
+            stack.extend(needs.iter().rev().map(|n| (*n, false)));
+        }
+    }
+
+    fn is_done(&self, cx: &Context, need: Need) -> bool {
+        match need {
+            Need::Expr(e) => cx.exprs.contains_key(&e),
+            Need::Wire(v) => cx.wires.contains(&v),
+            Need::Macro(m) => cx.macros.contains_key(&m),
+            Need::Grafcet(g) => cx.grafcets.contains_key(&g),
+        }
+    }
+
+    fn needs(&self, cx: &Context, need: Need, out: &mut Vec<Need>) {
+        match need {
+            Need::Wire(v) => {
+                let actions = self.continuous_of.get(&v).map_or(&[][..], Vec::as_slice);
+                out.extend(actions.iter().filter_map(|a| self.net.continuous[*a].condition).map(Need::Expr));
+            }
+            Need::Macro(m) => out.extend(self.net.macro_steps[m].inner.iter().map(|i| Need::Macro(*i))),
+            Need::Grafcet(_) => {}
+            Need::Expr(e) => match &self.net.exprs[e].kind {
+                ExprKind::Literal(_) | ExprKind::StepActive(_) | ExprKind::StepTime(_) => {}
+                ExprKind::Variable(v) => {
+                    if self.net.variables[*v].mode == Mode::Wire {
+                        out.push(Need::Wire(*v));
+                    }
+                }
+                ExprKind::MacroActive(m) => out.push(Need::Macro(*m)),
+                ExprKind::GrafcetActive(g) => out.push(Need::Grafcet(*g)),
+                ExprKind::And(..) | ExprKind::Or(..) => out.extend(self.chain(e).into_iter().map(Need::Expr)),
+                ExprKind::Not(a) | ExprKind::Negate(a) | ExprKind::Widen(a) => out.push(Need::Expr(*a)),
+                ExprKind::Xor(a, b) | ExprKind::Compare(_, a, b) | ExprKind::Arithmetic(_, a, b) => {
+                    out.extend([Need::Expr(*a), Need::Expr(*b)]);
+                }
+                ExprKind::Rise(a) | ExprKind::Fall(a) => {
+                    if cx.moment == Moment::MicroStep {
+                        out.push(Need::Expr(*a));
+                    }
+                }
+                ExprKind::Delay { on, operand, .. } => {
+                    let read = match cx.moment {
+                        Moment::First => on.ms == 0,
+                        Moment::MicroStep => true,
+                        Moment::After => false,
+                    };
+                    if read {
+                        out.push(Need::Expr(*operand));
+                    }
+                }
+            },
+        }
+    }
+
+    /// The operands of a conjunction or disjunction, through all operators of the same kind below it.
+    fn chain(&self, root: ExprId) -> Vec<ExprId> {
+        let conjunction = matches!(self.net.exprs[root].kind, ExprKind::And(..));
+        let mut operands = Vec::new();
+        let mut stack = vec![root];
+        while let Some(e) = stack.pop() {
+            match (&self.net.exprs[e].kind, conjunction) {
+                (ExprKind::And(a, b), true) | (ExprKind::Or(a, b), false) => stack.extend([*b, *a]),
+                _ => operands.push(e),
+            }
+        }
+        operands
+    }
+
+    fn build(&mut self, cx: &mut Context, need: Need) {
+        match need {
+            Need::Wire(v) => self.build_wire(cx, v),
+            Need::Macro(m) => {
+                let table = &self.net.macro_steps[m];
+                let inner: Vec<FormulaId> = table.inner.iter().map(|i| cx.macros[i]).collect();
+                let activity = self.any_active(&table.places, &inner);
+                let activity = self.named_activity(cx, &table.label, activity);
+                cx.macros.insert(m, activity);
+            }
+            Need::Grafcet(g) => {
+                let grafcet = &self.net.grafcets[g];
+                let activity = self.any_active(&grafcet.steps, &[]);
+                let activity = self.named_activity(cx, &grafcet.name, activity);
+                cx.grafcets.insert(g, activity);
+            }
+            Need::Expr(e) => {
+                let formula = self.build_expr(cx, e);
+                let formula = self.split(cx, formula);
+                cx.exprs.insert(e, formula);
+            }
+        }
+    }
+
+    /// A Boolean formula that has become too deep to be written in one piece continues as a variable.
+    fn split(&mut self, cx: &mut Context, formula: FormulaId) -> FormulaId {
+        if self.pool.depth(formula) < DEEPEST || self.pool.ty(formula) != Type::Bool {
+            return formula;
+        }
+        let target = self.symbols.fresh(Role::Temporary, format!("part_{}", self.parts.len() + 1), Type::Bool, None);
+        cx.statements.push(Statement::Assign { target, value: formula, remark: None });
+        self.parts.push((target, formula));
+        self.symbols.read(&mut self.pool, target)
+    }
+
+    fn any_active(&mut self, steps: &[StepId], others: &[FormulaId]) -> FormulaId {
+        let steps: Vec<FormulaId> = steps.iter().map(|s| self.active(*s)).collect();
+        self.pool.or(steps.into_iter().chain(others.iter().copied()))
+    }
+
+    /// `XM3 := XE3 OR X30 OR XS3`, so that no condition has to spell it out again.
+    fn named_activity(&mut self, cx: &mut Context, label: &str, activity: FormulaId) -> FormulaId {
+        if self.pool.operands(activity).next().is_none() {
+            return activity;
+        }
+        let target = self.symbols.fresh(Role::Temporary, format!("X{label}"), Type::Bool, None);
+        cx.statements.push(Statement::Assign { target, value: activity, remark: None });
+        self.symbols.read(&mut self.pool, target)
+    }
+
+    /// A wire is true while one of its actions applies; the name itself carries the value (B4).
+    fn build_wire(&mut self, cx: &mut Context, wire: VariableId) {
+        let net = self.net;
+        let mut terms = Vec::new();
+        for index in self.continuous_of.get(&wire).map_or(&[][..], Vec::as_slice).to_vec() {
+            let action = &net.continuous[index];
+            let step = self.active(action.step);
+            let term = match action.condition {
+                Some(condition) => self.pool.and([step, cx.exprs[&condition]]),
+                None => step,
+            };
+            terms.push(term);
+        }
+        let value = self.pool.or(terms);
+        let target = self.symbols.declared(wire);
+        cx.statements.push(Statement::Assign { target, value, remark: None });
+        cx.wires.insert(wire);
+    }
+
+    fn build_expr(&mut self, cx: &mut Context, e: ExprId) -> FormulaId {
+        let expr = &self.net.exprs[e];
+        match &expr.kind {
+            ExprKind::Literal(value) => self.pool.constant(*value, expr.ty),
+            ExprKind::Variable(v) => {
+                let variable = self.redirected.get(v).copied().unwrap_or_else(|| self.symbols.declared(*v));
+                self.symbols.read(&mut self.pool, variable)
+            }
+            ExprKind::StepActive(s) => self.active(*s),
+            ExprKind::StepTime(s) => self.step_time(cx, *s),
+            ExprKind::MacroActive(m) => cx.macros[m],
+            ExprKind::GrafcetActive(g) => cx.grafcets[g],
+            ExprKind::Not(a) => self.pool.not(cx.exprs[a]),
+            ExprKind::And(..) => {
+                let operands: Vec<FormulaId> = self.chain(e).iter().map(|o| cx.exprs[o]).collect();
+                self.pool.and(operands)
+            }
+            ExprKind::Or(..) => {
+                let operands: Vec<FormulaId> = self.chain(e).iter().map(|o| cx.exprs[o]).collect();
+                self.pool.or(operands)
+            }
+            ExprKind::Xor(a, b) => self.pool.xor(cx.exprs[a], cx.exprs[b]),
+            ExprKind::Rise(a) => self.edge(cx, *a, true),
+            ExprKind::Fall(a) => self.edge(cx, *a, false),
+            ExprKind::Delay { on, operand, off } => self.delay(cx, e, *on, *operand, *off),
+            ExprKind::Compare(op, a, b) => {
+                let (a, b) = (self.latch(cx, cx.exprs[a]), self.latch(cx, cx.exprs[b]));
+                self.pool.compare(*op, a, b)
+            }
+            ExprKind::Arithmetic(op, a, b) => self.arithmetic(cx, *op, expr.ty, cx.exprs[a], cx.exprs[b]),
+            ExprKind::Negate(a) => {
+                let a = self.latch(cx, cx.exprs[a]);
+                self.pool.negate(a)
+            }
+            ExprKind::Widen(a) => {
+                let a = self.latch(cx, cx.exprs[a]);
+                self.pool.widen(expr.ty, a)
+            }
+        }
+    }
+
+    /// The activity of a step.
+    pub(crate) fn active(&mut self, step: StepId) -> FormulaId {
+        let variable = self.symbols.step(step);
+        self.symbols.read(&mut self.pool, variable)
+    }
+
+    /// Lowers a value inside a branch: the statements that it needs are returned, and what they define is forgotten,
+    /// because it holds a value only where the branch is taken.
+    pub(crate) fn branch_value(&mut self, cx: &mut Context, value: ExprId) -> (Vec<Statement>, FormulaId) {
+        let outer = std::mem::take(&mut cx.statements);
+        let known = cx.latched_in_order.len();
+        let formula = self.expr(cx, value);
+        for inside in cx.latched_in_order.drain(known..) {
+            cx.latched.remove(&inside);
+        }
+        (std::mem::replace(&mut cx.statements, outer), formula)
+    }
+
+    /// Lowers now what is the same for a whole micro-step and must not be defined inside a branch or after the
+    /// evolution: delays, which run in every context even if only an output reads them (X6), and for the values of
+    /// stored actions (`all`) also edges, durations, wires and macro-steps.
+    pub(crate) fn prepare(&mut self, cx: &mut Context, root: ExprId, all: bool) {
+        let mut stack = vec![root];
+        while let Some(e) = stack.pop() {
+            match &self.net.exprs[e].kind {
+                ExprKind::Literal(_) | ExprKind::StepActive(_) => {}
+                ExprKind::Variable(v) => {
+                    if all && self.net.variables[*v].mode == Mode::Wire {
+                        self.expr(cx, e);
+                    }
+                }
+                ExprKind::StepTime(_)
+                | ExprKind::MacroActive(_)
+                | ExprKind::GrafcetActive(_)
+                | ExprKind::Rise(_)
+                | ExprKind::Fall(_) => {
+                    if all {
+                        self.expr(cx, e);
+                    }
+                }
+                ExprKind::Delay { .. } => {
+                    self.expr(cx, e);
+                }
+                ExprKind::Not(a) | ExprKind::Negate(a) | ExprKind::Widen(a) => stack.push(*a),
+                ExprKind::And(a, b)
+                | ExprKind::Or(a, b)
+                | ExprKind::Xor(a, b)
+                | ExprKind::Compare(_, a, b)
+                | ExprKind::Arithmetic(_, a, b) => stack.extend([*b, *a]),
+            }
+        }
+    }
+
+    fn constant(&mut self, value: Value, ty: Type) -> FormulaId {
+        self.pool.constant(value, ty)
+    }
+}

@@ -1,0 +1,116 @@
+//! Checks the invariants of [`super`]. A violation is a fault of grafc, never of the chart.
+
+use super::{Program, Role, Statement, VarId};
+use crate::formula::{Formula, FormulaId, Type};
+use rustc_hash::FxHashSet;
+
+/// Says which invariant of the program does not hold, if one does not.
+pub fn verify(program: &Program) -> Result<(), String> {
+    operands(program)?;
+    let mut walk = Walk { program, set: FxHashSet::default(), checked: FxHashSet::default() };
+    walk.statements(&program.first)?;
+    walk.statements(&program.before)?;
+    walk.statements(&program.micro_step)?;
+    if let Some(repeat) = program.repeat {
+        walk.reads_variable(repeat.again)?;
+    }
+    walk.statements(&program.after)
+}
+
+/// Operators have operands of the types that they need, and arithmetic stands alone.
+fn operands(program: &Program) -> Result<(), String> {
+    let pool = &program.pool;
+    for id in pool.ids() {
+        for operand in pool.operands(id) {
+            if operand >= id {
+                return Err(format!("operand {operand} does not come before {id}"));
+            }
+            let nested = matches!(pool.get(operand), Formula::Arithmetic(..) | Formula::Negate(_));
+            if nested {
+                return Err(format!("{id} holds the intermediate result {operand}, which nothing wraps around"));
+            }
+        }
+        let boolean = |f: &FormulaId| pool.ty(*f) == Type::Bool;
+        let fits = match pool.get(id) {
+            Formula::Not(a) => boolean(a),
+            Formula::And(list) | Formula::Or(list) => list.len() > 1 && list.iter().all(boolean),
+            Formula::Xor(a, b) => boolean(a) && boolean(b),
+            Formula::Compare(_, a, b) => pool.ty(*a) == pool.ty(*b),
+            Formula::Constant(_)
+            | Formula::Variable(_)
+            | Formula::TimerDone(_)
+            | Formula::TimerElapsed(_)
+            | Formula::Arithmetic(..)
+            | Formula::Negate(_)
+            | Formula::Widen(_) => true,
+        };
+        if !fits {
+            return Err(format!("the operands of {id} do not fit it"));
+        }
+    }
+    Ok(())
+}
+
+/// Which temporaries hold a value of this call so far.
+struct Walk<'p> {
+    program: &'p Program,
+    set: FxHashSet<VarId>,
+    /// Formulas all of whose variables were found to hold a value.
+    checked: FxHashSet<FormulaId>,
+}
+
+impl Walk<'_> {
+    fn statements(&mut self, statements: &[Statement]) -> Result<(), String> {
+        for statement in statements {
+            match statement {
+                Statement::Heading(_) => {}
+                Statement::Assign { target, value, .. } => {
+                    self.reads(*value)?;
+                    let (to, from) = (self.program.variables[*target].ty, self.program.pool.ty(*value));
+                    if to != from {
+                        return Err(format!("{target} of type {to:?} is given a {from:?}"));
+                    }
+                    self.set.insert(*target);
+                }
+                Statement::Divide { target, dividend, divisor, .. } => {
+                    self.reads(*dividend)?;
+                    self.reads(*divisor)?;
+                    self.set.insert(*target);
+                }
+                Statement::CallTimer { input, .. } => self.reads(*input)?,
+                Statement::If { branches, otherwise } => {
+                    for (when, _) in branches {
+                        self.reads(*when)?;
+                    }
+                    // A temporary set in a branch counts as set from there on: it is read under the same guard.
+                    for body in branches.iter().map(|(_, body)| body).chain([otherwise]) {
+                        self.statements(body)?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn reads(&mut self, root: FormulaId) -> Result<(), String> {
+        let mut stack = vec![root];
+        while let Some(id) = stack.pop() {
+            if !self.checked.insert(id) {
+                continue;
+            }
+            if let Formula::Variable(v) = self.program.pool.get(id) {
+                self.reads_variable(*v)?;
+            }
+            stack.extend(self.program.pool.operands(id));
+        }
+        Ok(())
+    }
+
+    fn reads_variable(&self, v: VarId) -> Result<(), String> {
+        let variable = &self.program.variables[v];
+        if variable.role == Role::Temporary && !self.set.contains(&v) {
+            return Err(format!("`{}` is read before it has a value", variable.name));
+        }
+        Ok(())
+    }
+}
