@@ -1,0 +1,140 @@
+//! Identifiers that a target takes, each given once.
+
+use crate::keywords::{Family, Reserved};
+use crate::transliterate::identifier;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// The longest name that is given: more is unreadable, and some PLC editors stop there.
+pub const MAX_LENGTH: usize = 63;
+
+/// Gives names that are unique without regard to case and not reserved; the same wishes in the same order get the same
+/// names.
+pub struct Namer {
+    reserved: Reserved,
+    taken: FxHashSet<String>,
+    /// The next suffix to try for a stem.
+    next: FxHashMap<String, u32>,
+}
+
+impl Namer {
+    /// A namer that has given no name yet.
+    pub fn new(family: Family) -> Self {
+        Namer { reserved: Reserved::of(family), taken: FxHashSet::default(), next: FxHashMap::default() }
+    }
+
+    /// A name as near to the wanted one as can be.
+    pub fn name(&mut self, wanted: &str) -> String {
+        let stem = identifier(wanted, MAX_LENGTH);
+        if self.take(&stem) {
+            return stem;
+        }
+        let key = stem.to_ascii_uppercase();
+        let mut number = self.next.get(&key).copied().unwrap_or(1);
+        loop {
+            let suffix = format!("_{number}");
+            let kept = stem[..stem.len().min(MAX_LENGTH - suffix.len())].trim_end_matches('_');
+            let name = format!("{kept}{suffix}");
+            number += 1;
+            if self.take(&name) {
+                self.next.insert(key, number);
+                return name;
+            }
+        }
+    }
+
+    /// Names of equal rank: those that need no change get theirs first, so that `Tuer` stays when `Tür` is there too.
+    pub fn names<'n>(&mut self, wanted: impl IntoIterator<Item = &'n str>) -> Vec<String> {
+        let wanted: Vec<&str> = wanted.into_iter().collect();
+        let mut given: Vec<Option<String>> = wanted
+            .iter()
+            .map(|name| (identifier(name, MAX_LENGTH) == **name && self.take(name)).then(|| name.to_string()))
+            .collect();
+        for (name, place) in wanted.iter().zip(&mut given) {
+            if place.is_none() {
+                *place = Some(self.name(name));
+            }
+        }
+        given.into_iter().flatten().collect()
+    }
+
+    /// Takes an identifier if it is free.
+    fn take(&mut self, name: &str) -> bool {
+        let key = name.to_ascii_uppercase();
+        !self.reserved.contains(&key) && self.taken.insert(key)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(wanted: &[&str]) -> Vec<String> {
+        Namer::new(Family::Iec).names(wanted.iter().copied())
+    }
+
+    #[test]
+    fn without_regard_to_case() {
+        assert_eq!(names(&["Pump", "pump", "PUMP"]), ["Pump", "pump_1", "PUMP_2"]);
+    }
+
+    #[test]
+    fn reserved() {
+        assert_eq!(
+            names(&["on", "STEP", "en", "NaN", "m_pi", "ton", "Int_to_Real", "add_int", "this", "file", "eof"]),
+            [
+                "on_1",
+                "STEP_1",
+                "en_1",
+                "NaN_1",
+                "m_pi_1",
+                "ton_1",
+                "Int_to_Real_1",
+                "add_int_1",
+                "this_1",
+                "file_1",
+                "eof_1"
+            ]
+        );
+    }
+
+    #[test]
+    fn what_charts_use_stays() {
+        let usual =
+            "X1 T1 S1 R1 X T S R N P D L SD DS SL P0 P1 I J Q Q1 ET PT IN CLK CU CD PV CV INIT STATE RUN _x a_1";
+        let usual: Vec<&str> = usual.split_ascii_whitespace().collect();
+        assert_eq!(names(&usual), usual);
+    }
+
+    #[test]
+    fn the_suffix_collides_with_nothing() {
+        assert_eq!(names(&["a_b", "a__b", "a_b_1", "A_B_2"]), ["a_b", "a_b_3", "a_b_1", "A_B_2"]);
+    }
+
+    #[test]
+    fn unchanged_names_come_first() {
+        assert_eq!(names(&["Tür", "Tuer"]), ["Tuer_1", "Tuer"]);
+        let mut namer = Namer::new(Family::Iec);
+        assert_eq!(namer.name("Tür"), "Tuer");
+        assert_eq!(namer.name("Tuer"), "Tuer_1");
+    }
+
+    #[test]
+    fn long_names_stay_unique() {
+        let long = "x".repeat(10_000);
+        let longer = format!("{long}y");
+        let given = names(&[&long, &longer, &long]);
+        assert_eq!(given[0], "x".repeat(63));
+        assert_eq!(given[1], format!("{}_1", "x".repeat(61)));
+        assert_eq!(given[2], format!("{}_2", "x".repeat(61)));
+    }
+
+    #[test]
+    fn many_of_one_name_take_linear_time() {
+        let mut namer = Namer::new(Family::Iec);
+        let mut last = String::new();
+        for _ in 0..200_000 {
+            last = namer.name("é");
+        }
+        assert_eq!(last, "e_199999");
+    }
+}

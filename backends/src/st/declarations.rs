@@ -1,0 +1,153 @@
+//! The variables of the function block, in the order in which a reader asks for them.
+
+use super::literals::{is_zero, literal, type_name};
+use super::names::{Names, remark};
+use super::writer::{WIDTH, Writer, fits_behind};
+use crate::comment::clean;
+use grafc_logic::scan::{Program, Role, VarId, Variable};
+
+/// Comments of neighbouring declarations start in one column, unless a declaration is longer than this.
+const FURTHEST_COLUMN: usize = 48;
+
+/// One declaration.
+pub(super) struct Entry {
+    /// The name.
+    pub name: String,
+    /// Where the variable lies.
+    pub address: Option<String>,
+    /// The type.
+    pub ty: String,
+    /// Whether the type is elementary, not a function block.
+    pub elementary: bool,
+    /// The initial value, if it is not the one of the type.
+    pub initial: Option<String>,
+    /// What stands beside it, clean.
+    pub comment: Option<String>,
+}
+
+impl Entry {
+    fn text(&self) -> String {
+        let address = self.address.iter().map(|address| format!(" AT {address}"));
+        let initial = self.initial.iter().map(|initial| format!(" := {initial}"));
+        format!("{}{} : {}{};", self.name, address.collect::<String>(), self.ty, initial.collect::<String>())
+    }
+
+    /// Whether it may share a line. MATIEC crashes on lists of function blocks.
+    fn is_plain(&self) -> bool {
+        self.elementary && self.address.is_none() && self.initial.is_none() && self.comment.is_none()
+    }
+}
+
+/// Writes all declarations of the function block.
+pub(super) fn write(out: &mut Writer, program: &Program, names: &Names) {
+    let entries = |wanted: fn(&Variable) -> bool| -> Vec<Entry> {
+        let all = program.variables.iter_enumerated();
+        all.filter(|(_, variable)| wanted(variable)).map(|(id, variable)| entry(id, variable, names)).collect()
+    };
+    let timers = program.timers.iter_enumerated().map(|(id, timer)| Entry {
+        name: names.timers[id].clone(),
+        address: None,
+        ty: "TON".to_owned(),
+        elementary: false,
+        initial: None,
+        comment: timer.comment.as_deref().map(clean).filter(|text| !text.is_empty()),
+    });
+    block(out, "VAR_INPUT", vec![("", entries(|v| v.role == Role::Input))]);
+    let mut published = entries(|v| v.role == Role::Output);
+    published.extend(entries(|v| v.role == Role::Internal && is_published(v)));
+    published.extend(entries(|v| matches!(v.role, Role::Flag(_))));
+    block(out, "VAR_OUTPUT", vec![("", published)]);
+    block(out, "VAR CONSTANT", vec![("", entries(|v| v.role == Role::Constant))]);
+    block(
+        out,
+        "VAR",
+        vec![
+            ("internal variables", entries(|v| v.role == Role::Internal && !is_published(v))),
+            ("steps", entries(|v| v.role == Role::Step)),
+            ("timers", timers.collect()),
+            ("memory from call to call", entries(|v| v.role == Role::Memory)),
+            ("values within one call", entries(|v| v.role == Role::Temporary)),
+        ],
+    );
+}
+
+/// Whether the surrounding program copies a variable out.
+pub(super) fn is_published(variable: &Variable) -> bool {
+    match variable.role {
+        Role::Output | Role::Flag(_) => true,
+        Role::Internal => variable.address.is_some(),
+        Role::Input | Role::Constant | Role::Step | Role::Memory | Role::Temporary => false,
+    }
+}
+
+/// The declaration of a variable.
+pub(super) fn entry(id: VarId, variable: &Variable, names: &Names) -> Entry {
+    let name = &names.variables[id];
+    let comment = match variable.role {
+        Role::Input | Role::Output | Role::Internal | Role::Constant | Role::Step => {
+            remark(&variable.name, name, variable.comment.as_deref())
+        }
+        Role::Flag(_) | Role::Memory | Role::Temporary => remark(name, name, variable.comment.as_deref()),
+    };
+    let shown = !is_zero(variable.initial) || variable.role == Role::Constant;
+    Entry {
+        name: name.clone(),
+        address: None,
+        ty: type_name(variable.ty).to_owned(),
+        elementary: true,
+        initial: shown.then(|| literal(variable.initial, variable.ty)),
+        comment,
+    }
+}
+
+/// A block of declarations in sections, each under its heading; nothing if there are none.
+pub(super) fn block(out: &mut Writer, opening: &str, sections: Vec<(&str, Vec<Entry>)>) {
+    if sections.iter().all(|(_, entries)| entries.is_empty()) {
+        return;
+    }
+    out.blank();
+    out.open(opening);
+    for (heading, entries) in sections.iter().filter(|(_, entries)| !entries.is_empty()) {
+        out.blank();
+        out.comment(heading);
+        section(out, entries);
+    }
+    out.close("END_VAR");
+    out.blank();
+}
+
+fn section(out: &mut Writer, entries: &[Entry]) {
+    let commented = entries.iter().filter(|entry| entry.comment.is_some());
+    let lengths = commented.map(|entry| out.indent() + entry.text().len());
+    let column = lengths.filter(|length| *length <= FURTHEST_COLUMN).max().unwrap_or(0);
+    let mut entries = entries.iter().peekable();
+    while let Some(entry) = entries.next() {
+        let text = entry.text();
+        let length = out.indent() + text.len();
+        if let Some(comment) = &entry.comment {
+            if !fits_behind(length.max(column), comment) {
+                out.comment(comment);
+                out.line(&text);
+                continue;
+            }
+            out.start();
+            out.text(&text);
+            out.trailing_comment(length, column, comment);
+            out.end();
+            continue;
+        }
+        // Plain neighbours of one type share a line.
+        out.start();
+        out.text(&entry.name);
+        let mut length = length;
+        while entry.is_plain() {
+            let fits = |next: &Entry| next.is_plain() && next.ty == entry.ty && length + 2 + next.name.len() <= WIDTH;
+            let Some(next) = entries.next_if(|next| fits(next)) else { break };
+            out.text(", ");
+            out.text(&next.name);
+            length += 2 + next.name.len();
+        }
+        out.text(&text[entry.name.len()..]);
+        out.end();
+    }
+}

@@ -1,0 +1,296 @@
+//! Formulas as expressions: parentheses wherever two operators meet, long ones a term a line.
+//!
+//! The widths of all formulas are known beforehand, so that each is written once, flat or broken. Recursion is as deep
+//! as a formula, which [`super::limits`] bounds.
+
+use super::literals::{literal, type_name};
+use super::names::Names;
+use super::writer::{WIDTH, Writer};
+use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
+use grafc_logic::scan::Program;
+use std::borrow::Cow;
+
+/// Some compilers recurse along a chain of terms; longer ones are written in groups.
+const LONGEST_CHAIN: usize = 200;
+
+/// How formulas of one program are spelt.
+pub(super) struct Expressions<'p> {
+    program: &'p Program,
+    names: &'p Names,
+    /// The columns that each formula takes on one line.
+    widths: Vec<usize>,
+}
+
+/// What a formula looks like.
+struct Shape<'p> {
+    level: Level,
+    parts: Parts<'p>,
+}
+
+enum Parts<'p> {
+    /// A text that holds together.
+    Atom(Cow<'p, str>),
+    /// A word before an operand.
+    Prefix(&'static str, FormulaId),
+    /// A function of one operand.
+    Call(String, FormulaId),
+    /// Operands with a word between them.
+    Infix(&'static str, Cow<'p, [FormulaId]>),
+}
+
+/// What parentheses depend on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Level {
+    Atom,
+    /// A constant with a sign.
+    Signed,
+    Not,
+    Arithmetic,
+    Comparison,
+    Junction,
+}
+
+impl<'p> Expressions<'p> {
+    /// Measures all formulas.
+    pub fn new(program: &'p Program, names: &'p Names) -> Self {
+        let mut this = Expressions { program, names, widths: Vec::with_capacity(program.pool.len()) };
+        for id in program.pool.ids() {
+            let width = this.measure(id);
+            this.widths.push(width);
+        }
+        this
+    }
+
+    /// The columns that a formula takes on one line.
+    pub fn width(&self, id: FormulaId) -> usize {
+        self.widths[id.index()]
+    }
+
+    /// The columns that a formula takes as a value.
+    pub fn value_width(&self, id: FormulaId) -> usize {
+        self.width(id).saturating_add(if self.shape(id).level == Level::Comparison { 2 } else { 0 })
+    }
+
+    /// Writes a formula as the value of something on the current line: `a := (b = c)` is easier on the eye than
+    /// `a := b = c`.
+    pub fn value(&self, out: &mut Writer, id: FormulaId) {
+        let wrap = self.shape(id).level == Level::Comparison;
+        out.text(if wrap { "(" } else { "" });
+        self.flat(out, id);
+        out.text(if wrap { ")" } else { "" });
+    }
+
+    /// Writes a formula on the current line.
+    pub fn flat(&self, out: &mut Writer, id: FormulaId) {
+        let shape = self.shape(id);
+        match &shape.parts {
+            Parts::Atom(text) => out.text(text),
+            Parts::Prefix(word, operand) => {
+                out.text(word);
+                self.flat_operand(out, &shape, 1, *operand);
+            }
+            Parts::Call(function, operand) => {
+                out.text(function);
+                out.text("(");
+                self.flat(out, *operand);
+                out.text(")");
+            }
+            Parts::Infix(operator, operands) => {
+                for (place, operand) in operands.iter().enumerate() {
+                    if place > 0 {
+                        out.text(" ");
+                        out.text(operator);
+                        out.text(" ");
+                    }
+                    self.flat_operand(out, &shape, place, *operand);
+                }
+            }
+        }
+    }
+
+    fn flat_operand(&self, out: &mut Writer, parent: &Shape, place: usize, id: FormulaId) {
+        let wrap = self.needs_parentheses(parent, place, id);
+        out.text(if wrap { "(" } else { "" });
+        self.flat(out, id);
+        out.text(if wrap { ")" } else { "" });
+    }
+
+    /// Writes a formula on lines of its own, `tail` behind the last.
+    pub fn lines(&self, out: &mut Writer, id: FormulaId, tail: &str) {
+        let shape = self.shape(id);
+        match &shape.parts {
+            Parts::Infix(operator, operands) if out.indent() + self.width(id) + tail.len() > WIDTH => {
+                self.chain(out, &shape, operator, operands, tail);
+            }
+            Parts::Prefix(word, operand) if out.indent() + self.width(id) + tail.len() > WIDTH => {
+                self.term(out, &shape, 1, word, *operand, tail);
+            }
+            Parts::Atom(_) | Parts::Prefix(..) | Parts::Call(..) | Parts::Infix(..) => {
+                out.start();
+                self.flat(out, id);
+                out.text(tail);
+                out.end();
+            }
+        }
+    }
+
+    /// A term a line, each line but the first led by the operator; very many terms in groups.
+    fn chain(&self, out: &mut Writer, shape: &Shape, operator: &str, operands: &[FormulaId], tail: &str) {
+        let lead = format!("{operator} ");
+        let tail_of = |last: bool| if last { tail } else { "" };
+        if operands.len() <= LONGEST_CHAIN {
+            for (place, operand) in operands.iter().enumerate() {
+                let lead = if place == 0 { "" } else { &lead };
+                self.term(out, shape, place, lead, *operand, tail_of(place + 1 == operands.len()));
+            }
+            return;
+        }
+        let mut size = LONGEST_CHAIN;
+        while operands.len() > size * LONGEST_CHAIN {
+            size *= LONGEST_CHAIN;
+        }
+        let count = operands.len().div_ceil(size);
+        for (place, group) in operands.chunks(size).enumerate() {
+            let lead = if place == 0 { "" } else { &lead };
+            out.open(&format!("{lead}("));
+            self.chain(out, shape, operator, group, "");
+            out.close(&format!("){}", tail_of(place + 1 == count)));
+        }
+    }
+
+    /// One operand on lines of its own.
+    fn term(&self, out: &mut Writer, parent: &Shape, place: usize, lead: &str, id: FormulaId, tail: &str) {
+        let wrap = self.needs_parentheses(parent, place, id);
+        if out.indent() + lead.len() + self.width(id) + 2 + tail.len() > WIDTH {
+            if wrap {
+                out.open(&format!("{lead}("));
+                self.lines(out, id, "");
+                return out.close(&format!("){tail}"));
+            }
+            let shape = self.shape(id);
+            if let Parts::Prefix(word, operand) = shape.parts {
+                return self.term(out, &shape, 1, &format!("{lead}{word}"), operand, tail);
+            }
+        }
+        out.start();
+        out.text(lead);
+        self.flat_operand(out, parent, place, id);
+        out.text(tail);
+        out.end();
+    }
+
+    fn needs_parentheses(&self, parent: &Shape, place: usize, id: FormulaId) -> bool {
+        match (self.shape(id).level, parent.level) {
+            (Level::Atom, _) => false,
+            (Level::Signed, Level::Arithmetic) => place > 0,
+            (Level::Signed, _) => false,
+            (Level::Not, parent) => !matches!(parent, Level::Junction),
+            (Level::Arithmetic, Level::Comparison) => false,
+            (Level::Arithmetic | Level::Comparison | Level::Junction, _) => true,
+        }
+    }
+
+    fn measure(&self, id: FormulaId) -> usize {
+        let shape = self.shape(id);
+        let operand = |place: usize, id: FormulaId| {
+            self.widths[id.index()].saturating_add(if self.needs_parentheses(&shape, place, id) { 2 } else { 0 })
+        };
+        match &shape.parts {
+            Parts::Atom(text) => text.len(),
+            Parts::Prefix(word, id) => operand(1, *id).saturating_add(word.len()),
+            Parts::Call(function, id) => self.widths[id.index()].saturating_add(function.len() + 2),
+            Parts::Infix(operator, operands) => {
+                let gaps = (operands.len().saturating_sub(1)) * (operator.len() + 2);
+                operands.iter().enumerate().fold(gaps, |sum, (place, id)| sum.saturating_add(operand(place, *id)))
+            }
+        }
+    }
+
+    fn shape(&self, id: FormulaId) -> Shape<'p> {
+        let pool = &self.program.pool;
+        let pair = |a: FormulaId, b: FormulaId| Cow::Owned(vec![a, b]);
+        let (level, parts) = match pool.get(id) {
+            Formula::Constant(value) => {
+                let text = literal(*value, pool.ty(id));
+                (if text.starts_with('-') { Level::Signed } else { Level::Atom }, Parts::Atom(text.into()))
+            }
+            Formula::Variable(variable) => (Level::Atom, Parts::Atom((&self.names.variables[*variable]).into())),
+            Formula::TimerDone(timer) => (Level::Atom, Parts::Atom(format!("{}.Q", self.names.timers[*timer]).into())),
+            Formula::TimerElapsed(timer) => {
+                (Level::Atom, Parts::Atom(format!("{}.ET", self.names.timers[*timer]).into()))
+            }
+            Formula::Not(a) => match pool.get(*a) {
+                Formula::Xor(b, c) if self.is_plain(*b) && self.is_plain(*c) => {
+                    (Level::Comparison, Parts::Infix("=", pair(*b, *c)))
+                }
+                _ => (Level::Not, Parts::Prefix("NOT ", *a)),
+            },
+            Formula::And(list) => (Level::Junction, Parts::Infix("AND", Cow::Borrowed(list))),
+            Formula::Or(list) => (Level::Junction, Parts::Infix("OR", Cow::Borrowed(list))),
+            Formula::Xor(a, b) if self.is_plain(*a) && self.is_plain(*b) => {
+                (Level::Comparison, Parts::Infix("<>", pair(*a, *b)))
+            }
+            Formula::Xor(a, b) => (Level::Junction, Parts::Infix("XOR", pair(*a, *b))),
+            Formula::Compare(op, a, b) => (Level::Comparison, Parts::Infix(comparison(*op), pair(*a, *b))),
+            // `TIME * n` is taken everywhere, `n * TIME` is not.
+            Formula::Arithmetic(Arithmetic::Multiply, a, b)
+                if pool.ty(*b) == Type::Time && pool.ty(*a) != Type::Time =>
+            {
+                (Level::Arithmetic, Parts::Infix("*", pair(*b, *a)))
+            }
+            Formula::Arithmetic(op, a, b) => (Level::Arithmetic, Parts::Infix(arithmetic(*op), pair(*a, *b))),
+            Formula::Negate(a) => (Level::Arithmetic, Parts::Prefix(negation(pool.ty(id)), *a)),
+            Formula::Widen(a) => {
+                let function = format!("{}_TO_{}", type_name(pool.ty(*a)), type_name(pool.ty(id)));
+                (Level::Atom, Parts::Call(function, *a))
+            }
+        };
+        Shape { level, parts }
+    }
+
+    /// Whether a formula is a single word.
+    fn is_plain(&self, id: FormulaId) -> bool {
+        match self.program.pool.get(id) {
+            Formula::Constant(value) => matches!(value, Value::Bool(_)),
+            Formula::Variable(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) => true,
+            Formula::Not(_)
+            | Formula::And(_)
+            | Formula::Or(_)
+            | Formula::Xor(..)
+            | Formula::Compare(..)
+            | Formula::Arithmetic(..)
+            | Formula::Negate(_)
+            | Formula::Widen(_) => false,
+        }
+    }
+}
+
+fn comparison(op: Comparison) -> &'static str {
+    match op {
+        Comparison::Equal => "=",
+        Comparison::NotEqual => "<>",
+        Comparison::Less => "<",
+        Comparison::LessEqual => "<=",
+        Comparison::Greater => ">",
+        Comparison::GreaterEqual => ">=",
+    }
+}
+
+fn arithmetic(op: Arithmetic) -> &'static str {
+    match op {
+        Arithmetic::Add => "+",
+        Arithmetic::Subtract => "-",
+        Arithmetic::Multiply => "*",
+        Arithmetic::Divide => "/",
+        Arithmetic::Modulo => "MOD",
+    }
+}
+
+/// A minus sign where the type has one.
+fn negation(ty: Type) -> &'static str {
+    match ty {
+        Type::Time => "T#0ms - ",
+        Type::Uint | Type::Udint => "0 - ",
+        Type::Bool | Type::Int | Type::Dint | Type::Real | Type::Lreal => "-",
+    }
+}

@@ -1,0 +1,102 @@
+//! What must hold before a program is written. A breach is a fault of grafc, not of the chart.
+
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
+use grafc_logic::formula::{Formula, FormulaId, Value};
+use grafc_logic::scan::{Flag, Program, Role, Statement, VarId};
+
+/// MATIEC takes 150 nested parentheses; a reader takes far fewer.
+const DEEPEST_FORMULA: u32 = 100;
+/// Shared formulas are written out at each use; more than this is a lack of temporaries.
+const LARGEST_FORMULA: u32 = 1_000_000;
+/// Nested `If` statements.
+const DEEPEST_BLOCK: u32 = 50;
+
+/// Checks a whole program.
+pub(super) fn check(program: &Program) -> Result<(), Diagnostics> {
+    let mut check = Check { program, sizes: sizes(program), diagnostics: Diagnostics::new() };
+    for block in [&program.first, &program.before, &program.micro_step, &program.after] {
+        check.block(block, 0);
+    }
+    let has_flag = program.variables.iter().any(|variable| variable.role == Role::Flag(Flag::Livelock));
+    if program.repeat.is_some() && !has_flag {
+        check.fault(None, "the stability loop has no LIVELOCK flag");
+    }
+    for (id, variable) in program.variables.iter_enumerated() {
+        if matches!(variable.initial, Value::Real(x) if !x.is_finite()) {
+            check.fault(Some(id), "an initial value is not a number");
+        }
+    }
+    if check.diagnostics.has_errors() { Err(check.diagnostics) } else { Ok(()) }
+}
+
+/// For each formula, how deep and how large it is when written out.
+fn sizes(program: &Program) -> Vec<(u32, u32)> {
+    let mut sizes: Vec<(u32, u32)> = Vec::with_capacity(program.pool.len());
+    for id in program.pool.ids() {
+        let below = program.pool.operands(id).map(|operand| sizes[operand.index()]);
+        let (depth, size) =
+            below.fold((0, 1), |(depth, size): (u32, u32), (d, s)| (depth.max(d + 1), size.saturating_add(s)));
+        sizes.push((depth, size));
+    }
+    sizes
+}
+
+struct Check<'p> {
+    program: &'p Program,
+    sizes: Vec<(u32, u32)>,
+    diagnostics: Diagnostics,
+}
+
+impl Check<'_> {
+    fn fault(&mut self, at: Option<VarId>, what: &str) {
+        let span = at.and_then(|id| self.program.variables[id].span).unwrap_or_default();
+        self.diagnostics.push(
+            Diagnostic::new(Code::E0901, span, format!("internal error: {what}"))
+                .note("Structured Text cannot be written from this scan program"),
+        );
+    }
+
+    fn formula(&mut self, at: Option<VarId>, id: FormulaId) {
+        let (depth, size) = self.sizes[id.index()];
+        if depth > DEEPEST_FORMULA {
+            self.fault(at, "a formula is nested too deeply");
+        } else if size > LARGEST_FORMULA {
+            self.fault(at, "a formula is too large");
+        }
+        if matches!(self.program.pool.get(id), Formula::Constant(Value::Real(x)) if !x.is_finite()) {
+            self.fault(at, "a constant is not a number");
+        }
+    }
+
+    fn block(&mut self, statements: &[Statement], depth: u32) {
+        if depth > DEEPEST_BLOCK {
+            return self.fault(None, "statements are nested too deeply");
+        }
+        for statement in statements {
+            match statement {
+                Statement::Heading(_) => {}
+                Statement::Assign { target, value, remark: _ } => self.formula(Some(*target), *value),
+                Statement::Divide { target, modulo: _, dividend, divisor, flag: _ } => {
+                    self.formula(Some(*target), *dividend);
+                    self.formula(Some(*target), *divisor);
+                }
+                Statement::CallTimer { timer: _, input } => self.formula(None, *input),
+                Statement::If { branches, otherwise } => {
+                    for (condition, body) in branches {
+                        self.formula(None, *condition);
+                        if is_empty(body) {
+                            self.fault(None, "a branch is empty");
+                        }
+                        self.block(body, depth + 1);
+                    }
+                    self.block(otherwise, depth + 1);
+                }
+            }
+        }
+    }
+}
+
+/// Whether a block does nothing: compilers refuse an empty one.
+pub(super) fn is_empty(statements: &[Statement]) -> bool {
+    statements.iter().all(|statement| matches!(statement, Statement::Heading(_)))
+}

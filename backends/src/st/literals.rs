@@ -1,0 +1,109 @@
+//! Constants and types.
+
+use grafc_logic::formula::{Type, Value};
+
+/// The keyword of a type.
+pub(super) fn type_name(ty: Type) -> &'static str {
+    match ty {
+        Type::Bool => "BOOL",
+        Type::Int => "INT",
+        Type::Dint => "DINT",
+        Type::Uint => "UINT",
+        Type::Udint => "UDINT",
+        Type::Real => "REAL",
+        Type::Lreal => "LREAL",
+        Type::Time => "TIME",
+    }
+}
+
+/// A constant; its form alone shows its type, for typed literals (`REAL#1`) are not taken everywhere.
+pub(super) fn literal(value: Value, ty: Type) -> String {
+    match (value, ty) {
+        (Value::Bool(true), _) => "TRUE".to_owned(),
+        (Value::Bool(false), _) => "FALSE".to_owned(),
+        (Value::Int(n), Type::Real | Type::Lreal) => real(n as f64, ty),
+        (Value::Int(n), _) => n.to_string(),
+        (Value::Real(x), _) => real(x, ty),
+        (Value::Time(ms), _) => time(ms),
+    }
+}
+
+/// The zero of a type.
+pub(super) fn zero(ty: Type) -> String {
+    match ty {
+        Type::Bool => "FALSE".to_owned(),
+        Type::Int | Type::Dint | Type::Uint | Type::Udint => "0".to_owned(),
+        Type::Real | Type::Lreal => "0.0".to_owned(),
+        Type::Time => time(0),
+    }
+}
+
+/// Whether a value is what its type starts from anyway.
+pub(super) fn is_zero(value: Value) -> bool {
+    match value {
+        Value::Bool(b) => !b,
+        Value::Int(n) | Value::Time(n) => n == 0,
+        Value::Real(x) => x == 0.0 && x.is_sign_positive(),
+    }
+}
+
+/// The shortest form that is read back as the same number of the type: digits on both sides of the point, then an
+/// exponent if need be.
+fn real(x: f64, ty: Type) -> String {
+    let text = match ty {
+        Type::Real => format!("{:?}", x as f32),
+        Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Lreal | Type::Time => format!("{x:?}"),
+    };
+    match text.split_once('e') {
+        Some((digits, exponent)) if digits.contains('.') => format!("{digits}E{exponent}"),
+        Some((digits, exponent)) => format!("{digits}.0E{exponent}"),
+        None => text,
+    }
+}
+
+/// A duration in the largest unit that needs no fraction: compound literals are not taken everywhere.
+pub(super) fn time(ms: i64) -> String {
+    for (unit, length) in [("h", 3_600_000), ("m", 60_000), ("s", 1000)] {
+        if ms != 0 && ms % length == 0 {
+            return format!("T#{}{unit}", ms / length);
+        }
+    }
+    format!("T#{ms}ms")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reals() {
+        for (x, ty, expected) in [
+            (0.0, Type::Real, "0.0"),
+            (1.0, Type::Real, "1.0"),
+            (f64::from(0.1f32), Type::Real, "0.1"),
+            (0.1, Type::Lreal, "0.1"),
+            (1e-7, Type::Lreal, "1.0E-7"),
+            (-2.5e20, Type::Lreal, "-2.5E20"),
+            (1e16, Type::Real, "1.0E16"),
+        ] {
+            assert_eq!(literal(Value::Real(x), ty), expected);
+        }
+        assert_eq!(literal(Value::Int(-3), Type::Lreal), "-3.0");
+    }
+
+    #[test]
+    fn times() {
+        for (ms, expected) in [
+            (0, "T#0ms"),
+            (1, "T#1ms"),
+            (1500, "T#1500ms"),
+            (3000, "T#3s"),
+            (90_000, "T#90s"),
+            (120_000, "T#2m"),
+            (7_200_000, "T#2h"),
+            (-5, "T#-5ms"),
+        ] {
+            assert_eq!(time(ms), expected);
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! Structured Text: IEC 61131-3 edition 2, and of it only what MATIEC, IronPLC, STruC++ and the vendors' tools all take.
+//!
+//! So: keywords in upper case, flat comments, no VAR_TEMP, no empty block or body, no implicit conversion, time literals
+//! of one unit, located variables in a block of their own. [`names`] fixes all names first, [`limits`] refuses what
+//! could not be written well, then each part is written in one walk.
+
+mod declarations;
+mod expressions;
+mod frame;
+mod limits;
+mod literals;
+mod names;
+mod statements;
+#[cfg(test)]
+mod tests;
+mod writer;
+
+use crate::comment::clean;
+use expressions::Expressions;
+use grafc_diagnostics::Diagnostics;
+use grafc_logic::scan::{Program, VarId};
+use index_vec::IndexVec;
+use names::Names;
+use writer::Writer;
+
+/// What is written around the function block.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Pou {
+    /// The function block alone.
+    #[default]
+    FunctionBlock,
+    /// And a program that holds an instance of it and the variables at addresses.
+    Program,
+    /// And a configuration with a task that runs the program.
+    Configuration,
+}
+
+/// What the caller may choose.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Options {
+    /// What is written around the function block.
+    pub pou: Pou,
+    /// The first lines of the file, as a comment: which chart, which version, which options.
+    pub header: Vec<String>,
+    /// The interval of the task, in milliseconds.
+    pub interval_ms: u32,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options { pou: Pou::default(), header: Vec::new(), interval_ms: 20 }
+    }
+}
+
+/// Writes a program as Structured Text.
+///
+/// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
+pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
+    limits::check(program)?;
+    let names = Names::new(program);
+    let expressions = Expressions::new(program, &names);
+    let mut out = Writer::default();
+    out.block_comment(options.header.iter().map(|line| clean(line)));
+    function_block(&mut out, program, &names, &expressions);
+    match options.pou {
+        Pou::FunctionBlock => {}
+        Pou::Program => frame::program(&mut out, program, &names),
+        Pou::Configuration => {
+            frame::program(&mut out, program, &names);
+            frame::configuration(&mut out, &names, options.interval_ms);
+        }
+    }
+    Ok(out.finish())
+}
+
+/// The names that [`emit`] gives to the variables of a program.
+pub fn names(program: &Program) -> IndexVec<VarId, String> {
+    Names::new(program).variables
+}
+
+fn function_block(out: &mut Writer, program: &Program, names: &Names, expressions: &Expressions) {
+    out.blank();
+    out.comment(&names::remark(&program.name, &names.block, program.comment.as_deref()).unwrap_or_default());
+    out.line(&format!("FUNCTION_BLOCK {}", names.block));
+    out.blank();
+    declarations::write(out, program, names);
+    statements::write(out, program, names, expressions);
+    out.blank();
+    out.line("END_FUNCTION_BLOCK");
+}

@@ -1,0 +1,74 @@
+//! The names of everything in one file of Structured Text.
+
+use crate::comment::clean;
+use crate::keywords::Family;
+use crate::namer::Namer;
+use grafc_logic::scan::{Program, Role, TimerId, VarId};
+use index_vec::IndexVec;
+
+/// All names, each unique in the whole file: readers search for them, and some tools mix up scopes.
+pub(super) struct Names {
+    pub variables: IndexVec<VarId, String>,
+    pub timers: IndexVec<TimerId, String>,
+    pub block: String,
+    pub program: String,
+    pub instance: String,
+    pub configuration: String,
+    pub resource: String,
+    pub task: String,
+    pub program_instance: String,
+}
+
+impl Names {
+    /// Names by rank: what the chart declares, the chart, what is published, what is ours.
+    pub fn new(program: &Program) -> Self {
+        let mut namer = Namer::new(Family::Iec);
+        let mut variables: IndexVec<VarId, String> = program.variables.iter().map(|_| String::new()).collect();
+        name_rank(&mut namer, program, &mut variables, 0);
+        let block = namer.name(&program.name);
+        name_rank(&mut namer, program, &mut variables, 1);
+        name_rank(&mut namer, program, &mut variables, 2);
+        let timers = program.timers.iter().map(|timer| namer.name(&timer.name)).collect();
+        Names {
+            variables,
+            timers,
+            program: namer.name(&format!("{block}_program")),
+            instance: namer.name("chart"),
+            configuration: namer.name(&format!("{block}_configuration")),
+            resource: namer.name("resource_1"),
+            task: namer.name("cycle"),
+            program_instance: namer.name("main"),
+            block,
+        }
+    }
+}
+
+/// Names the variables of one rank, in order.
+fn name_rank(namer: &mut Namer, program: &Program, variables: &mut IndexVec<VarId, String>, wanted: u8) {
+    let of_rank = || program.variables.iter_enumerated().filter(|(_, variable)| rank(variable.role) == wanted);
+    let given = namer.names(of_rank().map(|(_, variable)| variable.name.as_str()));
+    for ((id, _), name) in of_rank().zip(given) {
+        variables[id] = name;
+    }
+}
+
+fn rank(role: Role) -> u8 {
+    match role {
+        Role::Input | Role::Output | Role::Internal | Role::Constant | Role::Step => 0,
+        Role::Flag(_) => 1,
+        Role::Memory | Role::Temporary => 2,
+    }
+}
+
+/// What stands beside a declaration: the chart's name if it had to be changed, and the attached comment.
+pub(super) fn remark(original: &str, given: &str, comment: Option<&str>) -> Option<String> {
+    let comment = comment.map(clean).filter(|text| !text.is_empty());
+    if original == given {
+        return comment;
+    }
+    let original = clean(original);
+    Some(match comment {
+        Some(comment) => clean(&format!("`{original}`: {comment}")),
+        None => format!("`{original}`"),
+    })
+}

@@ -1,0 +1,275 @@
+//! The body of the function block.
+
+use super::expressions::Expressions;
+use super::limits::is_empty;
+use super::literals::{literal, time, zero};
+use super::names::Names;
+use super::writer::{WIDTH, Writer, fits_behind};
+use crate::comment::clean;
+use grafc_logic::formula::{Formula, FormulaId, Type, Value};
+use grafc_logic::scan::{Flag, Program, Repeat, Role, Statement, TimerId, VarId};
+
+/// What a timer without a preset is given: the longest time that all compilers take.
+const FOR_EVER_MS: i64 = i32::MAX as i64;
+/// Remarks of neighbouring lines start in one column, unless a line is longer than this.
+const FURTHEST_COLUMN: usize = 60;
+
+/// Writes the statements of one call.
+pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, expressions: &Expressions) {
+    let body = Body { program, names, expressions };
+    out.blank();
+    body.block(out, &program.first);
+    body.block(out, &program.before);
+    match program.repeat {
+        Some(repeat) => body.repeat(out, repeat),
+        None => body.block(out, &program.micro_step),
+    }
+    body.block(out, &program.after);
+    let all = [&program.first, &program.before, &program.micro_step, &program.after];
+    if program.repeat.is_none() && all.iter().all(|block| is_empty(block)) {
+        body.nothing(out);
+    }
+}
+
+struct Body<'p> {
+    program: &'p Program,
+    names: &'p Names,
+    expressions: &'p Expressions<'p>,
+}
+
+impl Body<'_> {
+    fn name(&self, id: VarId) -> &str {
+        &self.names.variables[id]
+    }
+
+    /// A body may not be empty.
+    fn nothing(&self, out: &mut Writer) {
+        let writable = self.program.variables.iter_enumerated().find(|(_, v)| v.role != Role::Constant);
+        if let Some((id, _)) = writable {
+            out.comment("nothing ever changes");
+            out.line(&format!("{0} := {0};", self.name(id)));
+        }
+    }
+
+    /// The stability loop, and the flag when it was cut off.
+    fn repeat(&self, out: &mut Writer, repeat: Repeat) {
+        let (again, count) = (self.name(repeat.again), self.name(repeat.count));
+        out.blank();
+        out.line(&format!("{count} := 0;"));
+        out.open("REPEAT");
+        out.line(&format!("{count} := {count} + 1;"));
+        self.block(out, &self.program.micro_step);
+        out.leave();
+        out.line(&format!("UNTIL NOT {again} OR ({count} >= {})", repeat.bound));
+        out.line("END_REPEAT;");
+        let flag = self.program.variables.iter_enumerated().find(|(_, v)| v.role == Role::Flag(Flag::Livelock));
+        if let Some((flag, _)) = flag {
+            out.open(&format!("IF {again} THEN"));
+            out.line(&format!("{} := TRUE;", self.name(flag)));
+            out.close("END_IF;");
+        }
+        out.blank();
+    }
+
+    fn block(&self, out: &mut Writer, statements: &[Statement]) {
+        // The column of the remarks of this run of assignments, and where the run ends.
+        let (mut column, mut end) = (0, 0);
+        for (place, statement) in statements.iter().enumerate() {
+            match statement {
+                Statement::Heading(text) => {
+                    out.blank();
+                    out.comment(&clean(text));
+                }
+                Statement::Assign { target, value, remark } => {
+                    if place >= end {
+                        (column, end) = self.remark_column(out.indent(), statements, place);
+                    }
+                    self.assign(out, *target, *value, remark.as_deref(), column);
+                }
+                Statement::Divide { target, modulo, dividend, divisor, flag } => {
+                    self.divide(out, *target, *modulo, *dividend, *divisor, *flag);
+                }
+                Statement::CallTimer { timer, input } => self.call_timer(out, *timer, *input),
+                Statement::If { branches, otherwise } => self.branch(out, branches, otherwise),
+            }
+        }
+    }
+
+    /// The columns of `target := value;`.
+    fn length(&self, indent: usize, target: VarId, value: FormulaId) -> usize {
+        (indent + self.name(target).len() + 5).saturating_add(self.expressions.value_width(value))
+    }
+
+    /// Where the remarks of the assignments from `start` on begin, and the place after the last of them.
+    fn remark_column(&self, indent: usize, statements: &[Statement], start: usize) -> (usize, usize) {
+        let mut column = 0;
+        for (place, statement) in statements.iter().enumerate().skip(start) {
+            let Statement::Assign { target, value, remark } = statement else { return (column, place) };
+            let length = self.length(indent, *target, *value);
+            if remark.is_some() && length <= FURTHEST_COLUMN {
+                column = column.max(length);
+            }
+        }
+        (column, statements.len())
+    }
+
+    fn assign(&self, out: &mut Writer, target: VarId, value: FormulaId, remark: Option<&str>, column: usize) {
+        let length = self.length(out.indent(), target, value);
+        let remark = remark.map(clean).filter(|text| !text.is_empty());
+        if length > WIDTH {
+            out.comment(&remark.unwrap_or_default());
+            out.line(&format!("{} :=", self.name(target)));
+            out.enter();
+            self.expressions.lines(out, value, ";");
+            out.leave();
+            return;
+        }
+        let behind = remark.as_deref().filter(|text| fits_behind(length.max(column), text));
+        if behind.is_none() {
+            out.comment(remark.as_deref().unwrap_or_default());
+        }
+        out.start();
+        out.text(self.name(target));
+        out.text(" := ");
+        self.expressions.value(out, value);
+        out.text(";");
+        if let Some(remark) = behind {
+            out.trailing_comment(length, column, remark);
+        }
+        out.end();
+    }
+
+    /// Division guarded against 0, and against the one quotient that a type cannot hold: its least value by -1.
+    fn divide(&self, out: &mut Writer, target: VarId, modulo: bool, a: FormulaId, b: FormulaId, flag: VarId) {
+        let ty = self.program.pool.ty(b);
+        let result = self.program.variables[target].ty;
+        let overflows = result == Type::Dint && ty == Type::Dint;
+        let quotient = |out: &mut Writer| {
+            self.calculate(out, target, |out| {
+                self.operand(out, a);
+                out.text(if modulo { " MOD " } else { " / " });
+                self.operand(out, b);
+            });
+        };
+        let by_zero = |out: &mut Writer| {
+            self.calculate(out, target, |out| out.text(&zero(result)));
+            self.calculate(out, flag, |out| out.text("TRUE"));
+        };
+        let by_minus_one = |out: &mut Writer| {
+            self.calculate(out, target, |out| {
+                if modulo {
+                    out.text("0");
+                } else {
+                    out.text("0 - ");
+                    self.operand(out, a);
+                }
+            });
+        };
+        match self.program.pool.get(b) {
+            Formula::Constant(Value::Int(0) | Value::Time(0)) => by_zero(out),
+            Formula::Constant(Value::Real(x)) if *x == 0.0 => by_zero(out),
+            Formula::Constant(Value::Int(-1)) if overflows => by_minus_one(out),
+            Formula::Constant(_) => quotient(out),
+            _ => {
+                self.compare(out, "IF", b, &zero(ty));
+                by_zero(out);
+                if overflows && !matches!(self.program.pool.get(a), Formula::Constant(_)) {
+                    out.leave();
+                    self.compare(out, "ELSIF", b, &literal(Value::Int(-1), ty));
+                    by_minus_one(out);
+                }
+                out.leave();
+                out.open("ELSE");
+                quotient(out);
+                out.close("END_IF;");
+            }
+        }
+    }
+
+    /// `IF a = constant THEN`, and one level deeper.
+    fn compare(&self, out: &mut Writer, word: &str, a: FormulaId, constant: &str) {
+        out.start();
+        out.text(word);
+        out.text(" ");
+        self.expressions.flat(out, a);
+        out.text(&format!(" = {constant} THEN"));
+        out.end();
+        out.enter();
+    }
+
+    /// `target := …;`
+    fn calculate(&self, out: &mut Writer, target: VarId, value: impl FnOnce(&mut Writer)) {
+        out.start();
+        out.text(self.name(target));
+        out.text(" := ");
+        value(out);
+        out.text(";");
+        out.end();
+    }
+
+    /// An operand of a division.
+    fn operand(&self, out: &mut Writer, id: FormulaId) {
+        let single = matches!(
+            self.program.pool.get(id),
+            Formula::Variable(_) | Formula::TimerElapsed(_) | Formula::Constant(_) | Formula::Widen(_)
+        );
+        out.text(if single { "" } else { "(" });
+        self.expressions.flat(out, id);
+        out.text(if single { "" } else { ")" });
+    }
+
+    fn call_timer(&self, out: &mut Writer, timer: TimerId, input: FormulaId) {
+        let name = &self.names.timers[timer];
+        let preset = match self.program.timers[timer].preset {
+            None => time(FOR_EVER_MS),
+            Some(preset) => preset.constant.map_or_else(|| time(preset.ms), |id| self.name(id).to_owned()),
+        };
+        let length = out.indent() + name.len() + "(IN := , PT := );".len() + preset.len();
+        if length.saturating_add(self.expressions.value_width(input)) <= WIDTH {
+            out.start();
+            out.text(&format!("{name}(IN := "));
+            self.expressions.value(out, input);
+            out.text(&format!(", PT := {preset});"));
+            out.end();
+        } else {
+            out.open(&format!("{name}("));
+            out.line("IN :=");
+            out.enter();
+            self.expressions.lines(out, input, ",");
+            out.leave();
+            out.line(&format!("PT := {preset}"));
+            out.close(");");
+        }
+    }
+
+    fn branch(&self, out: &mut Writer, branches: &[(FormulaId, Vec<Statement>)], otherwise: &[Statement]) {
+        let mut word = "IF";
+        for (condition, body) in branches {
+            if out.indent() + word.len() + self.expressions.width(*condition) + 6 <= WIDTH {
+                out.start();
+                out.text(word);
+                out.text(" ");
+                self.expressions.flat(out, *condition);
+                out.text(" THEN");
+                out.end();
+            } else {
+                out.open(word);
+                self.expressions.lines(out, *condition, "");
+                out.close("THEN");
+            }
+            out.enter();
+            self.block(out, body);
+            out.leave();
+            word = "ELSIF";
+        }
+        if branches.is_empty() {
+            return self.block(out, otherwise);
+        }
+        if !is_empty(otherwise) {
+            out.open("ELSE");
+            self.block(out, otherwise);
+            out.leave();
+        }
+        out.line("END_IF;");
+    }
+}

@@ -1,0 +1,171 @@
+//! Scan programs built by hand, for tests of the writer.
+
+mod matiec;
+mod writer;
+
+use grafc_logic::formula::{Arithmetic, FormulaId, Pool, Type, Value};
+use grafc_logic::scan::{Flag, Preset, Program, Repeat, Role, Statement, Timer, TimerId, VarId, Variable};
+use index_vec::IndexVec;
+
+/// A program under construction.
+struct Build {
+    program: Program,
+}
+
+impl Build {
+    fn new(name: &str) -> Self {
+        let program = Program {
+            name: name.to_owned(),
+            comment: None,
+            variables: IndexVec::new(),
+            timers: IndexVec::new(),
+            pool: Pool::default(),
+            first: Vec::new(),
+            before: Vec::new(),
+            micro_step: Vec::new(),
+            repeat: None,
+            after: Vec::new(),
+        };
+        Build { program }
+    }
+
+    fn var(&mut self, role: Role, name: &str, ty: Type) -> VarId {
+        let initial = match ty {
+            Type::Bool => Value::Bool(false),
+            Type::Int | Type::Dint | Type::Uint | Type::Udint => Value::Int(0),
+            Type::Real | Type::Lreal => Value::Real(0.0),
+            Type::Time => Value::Time(0),
+        };
+        let name = name.to_owned();
+        self.program.variables.push(Variable { role, name, ty, initial, comment: None, address: None, span: None })
+    }
+
+    fn bit(&mut self, role: Role, name: &str) -> VarId {
+        self.var(role, name, Type::Bool)
+    }
+
+    fn about(&mut self, id: VarId, comment: &str) -> VarId {
+        self.program.variables[id].comment = Some(comment.to_owned());
+        id
+    }
+
+    fn timer(&mut self, name: &str, preset: Option<Preset>, comment: &str) -> TimerId {
+        self.program.timers.push(Timer { name: name.to_owned(), preset, comment: Some(comment.to_owned()) })
+    }
+
+    fn read(&mut self, id: VarId) -> FormulaId {
+        self.program.pool.variable(id, self.program.variables[id].ty)
+    }
+
+    fn pool(&mut self) -> &mut Pool {
+        &mut self.program.pool
+    }
+}
+
+fn assign(target: VarId, value: FormulaId) -> Statement {
+    Statement::Assign { target, value, remark: None }
+}
+
+fn noted(target: VarId, value: FormulaId, remark: &str) -> Statement {
+    Statement::Assign { target, value, remark: Some(remark.to_owned()) }
+}
+
+fn heading(text: &str) -> Statement {
+    Statement::Heading(text.to_owned())
+}
+
+/// Four steps: ready, fill, stir for a time, empty.
+fn four_steps() -> Program {
+    let mut b = Build::new("Filling");
+    b.program.comment = Some("filling and stirring a tank".to_owned());
+    let start = b.bit(Role::Input, "start");
+    b.about(start, "start button");
+    let level = ["high", "low"].map(|name| b.bit(Role::Input, name));
+    b.program.variables[start].address = Some("%ix0.0".to_owned());
+    let inlet = b.bit(Role::Output, "INLET");
+    b.program.variables[inlet].address = Some("%QX0.0".to_owned());
+    b.about(inlet, "inlet valve");
+    let stirrer = b.bit(Role::Output, "STIRRER");
+    let outlet = b.bit(Role::Output, "OUTLET");
+    let batches = b.var(Role::Internal, "batches", Type::Int);
+    b.about(batches, "how often the tank was filled");
+    let stir_time = b.var(Role::Constant, "stir_time", Type::Time);
+    b.program.variables[stir_time].initial = Value::Time(8000);
+    let steps: Vec<VarId> = (1..=4).map(|n| b.bit(Role::Step, &format!("X{n}"))).collect();
+    b.about(steps[0], "ready");
+    b.about(steps[1], "fill");
+    b.program.variables[steps[0]].initial = Value::Bool(true);
+    let livelock = b.bit(Role::Flag(Flag::Livelock), "LIVELOCK");
+    b.about(livelock, "the situation did not become stable");
+    let started = b.bit(Role::Memory, "started");
+    let old_start = b.bit(Role::Memory, "old_start");
+    let clear: Vec<VarId> = (1..=4).map(|n| b.bit(Role::Temporary, &format!("clear_{n}"))).collect();
+    let next: Vec<VarId> = (1..=4).map(|n| b.bit(Role::Temporary, &format!("next_{n}"))).collect();
+    let again = b.bit(Role::Temporary, "again");
+    let count = b.var(Role::Temporary, "micro_steps", Type::Uint);
+    let stirred = b.timer("stirred", Some(Preset { ms: 8000, constant: Some(stir_time) }), "stir_time/X3");
+
+    let x: Vec<FormulaId> = steps.iter().map(|step| b.read(*step)).collect();
+    let n: Vec<FormulaId> = next.iter().map(|step| b.read(*step)).collect();
+    let c: Vec<FormulaId> = clear.iter().map(|step| b.read(*step)).collect();
+    let yes = b.pool().truth(true);
+    let (cs, old, high, low) = (b.read(start), b.read(old_start), b.read(level[0]), b.read(level[1]));
+    let not_started = b.read(started);
+    let not_started = b.pool().not(not_started);
+    b.program.first = vec![Statement::If {
+        branches: vec![(not_started, vec![heading("first call"), assign(started, yes), assign(old_start, cs)])],
+        otherwise: vec![],
+    }];
+    let not_old = b.pool().not(old);
+    let rise = b.pool().and([x[0], cs, not_old]);
+    let filled = b.pool().and([x[1], high]);
+    let done = b.pool().timer_done(stirred);
+    let stir = b.pool().and([x[2], done]);
+    let not_low = b.pool().not(low);
+    let emptied = b.pool().and([x[3], not_low]);
+    let mut body = vec![heading("delays"), Statement::CallTimer { timer: stirred, input: x[2] }];
+    body.push(heading("clearing of transitions"));
+    body.push(noted(clear[0], rise, "1 -> 2 : ↑start"));
+    body.push(noted(clear[1], filled, "2 -> 3 : high"));
+    body.push(noted(clear[2], stir, "3 -> 4 : stir_time/X3"));
+    body.push(noted(clear[3], emptied, "(4) 4 -> 1 : not low"));
+    body.push(heading("next situation"));
+    for i in 0..4 {
+        let off = b.pool().not(c[i]);
+        let stay = b.pool().and([x[i], off]);
+        let value = b.pool().or([c[(i + 3) % 4], stay]);
+        body.push(assign(next[i], value));
+    }
+    let changes: Vec<FormulaId> = (0..4).map(|i| b.pool().xor(n[i], x[i])).collect();
+    let edge = b.pool().xor(cs, old);
+    let any = b.pool().or(changes.into_iter().chain([edge]));
+    body.push(assign(again, any));
+    body.push(heading("stored actions"));
+    let (one, total) = (b.pool().constant(Value::Int(1), Type::Int), b.read(batches));
+    let more = b.pool().arithmetic(Arithmetic::Add, Type::Int, total, one);
+    body.push(Statement::If { branches: vec![(c[1], vec![noted(batches, more, "on clearing")])], otherwise: vec![] });
+    body.push(heading("new situation"));
+    body.extend((0..4).map(|i| assign(steps[i], n[i])));
+    body.push(assign(old_start, cs));
+    b.program.micro_step = body;
+    b.program.repeat = Some(Repeat { again, count, bound: 200 });
+    b.program.after =
+        vec![heading("outputs"), assign(inlet, x[1]), assign(stirrer, x[2]), noted(outlet, x[3], "until empty")];
+    b.program
+}
+
+/// A program of inputs `a`, `b`, …, one output `y`, and statements from a function.
+fn body(
+    inputs: &[(&str, Type)],
+    y: Type,
+    build: impl FnOnce(&mut Build, &[FormulaId], VarId) -> Vec<Statement>,
+) -> Program {
+    let mut b = Build::new("Body");
+    let ids: Vec<VarId> = inputs.iter().map(|(name, ty)| b.var(Role::Input, name, *ty)).collect();
+    let y = b.var(Role::Output, "y", y);
+    let read: Vec<FormulaId> = ids.iter().map(|id| b.read(*id)).collect();
+    b.program.after = vec![heading("body")];
+    let statements = build(&mut b, &read, y);
+    b.program.after.extend(statements);
+    b.program
+}

@@ -1,0 +1,529 @@
+//! What the writer writes.
+
+use super::{Build, assign, body, four_steps, heading, noted};
+use crate::st::{Options, Pou, emit};
+use expect_test::{Expect, expect};
+use grafc_diagnostics::Code;
+use grafc_logic::formula::{Arithmetic, Comparison, FormulaId, Type, Value};
+use grafc_logic::scan::{Flag, Preset, Program, Role, Statement, VarId};
+
+fn check(program: &Program, pou: Pou, expected: Expect) {
+    let header = vec!["grafc 0.1.0, filling.gct".to_owned(), "--target st --encoding single-phase".to_owned()];
+    expected.assert_eq(&emit(program, &Options { pou, header, interval_ms: 20 }).expect("it can be written"));
+}
+
+/// The statements alone.
+fn check_body(program: &Program, expected: Expect) {
+    let text = emit(program, &Options::default()).expect("it can be written");
+    let (_, body) = text.split_once("END_VAR\n\n(* body *)\n").expect("a body");
+    expected.assert_eq(body.trim_end_matches("END_FUNCTION_BLOCK\n"));
+}
+
+#[test]
+fn a_function_block() {
+    check(
+        &four_steps(),
+        Pou::FunctionBlock,
+        expect![[r#"
+        (* grafc 0.1.0, filling.gct
+           --target st --encoding single-phase *)
+
+        (* filling and stirring a tank *)
+        FUNCTION_BLOCK Filling
+
+        VAR_INPUT
+            start : BOOL;  (* start button *)
+            high, low : BOOL;
+        END_VAR
+
+        VAR_OUTPUT
+            INLET : BOOL;     (* inlet valve *)
+            STIRRER, OUTLET : BOOL;
+            LIVELOCK : BOOL;  (* the situation did not become stable *)
+        END_VAR
+
+        VAR CONSTANT
+            stir_time : TIME := T#8s;
+        END_VAR
+
+        VAR
+            (* internal variables *)
+            batches : INT;  (* how often the tank was filled *)
+
+            (* steps *)
+            X1 : BOOL := TRUE;  (* ready *)
+            X2 : BOOL;          (* fill *)
+            X3, X4 : BOOL;
+
+            (* timers *)
+            stirred : TON;  (* stir_time/X3 *)
+
+            (* memory from call to call *)
+            started, old_start : BOOL;
+
+            (* values within one call *)
+            clear_1, clear_2, clear_3, clear_4, next_1, next_2, next_3, next_4, again : BOOL;
+            micro_steps : UINT;
+        END_VAR
+
+        IF NOT started THEN
+            (* first call *)
+            started := TRUE;
+            old_start := start;
+        END_IF;
+
+        micro_steps := 0;
+        REPEAT
+            micro_steps := micro_steps + 1;
+
+            (* delays *)
+            stirred(IN := X3, PT := stir_time);
+
+            (* clearing of transitions *)
+            clear_1 := X1 AND start AND NOT old_start;  (* 1 -> 2 : ↑start *)
+            clear_2 := X2 AND high;                     (* 2 -> 3 : high *)
+            clear_3 := X3 AND stirred.Q;                (* 3 -> 4 : stir_time/X3 *)
+            clear_4 := X4 AND NOT low;                  (* (4) 4 -> 1 : not low *)
+
+            (* next situation *)
+            next_1 := clear_4 OR (X1 AND NOT clear_1);
+            next_2 := clear_1 OR (X2 AND NOT clear_2);
+            next_3 := clear_2 OR (X3 AND NOT clear_3);
+            next_4 := clear_3 OR (X4 AND NOT clear_4);
+            again :=
+                (next_1 <> X1)
+                OR (next_2 <> X2)
+                OR (next_3 <> X3)
+                OR (next_4 <> X4)
+                OR (start <> old_start);
+
+            (* stored actions *)
+            IF clear_2 THEN
+                batches := batches + 1;  (* on clearing *)
+            END_IF;
+
+            (* new situation *)
+            X1 := next_1;
+            X2 := next_2;
+            X3 := next_3;
+            X4 := next_4;
+            old_start := start;
+        UNTIL NOT again OR (micro_steps >= 200)
+        END_REPEAT;
+        IF again THEN
+            LIVELOCK := TRUE;
+        END_IF;
+
+        (* outputs *)
+        INLET := X2;
+        STIRRER := X3;
+        OUTLET := X4;  (* until empty *)
+
+        END_FUNCTION_BLOCK
+    "#]],
+    );
+}
+
+#[test]
+fn a_configuration() {
+    let text =
+        emit(&four_steps(), &Options { pou: Pou::Configuration, ..Options::default() }).expect("it can be written");
+    let (_, frame) = text.split_once("END_FUNCTION_BLOCK\n").expect("a block");
+    expect![[r#"
+
+        PROGRAM Filling_program
+
+        VAR
+            start AT %IX0.0 : BOOL;  (* start button *)
+            INLET AT %QX0.0 : BOOL;  (* inlet valve *)
+        END_VAR
+
+        VAR
+            high, low, STIRRER, OUTLET : BOOL;
+            LIVELOCK : BOOL;  (* the situation did not become stable *)
+            chart : Filling;
+        END_VAR
+
+        chart(start := start, high := high, low := low);
+        INLET := chart.INLET;
+        STIRRER := chart.STIRRER;
+        OUTLET := chart.OUTLET;
+        LIVELOCK := chart.LIVELOCK;
+
+        END_PROGRAM
+
+        CONFIGURATION Filling_configuration
+            RESOURCE resource_1 ON PLC
+                TASK cycle(INTERVAL := T#20ms, PRIORITY := 0);
+                PROGRAM main WITH cycle : Filling_program;
+            END_RESOURCE
+        END_CONFIGURATION
+    "#]]
+    .assert_eq(frame);
+}
+
+#[test]
+fn parentheses() {
+    let inputs = [("a", Type::Bool), ("b", Type::Bool), ("c", Type::Bool), ("n", Type::Int)];
+    let program = body(&inputs, Type::Bool, |b, v, y| {
+        let (a, bb, c, n) = (v[0], v[1], v[2], v[3]);
+        let p = b.pool();
+        let not_a = p.not(a);
+        let both = p.and([a, bb]);
+        let either = p.or([bb, c]);
+        let three = p.constant(Value::Int(3), Type::Int);
+        let less = p.constant(Value::Int(-3), Type::Int);
+        let above = p.compare(Comparison::Greater, n, three);
+        let sum = p.arithmetic(Arithmetic::Subtract, Type::Int, n, less);
+        let product = p.arithmetic(Arithmetic::Multiply, Type::Int, less, n);
+        let equal = p.compare(Comparison::Equal, sum, product);
+        let differ = p.xor(a, bb);
+        let far = p.xor(both, c);
+        let values = [
+            p.and([not_a, either]),
+            p.or([both, c, above]),
+            p.not(both),
+            p.not(above),
+            p.not(differ),
+            p.not(far),
+            p.or([differ, far]),
+            p.and([equal, differ]),
+            p.xor(not_a, above),
+        ];
+        values.map(|value| assign(y, value)).into()
+    });
+    check_body(
+        &program,
+        expect![[r#"
+        y := NOT a AND (b OR c);
+        y := (a AND b) OR c OR (n > 3);
+        y := NOT (a AND b);
+        y := NOT (n > 3);
+        y := (a = b);
+        y := NOT ((a AND b) XOR c);
+        y := (a <> b) OR ((a AND b) XOR c);
+        y := (n - (-3) = -3 * n) AND (a <> b);
+        y := NOT a XOR (n > 3);
+
+    "#]],
+    );
+}
+
+#[test]
+fn division() {
+    let inputs = [("a", Type::Dint), ("b", Type::Dint), ("r", Type::Real), ("t", Type::Time), ("u", Type::Uint)];
+    let program = body(&inputs, Type::Dint, |b, v, y| {
+        let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
+        let share = b.var(Role::Output, "share", Type::Time);
+        let ratio = b.var(Role::Output, "ratio", Type::Real);
+        let p = b.pool();
+        let (two, zero) = (p.constant(Value::Int(2), Type::Dint), p.constant(Value::Int(0), Type::Dint));
+        let minus = p.constant(Value::Int(-1), Type::Dint);
+        let divide = |target, modulo, dividend, divisor| Statement::Divide { target, modulo, dividend, divisor, flag };
+        vec![
+            divide(y, false, v[0], v[1]),
+            divide(y, true, two, v[1]),
+            divide(y, true, v[0], two),
+            divide(y, false, v[0], zero),
+            divide(y, false, v[0], minus),
+            divide(ratio, false, v[2], v[2]),
+            divide(share, false, v[3], v[4]),
+        ]
+    });
+    check_body(
+        &program,
+        expect![[r#"
+        IF b = 0 THEN
+            y := 0;
+            DIV0 := TRUE;
+        ELSIF b = -1 THEN
+            y := 0 - a;
+        ELSE
+            y := a / b;
+        END_IF;
+        IF b = 0 THEN
+            y := 0;
+            DIV0 := TRUE;
+        ELSE
+            y := 2 MOD b;
+        END_IF;
+        y := a MOD 2;
+        y := 0;
+        DIV0 := TRUE;
+        y := 0 - a;
+        IF r = 0.0 THEN
+            ratio := 0.0;
+            DIV0 := TRUE;
+        ELSE
+            ratio := r / r;
+        END_IF;
+        IF u = 0 THEN
+            share := T#0ms;
+            DIV0 := TRUE;
+        ELSE
+            share := t / u;
+        END_IF;
+
+    "#]],
+    );
+}
+
+#[test]
+fn types() {
+    let inputs = [("n", Type::Int), ("u", Type::Uint), ("t", Type::Time), ("r", Type::Real)];
+    let program = body(&inputs, Type::Dint, |b, v, y| {
+        let time = b.var(Role::Output, "time", Type::Time);
+        let real = b.var(Role::Output, "large", Type::Lreal);
+        let word = b.var(Role::Output, "word", Type::Uint);
+        let watch = b.timer("watch", None, "how long");
+        let p = b.pool();
+        let wide = p.widen(Type::Dint, v[0]);
+        let half = p.constant(Value::Real(0.5), Type::Lreal);
+        let long = p.widen(Type::Lreal, v[3]);
+        let long = p.arithmetic(Arithmetic::Multiply, Type::Lreal, long, half);
+        let twice = p.arithmetic(Arithmetic::Multiply, Type::Time, v[0], v[2]);
+        let (back, negative) = (p.negate(v[2]), p.negate(v[0]));
+        let negative = p.widen(Type::Dint, negative);
+        let under = p.negate(v[1]);
+        let elapsed = p.timer_elapsed(watch);
+        let limit = p.constant(Value::Time(1500), Type::Time);
+        let late = p.compare(Comparison::GreaterEqual, elapsed, limit);
+        vec![
+            Statement::CallTimer { timer: watch, input: late },
+            assign(y, wide),
+            assign(y, negative),
+            assign(real, long),
+            assign(time, twice),
+            assign(time, back),
+            assign(word, under),
+        ]
+    });
+    check_body(
+        &program,
+        expect![[r#"
+        watch(IN := (watch.ET >= T#1500ms), PT := T#2147483647ms);
+        y := INT_TO_DINT(n);
+        y := INT_TO_DINT(-n);
+        large := REAL_TO_LREAL(r) * 0.5;
+        time_1 := t * n;
+        time_1 := T#0ms - t;
+        word_1 := 0 - u;
+
+    "#]],
+    );
+}
+
+#[test]
+fn long_lines() {
+    let program = body(&[], Type::Bool, |b, _, y| {
+        let limit = b.timer("limit", Some(Preset { ms: 90_000, constant: None }), "all of it");
+        let many: Vec<FormulaId> = (0..14)
+            .map(|n| {
+                let id = b.bit(Role::Input, &format!("limit_switch_{n}"));
+                b.read(id)
+            })
+            .collect();
+        let p = b.pool();
+        let all = p.and(many.iter().copied());
+        let none = p.not(all);
+        let either = p.or([none, many[3]]);
+        vec![
+            noted(
+                y,
+                all,
+                "every limit switch, which is said here at such length that it cannot stand behind the statement",
+            ),
+            assign(y, either),
+            Statement::CallTimer { timer: limit, input: all },
+            Statement::If { branches: vec![(all, vec![noted(y, many[0], "short")])], otherwise: vec![assign(y, none)] },
+        ]
+    });
+    check_body(
+        &program,
+        expect![[r#"
+        (* every limit switch, which is said here at such length that it cannot stand behind the
+           statement *)
+        y :=
+            limit_switch_0
+            AND limit_switch_1
+            AND limit_switch_2
+            AND limit_switch_3
+            AND limit_switch_4
+            AND limit_switch_5
+            AND limit_switch_6
+            AND limit_switch_7
+            AND limit_switch_8
+            AND limit_switch_9
+            AND limit_switch_10
+            AND limit_switch_11
+            AND limit_switch_12
+            AND limit_switch_13;
+        y :=
+            NOT (
+                limit_switch_0
+                AND limit_switch_1
+                AND limit_switch_2
+                AND limit_switch_3
+                AND limit_switch_4
+                AND limit_switch_5
+                AND limit_switch_6
+                AND limit_switch_7
+                AND limit_switch_8
+                AND limit_switch_9
+                AND limit_switch_10
+                AND limit_switch_11
+                AND limit_switch_12
+                AND limit_switch_13
+            )
+            OR limit_switch_3;
+        limit_1(
+            IN :=
+                limit_switch_0
+                AND limit_switch_1
+                AND limit_switch_2
+                AND limit_switch_3
+                AND limit_switch_4
+                AND limit_switch_5
+                AND limit_switch_6
+                AND limit_switch_7
+                AND limit_switch_8
+                AND limit_switch_9
+                AND limit_switch_10
+                AND limit_switch_11
+                AND limit_switch_12
+                AND limit_switch_13,
+            PT := T#90s
+        );
+        IF
+            limit_switch_0
+            AND limit_switch_1
+            AND limit_switch_2
+            AND limit_switch_3
+            AND limit_switch_4
+            AND limit_switch_5
+            AND limit_switch_6
+            AND limit_switch_7
+            AND limit_switch_8
+            AND limit_switch_9
+            AND limit_switch_10
+            AND limit_switch_11
+            AND limit_switch_12
+            AND limit_switch_13
+        THEN
+            y := limit_switch_0;  (* short *)
+        ELSE
+            y :=
+                NOT (
+                    limit_switch_0
+                    AND limit_switch_1
+                    AND limit_switch_2
+                    AND limit_switch_3
+                    AND limit_switch_4
+                    AND limit_switch_5
+                    AND limit_switch_6
+                    AND limit_switch_7
+                    AND limit_switch_8
+                    AND limit_switch_9
+                    AND limit_switch_10
+                    AND limit_switch_11
+                    AND limit_switch_12
+                    AND limit_switch_13
+                );
+        END_IF;
+
+    "#]],
+    );
+}
+
+#[test]
+fn hostile_texts() {
+    let mut b = Build::new("насос *) (* {x}");
+    b.program.comment = Some("ends *) here\nand (* there".to_owned());
+    let x = b.bit(Role::Input, "on");
+    b.about(x, "*)");
+    b.program.variables[x].address = Some("%IX0.0 : BOOL; END_VAR".to_owned());
+    let y = b.bit(Role::Output, "ON_1");
+    let value = b.read(x);
+    b.program.after = vec![heading("*) x := 1; (*"), noted(y, value, "a *)\r\n b")];
+    check(
+        &b.program,
+        Pou::Program,
+        expect![[r#"
+        (* grafc 0.1.0, filling.gct
+           --target st --encoding single-phase *)
+
+        (* `насос * ) ( * [x]`: ends * ) here and ( * there *)
+        FUNCTION_BLOCK nasos_x
+
+        VAR_INPUT
+            on_2 : BOOL;  (* `on`: * ) *)
+        END_VAR
+
+        VAR_OUTPUT
+            ON_1 : BOOL;
+        END_VAR
+
+        (* * ) x := 1; ( * *)
+        ON_1 := on_2;  (* a * ) b *)
+
+        END_FUNCTION_BLOCK
+
+        PROGRAM nasos_x_program
+
+        VAR
+            on_2 : BOOL;  (* `on`: * ) *)
+            ON_1 : BOOL;
+            chart : nasos_x;
+        END_VAR
+
+        chart(on_2 := on_2);
+        ON_1 := chart.ON_1;
+
+        END_PROGRAM
+    "#]],
+    );
+}
+
+#[test]
+fn an_empty_body_is_filled() {
+    let mut b = Build::new("Empty");
+    b.bit(Role::Step, "X1");
+    let text = emit(&b.program, &Options::default()).expect("it can be written");
+    assert!(text.contains("\n(* nothing ever changes *)\nX1 := X1;\n"), "{text}");
+}
+
+#[test]
+fn faults_of_grafc_are_reported() {
+    let mut deep = Build::new("Deep");
+    let (a, y) = (deep.bit(Role::Input, "a"), deep.bit(Role::Output, "y"));
+    let a = deep.read(a);
+    let mut value = a;
+    for _ in 0..60 {
+        let negated = deep.pool().not(value);
+        let other = deep.read(y);
+        value = deep.pool().and([negated, other]);
+    }
+    deep.program.after = vec![assign(y, value)];
+    let mut branch = Build::new("Branch");
+    let a = branch.bit(Role::Input, "a");
+    let a = branch.read(a);
+    branch.program.after = vec![Statement::If { branches: vec![(a, vec![heading("none")])], otherwise: vec![] }];
+    for program in [deep.program, branch.program] {
+        let diagnostics = emit(&program, &Options::default()).expect_err("it cannot be written");
+        assert!(diagnostics.iter().all(|d| d.code == Code::E0901));
+    }
+}
+
+#[test]
+fn a_hundred_thousand_steps() {
+    let mut b = Build::new("Large");
+    let again = b.bit(Role::Temporary, "again");
+    let steps: Vec<VarId> = (0..100_000).map(|n| b.bit(Role::Step, &format!("X{n}"))).collect();
+    let read: Vec<FormulaId> = steps.iter().map(|id| b.read(*id)).collect();
+    let any = b.pool().or(read.iter().copied());
+    b.program.after = steps.iter().zip(read.iter().rev()).map(|(step, value)| assign(*step, *value)).collect();
+    b.program.after.push(assign(again, any));
+    let text = emit(&b.program, &Options::default()).expect("it can be written");
+    assert!(text.lines().count() > 200_000);
+    assert!(text.lines().all(|line| line.len() <= 100));
+}

@@ -1,0 +1,130 @@
+//! Lines of text: indentation, blank lines, comments.
+
+use crate::comment::wrap;
+
+/// No line of ours is longer, if it can be broken at all.
+pub(super) const WIDTH: usize = 100;
+/// A line may be so long with the comment at its end.
+pub(super) const WIDTH_WITH_COMMENT: usize = 110;
+/// One level of indentation.
+pub(super) const STEP: usize = 4;
+
+/// A growing text.
+pub(super) struct Writer {
+    out: String,
+    indent: usize,
+    /// A blank line is due before the next line.
+    blank: bool,
+    /// Nothing stands in the block yet: a blank line would look odd.
+    fresh: bool,
+}
+
+impl Default for Writer {
+    fn default() -> Self {
+        Writer { out: String::new(), indent: 0, blank: false, fresh: true }
+    }
+}
+
+impl Writer {
+    /// The text.
+    pub fn finish(self) -> String {
+        self.out
+    }
+
+    /// The columns that the indentation takes.
+    pub fn indent(&self) -> usize {
+        self.indent
+    }
+
+    /// A blank line before what comes next, unless a block starts there.
+    pub fn blank(&mut self) {
+        self.blank = true;
+    }
+
+    /// Starts a line; the text follows by [`Writer::text`].
+    pub fn start(&mut self) {
+        if self.blank && !self.fresh {
+            self.out.push('\n');
+        }
+        self.blank = false;
+        self.fresh = false;
+        self.out.extend(std::iter::repeat_n(' ', self.indent));
+    }
+
+    /// Text within a line.
+    pub fn text(&mut self, text: &str) {
+        self.out.push_str(text);
+    }
+
+    /// Ends a line.
+    pub fn end(&mut self) {
+        self.out.push('\n');
+    }
+
+    /// A whole line.
+    pub fn line(&mut self, text: &str) {
+        self.start();
+        self.text(text);
+        self.end();
+    }
+
+    /// A line that opens a block.
+    pub fn open(&mut self, text: &str) {
+        self.line(text);
+        self.enter();
+    }
+
+    /// What follows is one level deeper.
+    pub fn enter(&mut self) {
+        self.indent += STEP;
+        self.fresh = true;
+    }
+
+    /// What follows is one level higher.
+    pub fn leave(&mut self) {
+        self.indent = self.indent.saturating_sub(STEP);
+        self.blank = false;
+        self.fresh = false;
+    }
+
+    /// The line that closes a block.
+    pub fn close(&mut self, text: &str) {
+        self.leave();
+        self.line(text);
+    }
+
+    /// A comment on lines of its own; nothing if the text, which is clean, is empty.
+    pub fn comment(&mut self, text: &str) {
+        self.block_comment([text.to_owned()]);
+    }
+
+    /// One comment of several clean texts, each on lines of its own.
+    pub fn block_comment(&mut self, texts: impl IntoIterator<Item = String>) {
+        let width = WIDTH.saturating_sub(self.indent + 6).max(40);
+        let mut lines = texts.into_iter().flat_map(|text| wrap(&text, width)).peekable();
+        let mut first = true;
+        while let Some(line) = lines.next() {
+            self.start();
+            self.text(if first { "(* " } else { "   " });
+            self.text(&line);
+            if lines.peek().is_none() {
+                self.text(" *)");
+            }
+            self.end();
+            first = false;
+        }
+    }
+
+    /// A comment at the end of a line whose text takes `length` columns, at `column` or further right.
+    pub fn trailing_comment(&mut self, length: usize, column: usize, text: &str) {
+        self.out.extend(std::iter::repeat_n(' ', column.max(length).saturating_sub(length) + 2));
+        self.text("(* ");
+        self.text(text);
+        self.text(" *)");
+    }
+}
+
+/// Whether a clean comment fits behind a line that ends at `column`.
+pub(super) fn fits_behind(column: usize, comment: &str) -> bool {
+    column + 8 + comment.chars().count() <= WIDTH_WITH_COMMENT
+}
