@@ -1,0 +1,150 @@
+//! What can be asked of grafc.
+
+use crate::commands::{check, compile, completions, explain, fmt, man, sim};
+use clap::error::ErrorKind;
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use grafc_model::reaction::{Evolution, Profile};
+use std::ffi::OsString;
+use std::path::Path;
+
+const AFTER_HELP: &str = "\
+Example:
+  grafc valve.gct --target st -o valve.st
+
+Exit codes: 0 done, 1 the chart has errors, 2 wrong use, 3 the file system said no.
+A chart that is named like a command is given as `./check`; `-` is standard input or output.";
+
+/// Compile GRAFCET charts (IEC 60848) to IEC 61131-3 code
+#[derive(Parser, Debug)]
+#[command(name = "grafc", version, after_help = AFTER_HELP)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true, arg_required_else_help = true)]
+pub struct CommandLine {
+    /// Another command than to compile.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+    /// Without a command: compile.
+    #[command(flatten)]
+    pub compile: compile::Arguments,
+}
+
+impl CommandLine {
+    /// What was asked for; the error is help, the version, or what is wrong with the arguments.
+    pub fn from_arguments(arguments: impl IntoIterator<Item = OsString>) -> Result<CommandLine, clap::Error> {
+        let arguments: Vec<OsString> = arguments.into_iter().collect();
+        CommandLine::try_parse_from(&arguments).map_err(|error| match error.kind() {
+            ErrorKind::ArgumentConflict | ErrorKind::MissingRequiredArgument => {
+                misspelt_command(&arguments).unwrap_or(error)
+            }
+            _ => error,
+        })
+    }
+}
+
+/// A misspelt command looks like a chart; if there is no such chart, say what was probably meant.
+fn misspelt_command(arguments: &[OsString]) -> Option<clap::Error> {
+    let mut root = CommandLine::command();
+    let first = arguments.get(1)?.to_str()?;
+    let near = root.get_subcommands().map(|command| command.get_name().to_string());
+    let near = near.filter(|name| name != first).find(|name| strsim::jaro_winkler(name, first) > 0.85)?;
+    if Path::new(first).exists() {
+        return None;
+    }
+    let message = format!("unrecognized command '{first}'\n\n  tip: a similar command exists: '{near}'");
+    Some(root.error(ErrorKind::InvalidSubcommand, message))
+}
+
+/// The commands other than to compile.
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Report all errors and warnings of charts
+    Check(check::Arguments),
+    /// Run a chart over a trace of its inputs with the reference simulator
+    Sim(sim::Arguments),
+    /// Bring charts into the canonical format
+    Fmt(fmt::Arguments),
+    /// Print the page on a diagnostic code
+    Explain(explain::Arguments),
+    /// Print a completion script for a shell
+    Completions(completions::Arguments),
+    /// Print the manual page in roff
+    Man(man::Arguments),
+}
+
+/// Choices that change what a chart means.
+#[derive(Args, Debug)]
+pub struct ProfileArguments {
+    /// Evolve to a stable situation at each call, or by one step a scan as SFC does
+    #[arg(long, value_enum, default_value_t = EvolutionName::Stable, value_name = "EVOLUTION")]
+    evolution: EvolutionName,
+    /// Whether initial steps do their actions on activation at the start
+    #[arg(long, value_enum, default_value_t = Switch::On, value_name = "SWITCH")]
+    initial_actions: Switch,
+    /// Give up after so many evolutions in one call [default: the larger of 200 and steps + transitions + 1]
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..))]
+    bound: Option<u32>,
+}
+
+impl ProfileArguments {
+    /// The choices as the stages take them.
+    pub fn profile(&self) -> Profile {
+        Profile {
+            evolution: match self.evolution {
+                EvolutionName::Stable => Evolution::Stable,
+                EvolutionName::Scan => Evolution::Scan,
+            },
+            initial_actions: match self.initial_actions {
+                Switch::On => true,
+                Switch::Off => false,
+            },
+            bound: self.bound,
+        }
+    }
+
+    /// The choices as they would be written on the command line.
+    pub(crate) fn options(&self) -> Vec<String> {
+        let mut options = vec![option("evolution", self.evolution), option("initial-actions", self.initial_actions)];
+        options.extend(self.bound.map(|bound| format!("--bound {bound}")));
+        options
+    }
+}
+
+/// A choice as it would be written on the command line.
+pub(crate) fn option(name: &str, value: impl ValueEnum) -> String {
+    let value = value.to_possible_value();
+    format!("--{name} {}", value.as_ref().map_or("", |value| value.get_name()))
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum EvolutionName {
+    Stable,
+    Scan,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Switch {
+    On,
+    Off,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        CommandLine::command().debug_assert();
+    }
+
+    #[test]
+    fn every_command_has_an_example_and_one_sentence() {
+        let mut root = CommandLine::command();
+        root.build();
+        for command in std::iter::once(&root).chain(root.get_subcommands()).filter(|c| c.get_name() != "help") {
+            let name = command.get_name();
+            let about = command.get_about().map(ToString::to_string).unwrap_or_default();
+            assert!(!about.is_empty() && !about.contains(". ") && !about.ends_with('.'), "{name}: {about}");
+            let after = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            assert!(after.contains("Example:\n  grafc"), "{name}: {after}");
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! `grafc fmt`: the canonical format.
+
+use super::refuse_second_standard_input;
+use crate::Exit;
+use crate::files::{Place, print};
+use crate::pipeline;
+use crate::report::{Failure, Format, Report, to_stderr};
+use clap::Args;
+
+const AFTER_HELP: &str = "\
+Example:
+  grafc fmt --check charts/*.gct
+
+Charts are changed in place; `-` is formatted from standard input to standard output.
+A chart with errors is left alone. With --check, exit code 1 says that a chart would change.";
+
+/// Arguments of `grafc fmt`.
+#[derive(Args, Debug)]
+#[command(after_help = AFTER_HELP)]
+pub struct Arguments {
+    /// The charts; `-` is standard input
+    #[arg(required = true, value_name = "CHART")]
+    charts: Vec<Place>,
+    /// Write nothing, but print the names of charts that would change
+    #[arg(long)]
+    check: bool,
+}
+
+/// Formats every chart, also after one that cannot be.
+pub fn run(args: Arguments) -> Result<Exit, Failure> {
+    refuse_second_standard_input(&args.charts)?;
+    let mut report = Report::default();
+    let mut exit = Exit::Done;
+    for place in &args.charts {
+        match format(place, args.check, &mut report) {
+            Ok(one) => exit = exit.max(one),
+            Err(failure) => {
+                to_stderr(&failure.to_string());
+                exit = exit.max(failure.exit());
+            }
+        }
+    }
+    Ok(exit.max(report.tell(Format::Human)))
+}
+
+fn format(place: &Place, check: bool, report: &mut Report) -> Result<Exit, Failure> {
+    let Some(file) = report.load(place)? else { return Ok(Exit::ChartErrors) };
+    let (formatted, said) = pipeline::format(file, &report.sources.file(file).text);
+    report.diagnostics.append(said);
+    let Some(formatted) = formatted else { return Ok(Exit::ChartErrors) };
+    let changed = formatted != report.sources.file(file).text;
+    match (check, place) {
+        (true, _) if changed => {
+            print(&format!("{}\n", place.input_name()))?;
+            Ok(Exit::ChartErrors)
+        }
+        (true, _) => Ok(Exit::Done),
+        (false, Place::Standard) => place.write(&formatted).map(|()| Exit::Done).map_err(Failure::from),
+        // A file that is right already keeps its time stamp.
+        (false, Place::File(_)) if !changed => Ok(Exit::Done),
+        (false, Place::File(_)) => place.write(&formatted).map(|()| Exit::Done).map_err(Failure::from),
+    }
+}

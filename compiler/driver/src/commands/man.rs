@@ -1,0 +1,47 @@
+//! `grafc man`: the manual page.
+
+use crate::Exit;
+use crate::command_line::CommandLine;
+use crate::files::print;
+use crate::report::Failure;
+use clap::{Args, CommandFactory};
+use clap_mangen::Man;
+
+const AFTER_HELP: &str = "\
+Example:
+  grafc man > grafc.1
+
+`grafc man check` prints the page of a command, grafc-check(1).";
+
+/// Arguments of `grafc man`.
+#[derive(Args, Debug)]
+#[command(after_help = AFTER_HELP)]
+pub struct Arguments {
+    /// A command, for its own page
+    #[arg(value_name = "COMMAND")]
+    command: Option<String>,
+}
+
+/// Prints the page.
+pub fn run(args: Arguments) -> Result<Exit, Failure> {
+    let mut root = CommandLine::command().disable_help_subcommand(true);
+    root.build();
+    let command = match &args.command {
+        None => root,
+        Some(name) => match root.find_subcommand(name) {
+            Some(command) => command.clone(),
+            None => {
+                return Err(Failure::WrongUse(
+                    format!("grafc has no command `{name}`"),
+                    "see `grafc --help`".to_string(),
+                ));
+            }
+        },
+    };
+    let mut page = Vec::new();
+    // Writing to memory cannot fail.
+    let _ =
+        Man::new(command).source(concat!("grafc ", env!("CARGO_PKG_VERSION"))).manual("grafc manual").render(&mut page);
+    print(&String::from_utf8_lossy(&page))?;
+    Ok(Exit::Done)
+}

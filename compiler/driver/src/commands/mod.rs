@@ -1,0 +1,34 @@
+//! The commands, one a file: each takes its arguments, does its work, and says how it ended.
+
+pub mod check;
+pub mod compile;
+pub mod completions;
+pub mod explain;
+pub mod fmt;
+pub mod man;
+pub mod sim;
+
+use crate::files::Place;
+use crate::report::Failure;
+
+/// Standard input can be read once.
+fn refuse_second_standard_input<'a>(places: impl IntoIterator<Item = &'a Place>) -> Result<(), Failure> {
+    match places.into_iter().filter(|place| **place == Place::Standard).count() {
+        0 | 1 => Ok(()),
+        _ => Err(Failure::WrongUse(
+            "standard input is named twice".to_string(),
+            "give one of the inputs as a file".to_string(),
+        )),
+    }
+}
+
+/// An output that is one of the inputs would destroy it.
+fn refuse_output_over_input<'a>(output: &Place, inputs: impl IntoIterator<Item = &'a Place>) -> Result<(), Failure> {
+    match inputs.into_iter().find(|input| output.is_same_file(input)) {
+        None => Ok(()),
+        Some(input) => Err(Failure::WrongUse(
+            format!("the output would overwrite `{}`", input.input_name()),
+            "choose another file with `-o`".to_string(),
+        )),
+    }
+}

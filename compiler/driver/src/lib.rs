@@ -1,0 +1,43 @@
+//! The grafc compiler: the [`pipeline`] through all stages, and the command line around it.
+//!
+//! This is the only crate that reads and writes files, prints, or ends a process. [`pipeline`] does none of that, and
+//! is what tests and tools call.
+
+pub mod command_line;
+mod commands;
+pub mod fault;
+mod files;
+pub mod pipeline;
+mod report;
+
+use command_line::{Command, CommandLine};
+
+/// How a run ended; its number is the exit code of the process.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Exit {
+    /// All is done.
+    Done = 0,
+    /// A chart has errors, or is not as `--check` wants it.
+    ChartErrors = 1,
+    /// The command was called in a way that makes no sense.
+    WrongUse = 2,
+    /// The file system said no.
+    FilesRefused = 3,
+}
+
+/// Runs one command to its end.
+pub fn run(command_line: CommandLine) -> Exit {
+    let result = match command_line.command {
+        None => commands::compile::run(command_line.compile),
+        Some(Command::Check(args)) => commands::check::run(args),
+        Some(Command::Sim(args)) => commands::sim::run(args),
+        Some(Command::Fmt(args)) => commands::fmt::run(args),
+        Some(Command::Explain(args)) => commands::explain::run(args),
+        Some(Command::Completions(args)) => commands::completions::run(args),
+        Some(Command::Man(args)) => commands::man::run(args),
+    };
+    result.unwrap_or_else(|failure| {
+        report::to_stderr(&failure.to_string());
+        failure.exit()
+    })
+}

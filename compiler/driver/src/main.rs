@@ -1,0 +1,23 @@
+//! The `grafc` binary; everything is in the library.
+
+use grafc::command_line::CommandLine;
+use std::io::Write;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let command_line = match CommandLine::from_arguments(std::env::args_os()) {
+        Ok(command_line) => command_line,
+        Err(answer) => {
+            // Help, version or wrong use; that nobody reads it is no reason to fail.
+            let _ = answer.print();
+            return ExitCode::from(answer.exit_code() as u8);
+        }
+    };
+    match grafc::fault::guard(|| grafc::run(command_line)) {
+        Ok(exit) => ExitCode::from(exit as u8),
+        Err(message) => {
+            let _ = std::io::stderr().write_all(message.as_bytes());
+            ExitCode::from(101)
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! What a run says about charts, and where it says it.
+
+use crate::Exit;
+use crate::files::{Place, Refusal, print};
+use clap::ValueEnum;
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Severity, SourceMap, Span, render};
+use std::fmt;
+use std::io::{IsTerminal, Write};
+
+/// The form of messages.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum Format {
+    /// For people
+    Human,
+    /// One JSON object a line
+    Json,
+    /// A SARIF 2.1.0 log
+    Sarif,
+}
+
+/// Why a command could not do its work.
+#[derive(Debug)]
+pub enum Failure {
+    /// The command was called in a way that makes no sense: what, and what to do.
+    WrongUse(String, String),
+    /// The file system said no.
+    Files(Refusal),
+}
+
+impl Failure {
+    /// The exit code.
+    pub fn exit(&self) -> Exit {
+        match self {
+            Failure::WrongUse(..) => Exit::WrongUse,
+            Failure::Files(_) => Exit::FilesRefused,
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Failure::WrongUse(what, help) => write!(f, "error: {what}\n  = help: {help}\n"),
+            Failure::Files(refusal) => refusal.fmt(f),
+        }
+    }
+}
+
+impl From<Refusal> for Failure {
+    fn from(refusal: Refusal) -> Self {
+        Failure::Files(refusal)
+    }
+}
+
+/// The texts of a run and all that was said about them.
+#[derive(Default)]
+pub struct Report {
+    /// The texts.
+    pub sources: SourceMap,
+    /// What was said, in any order.
+    pub diagnostics: Diagnostics,
+}
+
+impl Report {
+    /// Reads a text; none if it is not UTF-8, which is an error at its first bad byte.
+    pub fn load(&mut self, place: &Place) -> Result<Option<FileId>, Refusal> {
+        let name = place.input_name();
+        Ok(match String::from_utf8(place.read()?) {
+            Ok(text) => Some(self.sources.add(name, text)),
+            Err(error) => {
+                let at = error.utf8_error().valid_up_to();
+                let byte = error.as_bytes()[at];
+                // Up to the first bad byte, offsets in the text shown are those of the file.
+                let file = self.sources.add(name, String::from_utf8_lossy(error.as_bytes()));
+                let span = Span::new(file, at, at + char::REPLACEMENT_CHARACTER.len_utf8());
+                self.diagnostics.push(
+                    Diagnostic::new(Code::E0110, span, format!("byte 0x{byte:02X} at offset {at} is not UTF-8"))
+                        .help("save the file as UTF-8"),
+                );
+                None
+            }
+        })
+    }
+
+    /// Whether one of the texts has an error.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.has_errors()
+    }
+
+    /// Says everything on standard error; for people with a last line that counts.
+    pub fn tell(&mut self, format: Format) -> Exit {
+        to_stderr(&self.render(format, wants_colour()));
+        self.exit()
+    }
+
+    /// Says everything where a command whose product is messages says it: tools find theirs on standard output.
+    pub fn publish(&mut self, format: Format) -> Result<Exit, Refusal> {
+        match format {
+            Format::Human => Ok(self.tell(format)),
+            Format::Json | Format::Sarif => {
+                print(&self.render(format, false))?;
+                Ok(self.exit())
+            }
+        }
+    }
+
+    fn exit(&self) -> Exit {
+        if self.has_errors() { Exit::ChartErrors } else { Exit::Done }
+    }
+
+    fn render(&mut self, format: Format, colour: bool) -> String {
+        self.diagnostics.sort_by_place();
+        match format {
+            Format::Human => {
+                let mut text = render::human(&self.sources, &self.diagnostics, colour);
+                text.push_str(&self.summary());
+                text
+            }
+            Format::Json => render::json(&self.sources, &self.diagnostics),
+            Format::Sarif => render::sarif(&self.sources, &self.diagnostics, env!("CARGO_PKG_VERSION")),
+        }
+    }
+
+    /// `2 errors, 1 warning`, or nothing if nothing was said.
+    fn summary(&self) -> String {
+        let count = |severity| self.diagnostics.iter().filter(|d| d.code.severity() == severity).count();
+        let counted: Vec<String> = [(count(Severity::Error), "error"), (count(Severity::Warning), "warning")]
+            .into_iter()
+            .filter(|(n, _)| *n > 0)
+            .map(|(n, word)| format!("{n} {word}{}", if n == 1 { "" } else { "s" }))
+            .collect();
+        if counted.is_empty() { String::new() } else { counted.join(", ") + "\n" }
+    }
+}
+
+/// Prints to standard error; if that fails there is nowhere left to say so.
+pub fn to_stderr(text: &str) {
+    let _ = std::io::stderr().lock().write_all(text.as_bytes());
+}
+
+/// Colour is for terminals, unless the user said no (<https://no-color.org>).
+fn wants_colour() -> bool {
+    std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty()) && std::io::stderr().is_terminal()
+}

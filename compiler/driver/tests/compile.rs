@@ -1,0 +1,154 @@
+//! `grafc CHART --target st`.
+
+mod common;
+
+use common::{DUBIOUS, FAULTY, Place, VALVE};
+
+#[test]
+fn code_goes_to_standard_output_or_to_a_file() {
+    let place = Place::new(&[("valve.gct", VALVE)]);
+    let printed = place.run(&["valve.gct", "--target", "st"]);
+    printed.is_done();
+    assert!(printed.out.contains("FUNCTION_BLOCK Valve"), "{}", printed.out);
+    assert!(printed.out.contains("END_FUNCTION_BLOCK"), "{}", printed.out);
+
+    let written = place.run(&["--target", "st", "-o", "valve.st", "valve.gct"]);
+    assert_eq!(written.is_done().out, "");
+    assert_eq!(place.read("valve.st"), printed.out);
+    assert_eq!(place.run(&["valve.gct", "--target", "st", "-o", "-"]).is_done().out, printed.out);
+}
+
+#[test]
+fn equal_runs_give_equal_code() {
+    let place = Place::new(&[("valve.gct", VALVE)]);
+    let first = place.run(&["valve.gct", "--target", "st"]);
+    assert_eq!(place.run(&["valve.gct", "--target", "st"]).is_done().out, first.out);
+    let elsewhere = place.path("valve.gct").display().to_string();
+    assert_eq!(place.run(&[&elsewhere, "--target", "st"]).is_done().out, first.out);
+}
+
+#[test]
+fn standard_input_is_a_chart_too() {
+    let place = Place::new(&[]);
+    let run = place.run_with(&["-", "--target", "st"], VALVE);
+    assert!(run.is_done().out.contains("FUNCTION_BLOCK Valve"));
+    place.run_with(&["-", "--target", "st"], FAULTY).ends(1, "<stdin>:6:25");
+}
+
+#[test]
+fn a_chart_without_a_name_is_called_after_its_file() {
+    let nameless = VALVE.replace("chart Valve \"one valve\"", "");
+    let place = Place::new(&[("pump.gct", &nameless)]);
+    assert!(place.run(&["pump.gct", "--target", "st"]).is_done().out.contains("FUNCTION_BLOCK pump"));
+    let run = place.run_with(&["-", "--target", "st"], &nameless);
+    assert!(run.is_done().out.contains("FUNCTION_BLOCK chart"), "{}", run.out);
+}
+
+#[test]
+fn a_chart_named_like_a_command_is_given_by_path() {
+    let place = Place::new(&[("check", VALVE)]);
+    assert!(place.run(&["./check", "--target", "st"]).is_done().out.contains("FUNCTION_BLOCK Valve"));
+}
+
+#[test]
+fn errors_stop_without_output() {
+    let place = Place::new(&[("faulty.gct", FAULTY), ("old.st", "as it was")]);
+    let run = place.run(&["faulty.gct", "--target", "st"]);
+    run.ends(1, "error[E0201]").ends(1, "faulty.gct:6:25");
+    assert_eq!(run.out, "");
+    assert!(run.err.ends_with("\n1 error\n"), "{}", run.err);
+
+    place.run(&["faulty.gct", "--target", "st", "-o", "new.st"]).ends(1, "E0201");
+    place.run(&["faulty.gct", "--target", "st", "-o", "old.st"]).ends(1, "E0201");
+    assert_eq!(place.names(), ["faulty.gct", "old.st"]);
+    assert_eq!(place.read("old.st"), "as it was");
+}
+
+#[test]
+fn warnings_do_not_stop() {
+    let place = Place::new(&[("dubious.gct", DUBIOUS)]);
+    let run = place.run(&["dubious.gct", "--target", "st", "-o", "out.st"]);
+    run.ends(0, "warning[W0403]");
+    assert!(run.err.ends_with("\n1 warning\n"), "{}", run.err);
+    assert!(place.read("out.st").contains("FUNCTION_BLOCK dubious"));
+}
+
+#[test]
+fn messages_may_be_json_and_go_to_standard_error() {
+    let place = Place::new(&[("faulty.gct", FAULTY)]);
+    let run = place.run(&["faulty.gct", "--target", "st", "--format", "json"]);
+    assert_eq!(run.ends(1, "").out, "");
+    let message: serde_json::Value = serde_json::from_str(run.err.trim_end()).unwrap();
+    assert_eq!(message["code"], "E0201");
+    assert_eq!(message["start"]["line"], 6);
+}
+
+#[test]
+fn a_text_that_is_not_utf8_is_an_error_at_its_first_bad_byte() {
+    let place = Place::new(&[]);
+    std::fs::write(place.path("latin.gct"), b"initial step 1 \"f\xFCllen\"\n").unwrap();
+    place.run(&["latin.gct", "--target", "st"]).ends(1, "error[E0110]").ends(1, "offset 17").ends(1, "latin.gct:1:18");
+    place.run_with(&["check", "-"], b"\xFF").ends(1, "E0110");
+}
+
+#[test]
+fn choices_reach_the_code() {
+    let place = Place::new(&[("valve.gct", VALVE)]);
+    let code = |arguments: &[&str]| {
+        let all: Vec<&str> = ["valve.gct", "--target", "st"].iter().chain(arguments).copied().collect();
+        place.run(&all).is_done().out.clone()
+    };
+    let plain = code(&[]);
+    assert_eq!(code(&["--encoding", "single-phase", "--evolution", "stable", "--initial-actions", "on"]), plain);
+    assert_eq!(code(&["--pou", "function-block"]), plain);
+    assert_ne!(code(&["--evolution", "scan"]), plain);
+    assert!(code(&["--pou", "program"]).contains("\nPROGRAM "));
+    let configuration = code(&["--pou", "configuration", "--interval", "50ms"]);
+    assert!(configuration.contains("CONFIGURATION"), "{configuration}");
+    assert!(configuration.to_uppercase().contains("T#50MS"), "{configuration}");
+}
+
+#[test]
+fn code_says_what_made_it() {
+    let place = Place::new(&[("valve.gct", VALVE)]);
+    let head = |arguments: &[&str]| {
+        let out = place.run(arguments).is_done().out.clone();
+        out.lines().take(4).collect::<Vec<_>>().join("\n")
+    };
+    let plain = head(&["valve.gct", "--target", "st"]);
+    assert!(plain.contains(&format!("grafc {} from valve.gct", env!("CARGO_PKG_VERSION"))), "{plain}");
+    assert!(plain.contains("--encoding single-phase --evolution stable --initial-actions on"), "{plain}");
+    assert!(head(&["valve.gct", "--target", "st", "--bound", "7"]).contains("--bound 7"));
+}
+
+#[test]
+fn wrong_use_ends_with_2() {
+    let place = Place::new(&[("valve.gct", VALVE)]);
+    place.run(&[]).ends(2, "Usage: grafc");
+    place.run(&["valve.gct"]).ends(2, "--target");
+    place.run(&["--target", "st"]).ends(2, "CHART");
+    place.run(&["valve.gct", "--target", "fortran"]).ends(2, "possible values: st");
+    place.run(&["valve.gct", "--target", "st", "--encoding", "gray"]).ends(2, "single-phase");
+    place.run(&["valve.gct", "--target", "st", "--bound", "0"]).ends(2, "--bound");
+    place.run(&["valve.gct", "--target", "st", "--interval", "20ms"]).ends(2, "--pou configuration");
+    place.run(&["valve.gct", "--target", "st", "--pou", "configuration", "--interval", "0ms"]).ends(2, "interval");
+    place.run(&["valve.gct", "--target", "st", "--nonsense"]).ends(2, "--nonsense");
+    place.run(&["chek", "valve.gct"]).ends(2, "similar command exists: 'check'");
+    place.run(&["valve.gct", "check"]).ends(2, "check");
+    assert_eq!(place.names(), ["valve.gct"]);
+}
+
+#[test]
+fn the_chart_is_never_overwritten() {
+    let place = Place::new(&[("valve.gct", VALVE)]);
+    place.run(&["valve.gct", "--target", "st", "-o", "valve.gct"]).ends(2, "overwrite `valve.gct`");
+    place.run(&["valve.gct", "--target", "st", "-o", "./valve.gct"]).ends(2, "overwrite");
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("valve.gct", place.path("link.st")).unwrap();
+        place.run(&["valve.gct", "--target", "st", "-o", "link.st"]).ends(2, "overwrite");
+        std::fs::hard_link(place.path("valve.gct"), place.path("hard.st")).unwrap();
+        place.run(&["valve.gct", "--target", "st", "-o", "hard.st"]).ends(2, "overwrite");
+    }
+    assert_eq!(place.read("valve.gct"), VALVE);
+}
