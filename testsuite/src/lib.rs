@@ -1,0 +1,12 @@
+//! Charts, vectors, random charts and differential runs of grafc.
+//!
+//! What a chart means is said once, by the reference simulator; expectations written by hand check the simulator, and
+//! everything else is checked against it: the scan program, and the generated code as other tools run it.
+
+pub mod binary;
+pub mod charts;
+pub mod differential;
+pub mod excerpts;
+pub mod markdown;
+pub mod matiec;
+pub mod random;

@@ -1,0 +1,113 @@
+//! Fenced blocks of Markdown pages, so that tests can hold the documentation to what it shows.
+//!
+//! What follows the language of a block steers the tests; readers do not see it:
+//!
+//! | block | means |
+//! | --- | --- |
+//! | `gct` | a chart without errors and warnings |
+//! | `gct,wrong` | a chart with errors |
+//! | `gct,file=NAME`, `csv,file=NAME` | is also a file for the commands of the page |
+//! | `console` | commands after `$ `, each with what it prints; `…` stands for anything |
+//! | `console,exit=1` | the commands end with this code |
+//! | `iecst,excerpt=NAME` | all such blocks of a page together are the file that a command wrote, but for empty lines |
+//! | `iecst,part=NAME` | stands in the file that a command wrote, perhaps indented |
+
+use std::path::{Path, PathBuf};
+
+/// A fenced block.
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// The line of its opening fence, from 1.
+    pub line: usize,
+    /// The heading above it, without `#`.
+    pub section: String,
+    /// The word after the fence.
+    pub language: String,
+    /// What follows the language, cut at commas.
+    pub attributes: Vec<String>,
+    /// The text between the fences.
+    pub text: String,
+}
+
+impl Block {
+    /// Whether an attribute is there: `wrong`.
+    pub fn has(&self, attribute: &str) -> bool {
+        self.attributes.iter().any(|a| a == attribute)
+    }
+
+    /// The value of an attribute: of `file=a.gct` it is `a.gct`.
+    pub fn value(&self, attribute: &str) -> Option<&str> {
+        self.attributes.iter().find_map(|a| a.strip_prefix(attribute)?.strip_prefix('='))
+    }
+}
+
+/// The fenced blocks of a page. Those in list items are indented, and so is their text; blocks in quotations are not found.
+pub fn blocks(page: &str) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    let mut section = String::new();
+    let mut open: Option<(Block, usize)> = None;
+    for (number, line) in page.lines().enumerate() {
+        let body = line.trim_start();
+        match &mut open {
+            None => {
+                if let Some(info) = body.strip_prefix("```") {
+                    let mut words = info.split(',').map(|word| word.trim().to_string());
+                    let block = Block {
+                        line: number + 1,
+                        section: section.clone(),
+                        language: words.next().unwrap_or_default(),
+                        attributes: words.collect(),
+                        text: String::new(),
+                    };
+                    open = Some((block, line.len() - body.len()));
+                } else if let Some(heading) = line.strip_prefix('#') {
+                    section = heading.trim_start_matches('#').trim().to_string();
+                }
+            }
+            Some((block, indent)) => {
+                if body.trim_end() == "```" {
+                    blocks.extend(open.take().map(|(block, _)| block));
+                } else {
+                    let own = line.len() - body.len();
+                    block.text.push_str(&line[own.min(*indent)..]);
+                    block.text.push('\n');
+                }
+            }
+        }
+    }
+    assert!(open.is_none(), "a block is not closed");
+    blocks
+}
+
+/// The Markdown files under a folder, sorted.
+pub fn pages(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut folders = vec![folder.to_path_buf()];
+    while let Some(folder) = folders.pop() {
+        let entries = std::fs::read_dir(&folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
+        for entry in entries {
+            let path = entry.unwrap_or_else(|e| panic!("{}: {e}", folder.display())).path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|e| e == "md") {
+                found.push(path);
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blocks_have_sections_attributes_and_text() {
+        let found = blocks("# A\n\n```gct,wrong,file=a.gct\nstep 1\n```\n## B\n- x\n  ```csv\n  t_ms\n   0\n  ```\n");
+        assert_eq!(found.len(), 2);
+        assert_eq!((found[0].line, found[0].section.as_str(), found[0].text.as_str()), (3, "A", "step 1\n"));
+        assert!(found[0].has("wrong") && found[0].value("file") == Some("a.gct"));
+        assert_eq!((found[1].language.as_str(), found[1].text.as_str()), ("csv", "t_ms\n 0\n"));
+    }
+}

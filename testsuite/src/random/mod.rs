@@ -1,0 +1,71 @@
+//! Random charts as `.gct` text, and random traces for them.
+//!
+//! A seed is a chart: the same seed gives the same text for as long as this module stays as it is, and a failure that
+//! is worth keeping becomes a vector of its own. Charts are correct by construction, as far as the rules of the
+//! language can be kept without a model of it; [`checked`] tries the next seed in the rare other case.
+//!
+//! Structure is drawn first ([`structure`]), with every label known; then declarations, conditions and actions are
+//! written ([`expression`]), so that any condition may name any step. Weights lean towards charts in which things
+//! happen: rings rather than dead ends, conditions of one or two inputs, delays that the traces meet to the millisecond.
+
+mod expression;
+pub mod scaling;
+mod structure;
+mod trace;
+mod write;
+
+use grafc_diagnostics::FileId;
+use grafc_model::chart::Chart;
+pub use trace::trace;
+
+/// Which part of the language a chart may use.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Kind {
+    /// Partial grafcets and macro-steps.
+    Flat,
+    /// Enclosures, activation links and forcing orders as well.
+    Hierarchical,
+}
+
+/// The text of the chart of a seed; nearly always free of errors.
+pub fn text(seed: u64, kind: Kind) -> String {
+    let mut rng = fastrand::Rng::with_seed(seed);
+    let frames = structure::draw(&mut rng, kind);
+    write::chart(&mut rng, &format!("Random_{seed}"), &frames)
+}
+
+/// A chart that was drawn and checked.
+pub struct Drawn {
+    /// What gives it again.
+    pub seed: u64,
+    /// Its text.
+    pub text: String,
+    /// The chart.
+    pub chart: Chart,
+    /// How many texts before it had errors.
+    pub rejected: u32,
+}
+
+/// The chart of a seed, or of the next derived seed whose text has no errors.
+///
+/// # Panics
+/// If a hundred texts in a row have errors: then the generator is at fault, and the first message is shown.
+pub fn checked(seed: u64, kind: Kind) -> Drawn {
+    let mut complaint = String::new();
+    for rejected in 0..100 {
+        let seed = if rejected == 0 { seed } else { seed.wrapping_mul(1_000_003).wrapping_add(u64::from(rejected)) };
+        let text = text(seed, kind);
+        let (ast, mut said) = grafc_syntax::parse(FileId::default(), &text);
+        if !said.has_errors() {
+            let (chart, more) = grafc_model::check(&ast, "random");
+            said.append(more);
+            if let Some(chart) = chart {
+                return Drawn { seed, text, chart, rejected };
+            }
+        }
+        if complaint.is_empty() {
+            complaint = format!("{said:#?}\n{text}");
+        }
+    }
+    panic!("the generator writes charts with errors: {complaint}");
+}

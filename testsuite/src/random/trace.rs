@@ -1,0 +1,50 @@
+//! Random traces.
+
+use fastrand::Rng;
+use grafc_model::chart::{Chart, Type, Value, VariableKind};
+use grafc_model::reaction::Stimulus;
+
+/// Steps of time: those that delays of random charts are made of, and one millisecond to either side.
+const ADVANCES: [i64; 12] = [0, 1, 10, 499, 500, 500, 501, 1000, 1000, 1500, 2000, 5000];
+
+/// `rows` stimuli for a chart, the initial reaction first.
+pub fn trace(seed: u64, chart: &Chart, rows: usize) -> Vec<Stimulus> {
+    let mut rng = Rng::with_seed(seed ^ 0x7472_6163_6500);
+    let inputs: Vec<_> = chart.variables.iter().filter(|v| v.kind == VariableKind::Input).collect();
+    let mut values: Vec<Value> = inputs.iter().map(|v| v.initial).collect();
+    let mut stimuli = Vec::with_capacity(rows);
+    let mut t_ms = if rng.bool() { 0 } else { rng.i64(0..10_000) };
+    let start = rng.f32() < 0.3;
+    for row in 0..rows {
+        if row > 0 {
+            t_ms += if rng.f32() < 0.9 { ADVANCES[rng.usize(0..ADVANCES.len())] } else { rng.i64(0..=5000) };
+        }
+        // Some rows change nothing but the time: then only delays and levels are at work.
+        if (row > 0 || start) && rng.f32() < 0.85 {
+            for (value, variable) in values.iter_mut().zip(&inputs) {
+                if rng.f32() < 0.35 {
+                    *value = change(&mut rng, variable.ty, *value);
+                }
+            }
+        }
+        stimuli.push(Stimulus { t_ms, inputs: values.clone() });
+    }
+    stimuli
+}
+
+fn change(rng: &mut Rng, ty: Type, value: Value) -> Value {
+    let small = rng.i64(0..=5);
+    let extreme = rng.f32() < 0.15;
+    match (value, ty) {
+        (Value::Bool(b), _) => Value::Bool(!b),
+        (Value::Time(_), _) => Value::Time([0, 1, 500, 1000, 1500, 90_000][small as usize]),
+        (Value::Int(_), Type::Int) if extreme => Value::Int([32_767, -32_768, -1][rng.usize(0..3)]),
+        (Value::Int(_), Type::Dint) if extreme => Value::Int([2_147_483_647, -2_147_483_648, -1][rng.usize(0..3)]),
+        (Value::Int(_), Type::Uint) if extreme => Value::Int(65_535),
+        (Value::Int(_), Type::Udint) if extreme => Value::Int(4_294_967_295),
+        (Value::Int(_), _) => Value::Int(small),
+        (Value::Real(_), Type::Real) if extreme => Value::Real(f64::from([0.1f32, -2.5, 1.0e6][rng.usize(0..3)])),
+        (Value::Real(_), _) if extreme => Value::Real([0.1, -2.5, 1.0e6][rng.usize(0..3)]),
+        (Value::Real(_), _) => Value::Real(small as f64 / 2.0),
+    }
+}

@@ -1,0 +1,229 @@
+//! A random chart as text: declarations, then the frames with conditions and actions.
+
+use super::expression::{Allowed, Scope};
+use super::structure::{Frame, NodeKind, Place};
+use fastrand::Rng;
+use grafc_model::chart::Type;
+use std::fmt::Write as _;
+
+const TYPES: [Type; 8] =
+    [Type::Int, Type::Dint, Type::Uint, Type::Udint, Type::Real, Type::Lreal, Type::Time, Type::Bool];
+
+fn keyword(ty: Type) -> &'static str {
+    match ty {
+        Type::Bool => "bool",
+        Type::Int => "int",
+        Type::Dint => "dint",
+        Type::Uint => "uint",
+        Type::Udint => "udint",
+        Type::Real => "real",
+        Type::Lreal => "lreal",
+        Type::Time => "time",
+    }
+}
+
+/// Names that targets stumble over; each is unique whatever its case.
+const AWKWARD: [&str; 14] =
+    ["`on`", "TON", "EN", "вход", "Größe", "a__b", "x_", "NULL", "`2s/X202`", "ADD", "R_EDGE", "`a b`", "_u", "REAL"];
+
+/// The text of a chart with these frames.
+pub(super) fn chart(rng: &mut Rng, name: &str, frames: &[Frame]) -> String {
+    let mut out = format!("chart {name}\n\n");
+    let mut writer = Writer { scope: Scope::default(), stored: Vec::new(), awkward: AWKWARD.to_vec(), rng };
+    writer.name_activities(frames);
+    writer.declare(&mut out);
+    for frame in frames {
+        writer.frame(&mut out, frame);
+    }
+    out
+}
+
+struct Writer<'a> {
+    scope: Scope,
+    /// What stored actions may assign.
+    stored: Vec<(String, Type)>,
+    awkward: Vec<&'static str>,
+    rng: &'a mut Rng,
+}
+
+impl Writer<'_> {
+    fn name_activities(&mut self, frames: &[Frame]) {
+        for frame in frames {
+            if !matches!(frame.place, Place::Expansion(_)) && self.rng.f32() < 0.5 {
+                self.scope.activities.push(format!("X{}", frame.name));
+            }
+            for node in &frame.nodes {
+                self.scope.activities.push(format!("X{}", node.label));
+                if node.kind != NodeKind::Macro {
+                    self.scope.durations.push(format!("T{}", node.label));
+                }
+            }
+        }
+    }
+
+    fn fresh(&mut self, prefix: &str, index: usize) -> String {
+        if self.rng.f32() < 0.05 && !self.awkward.is_empty() {
+            let at = self.rng.usize(0..self.awkward.len());
+            return self.awkward.swap_remove(at).to_string();
+        }
+        format!("{prefix}{index}")
+    }
+
+    fn declare(&mut self, out: &mut String) {
+        for index in 0..self.rng.usize(2..=5) {
+            let name = self.fresh("a", index);
+            let _ = writeln!(out, "input {name} : bool{}", self.initial(Type::Bool, 0.1));
+            self.scope.bools.push(name);
+        }
+        for index in 0..self.rng.usize(0..=2) {
+            let (name, ty) = (self.fresh("n", index), TYPES[self.rng.usize(0..7)]);
+            let _ = writeln!(out, "input {name} \"a number\" : {}{}", keyword(ty), self.initial(ty, 0.2));
+            self.scope.numbers.push((name, ty));
+        }
+        for index in 0..self.rng.usize(1..=4) {
+            let name = self.fresh("w", index);
+            let kind = if self.rng.f32() < 0.8 { "output" } else { "var" };
+            let _ = writeln!(out, "{kind} {name} : bool");
+            self.scope.wires.push(name);
+        }
+        for index in 0..self.rng.usize(0..=5) {
+            let (name, ty) = (self.fresh("v", index), TYPES[self.rng.usize(0..8)]);
+            let kind = if self.rng.f32() < 0.6 { "output" } else { "var" };
+            let _ = writeln!(out, "{kind} {name} : {}{}", keyword(ty), self.initial(ty, 0.3));
+            if ty == Type::Bool {
+                self.scope.bools.push(name.clone());
+            } else {
+                self.scope.numbers.push((name.clone(), ty));
+            }
+            self.stored.push((name, ty));
+        }
+        for index in 0..self.rng.usize(0..=2) {
+            let (name, ty) = (self.fresh("k", index), TYPES[self.rng.usize(0..8)]);
+            let value = self.scope.literal(self.rng, ty);
+            let _ = writeln!(out, "const {name} : {} := {value}", keyword(ty));
+            match ty {
+                Type::Bool => self.scope.bools.push(name),
+                Type::Time => {
+                    self.scope.delays.push(name.clone());
+                    self.scope.numbers.push((name, ty));
+                }
+                _ => self.scope.numbers.push((name, ty)),
+            }
+        }
+        out.push('\n');
+    }
+
+    fn initial(&mut self, ty: Type, share: f32) -> String {
+        if self.rng.f32() < share { format!(" := {}", self.scope.literal(self.rng, ty)) } else { String::new() }
+    }
+
+    fn frame(&mut self, out: &mut String, frame: &Frame) {
+        let _ = match &frame.place {
+            Place::Top => writeln!(out, "grafcet {} {{", frame.name),
+            Place::In(step) => writeln!(out, "grafcet X{step}/{} {{", frame.name),
+            Place::Expansion(_) => writeln!(out, "expansion {} {{", frame.name),
+        };
+        for node in &frame.nodes {
+            let words = [
+                if node.initial { "initial " } else { "" },
+                if node.activated { "activated " } else { "" },
+                match node.kind {
+                    NodeKind::Step => "",
+                    NodeKind::Enclosing => "enclosing ",
+                    NodeKind::Macro => "macro ",
+                },
+            ];
+            let comment = if self.rng.f32() < 0.1 { " \"says *) and (* \"" } else { "" };
+            let _ = write!(out, "  {}step {}{comment}", words.concat(), node.label);
+            let mut actions: Vec<String> = Vec::new();
+            if node.kind != NodeKind::Macro {
+                for _ in 0..[0, 0, 1, 1, 2, 3][self.rng.usize(0..6)] {
+                    actions.extend(self.action());
+                }
+                actions.extend(node.orders.iter().map(|order| format!("force {order}")));
+            }
+            if actions.is_empty() {
+                out.push('\n');
+            } else {
+                let _ = writeln!(out, " {{\n    {}\n  }}", actions.join("\n    "));
+            }
+        }
+        for (index, (pre, post)) in frame.arcs.iter().enumerate() {
+            let designation = if self.rng.f32() < 0.5 { format!("({}_{index}) ", frame.name) } else { String::new() };
+            let condition = self.transition_condition(pre.is_empty());
+            let _ = write!(out, "  transition {designation}{} -> {} : {condition}", pre.join(", "), post.join(", "));
+            if self.rng.f32() < 0.15
+                && let Some(assignment) = self.assignment()
+            {
+                let _ = write!(out, " {{ {assignment} }}");
+            }
+            out.push('\n');
+        }
+        out.push_str("}\n\n");
+    }
+
+    /// Sources that are open all the time would flood the chart, so most wait for an edge.
+    fn transition_condition(&mut self, source: bool) -> String {
+        let allowed = Allowed { edges: true, delays: true, wires: self.scope.wires.len(), arithmetic: false };
+        match self.rng.u8(0..20) {
+            0 if !source => "1".to_string(),
+            1..8 => {
+                let sign = if source { "↑" } else { ["", "not ", "↑", "↑", "↓"][self.rng.usize(0..5)] };
+                format!("{sign}{}", self.scope.bools[self.rng.usize(0..self.scope.bools.len())])
+            }
+            _ => self.scope.condition(self.rng, 2, allowed),
+        }
+    }
+
+    fn action(&mut self) -> Option<String> {
+        if self.rng.f32() < 0.45 || self.stored.is_empty() {
+            let index = self.rng.usize(0..self.scope.wires.len());
+            let target = &self.scope.wires[index];
+            if self.rng.bool() {
+                return Some(target.clone());
+            }
+            let allowed = Allowed { edges: false, delays: true, wires: index, arithmetic: false };
+            return Some(format!("{target} if {}", self.scope.condition(self.rng, 2, allowed)));
+        }
+        let assignment = self.assignment()?;
+        let event = match self.rng.u8(0..10) {
+            0..4 => "on activation".to_string(),
+            4..6 => "on deactivation".to_string(),
+            _ => {
+                let allowed = Allowed { edges: true, delays: true, wires: self.scope.wires.len(), arithmetic: false };
+                let mut event = self.scope.condition(self.rng, 2, allowed);
+                if !event.contains(['↑', '↓']) && self.rng.f32() < 0.7 {
+                    event = format!("↑{}", self.scope.bools[self.rng.usize(0..self.scope.bools.len())]);
+                }
+                format!("on event {event}")
+            }
+        };
+        Some(format!("{assignment} {event}"))
+    }
+
+    fn assignment(&mut self) -> Option<String> {
+        let (target, ty) = self.stored.get(self.rng.usize(0..self.stored.len().max(1)))?.clone();
+        let value = match ty {
+            Type::Bool if self.rng.bool() => self.scope.literal(self.rng, ty),
+            Type::Bool => {
+                let edges = self.rng.f32() < 0.2;
+                let allowed = Allowed { edges, delays: false, wires: self.scope.wires.len(), arithmetic: true };
+                self.scope.condition(self.rng, 1, allowed)
+            }
+            // Counting is what charts do most.
+            Type::Int | Type::Dint | Type::Uint | Type::Udint if self.rng.bool() => format!("{target} + 1"),
+            // Longer products of times would leave the range of every target.
+            Type::Time => match self.rng.u8(0..3) {
+                0 => format!("{target} + 1s"),
+                1 if !self.scope.durations.is_empty() => {
+                    self.scope.durations[self.rng.usize(0..self.scope.durations.len())].clone()
+                }
+                _ => self.scope.literal(self.rng, ty),
+            },
+            Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Real | Type::Lreal => {
+                self.scope.number(self.rng, ty, 2)
+            }
+        };
+        Some(format!("{target} := {value}"))
+    }
+}

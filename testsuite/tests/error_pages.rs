@@ -1,0 +1,142 @@
+//! Each page in `docs/errors` against the compiler: its wrong example gives its code and nothing else, its right
+//! example gives nothing.
+
+use grafc_diagnostics::{Code, Diagnostics, FileId, Severity};
+use grafc_testsuite::binary::{grafc, root};
+use grafc_testsuite::markdown::{Block, blocks};
+use std::collections::BTreeSet;
+use std::process::Command;
+
+/// Codes whose pages cannot show an example, and why. Their pages say so too.
+const WITHOUT_EXAMPLE: &[(Code, &str)] = &[
+    (Code::E0109, "the text would have to be longer than 4 GiB"),
+    (Code::E0110, "a page is UTF-8 itself; `bytes_that_are_not_utf8` runs the binary instead"),
+    (Code::E0901, "no text is known to give it, else it would be mended"),
+];
+
+fn examples(code: Code, section: &str) -> Vec<Block> {
+    blocks(code.page()).into_iter().filter(|b| b.section == section).collect()
+}
+
+/// The block of a language, of which there is at most one.
+fn only<'a>(blocks: &'a [Block], language: &str) -> Option<&'a Block> {
+    let mut found = blocks.iter().filter(|b| b.language == language);
+    let first = found.next();
+    assert!(found.next().is_none(), "there are two {language} blocks");
+    first
+}
+
+/// What is said about the example: of a chart, of a trace for it, or of its way to Structured Text.
+fn diagnose(code: Code, chart: &Block, trace: Option<&Block>) -> BTreeSet<Code> {
+    let (checked, mut said) = grafc::pipeline::check(FileId(0), &chart.text, "example");
+    match trace {
+        Some(trace) => {
+            let checked = checked.unwrap_or_else(|| panic!("{code:?}: the chart of the trace has errors: {said:?}"));
+            said.append(grafc_model::trace::parse_trace(FileId(1), &trace.text, &checked).1);
+        }
+        None if code.as_str().starts_with("E05") => return compile(&chart.text),
+        None => {}
+    }
+    codes(&said)
+}
+
+fn codes(said: &Diagnostics) -> BTreeSet<Code> {
+    said.iter().map(|d| d.code).collect()
+}
+
+/// The codes that compiling to Structured Text gives, as the user sees them.
+fn compile(chart: &str) -> BTreeSet<Code> {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    std::fs::write(folder.path().join("example.gct"), chart).expect("a file in it");
+    let mut command = Command::new(grafc());
+    let output = command
+        .current_dir(folder.path())
+        .args(["example.gct", "--target", "st", "-o", "example.st"])
+        .output()
+        .expect("grafc runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    let found: BTreeSet<Code> =
+        Code::ALL.iter().copied().filter(|c| said.contains(&format!("[{}]", c.as_str()))).collect();
+    let errors = found.iter().any(|c| c.severity() == Severity::Error);
+    assert_eq!(output.status.success(), !errors, "exit code and messages disagree: {said}");
+    assert_eq!(
+        folder.path().join("example.st").exists(),
+        !errors,
+        "a file is written if and only if there is no error"
+    );
+    found
+}
+
+#[test]
+fn every_code_has_a_page_with_all_sections() {
+    for code in Code::ALL {
+        let page = code.page();
+        let title = format!("# {}: {}\n", code.as_str(), code.slug());
+        assert!(page.starts_with(&title), "{code:?}: the title is not {title}");
+        let shown = ["Wrong", "Right"].map(|section| !examples(*code, section).is_empty());
+        let excused = WITHOUT_EXAMPLE.iter().any(|(c, _)| c == code);
+        assert_eq!(shown, [!excused; 2], "{code:?}: examples Wrong, Right");
+        assert_eq!(page.contains("There is no example here"), excused, "{code:?}");
+        for section in ["Why", "What to do"] {
+            assert!(page.contains(&format!("\n## {section}\n")), "{code:?}: no section {section}");
+        }
+        let long = page.lines().position(|line| line.chars().count() > 100);
+        assert_eq!(long, None, "{code:?}: a line is too long for a terminal");
+    }
+}
+
+#[test]
+fn no_page_is_without_code() {
+    let mut pages = 0;
+    for entry in std::fs::read_dir(root().join("docs/errors")).expect("the folder of pages") {
+        let path = entry.expect("an entry").path();
+        let stem = path.file_stem().expect("a name").to_string_lossy().into_owned();
+        assert!(path.extension().is_some_and(|e| e == "md"), "{} is no page", path.display());
+        assert!(Code::ALL.iter().any(|c| c.as_str() == stem), "{} has no code", path.display());
+        pages += 1;
+    }
+    assert_eq!(pages, Code::ALL.len());
+}
+
+#[test]
+fn wrong_examples_give_their_code_alone() {
+    let mut faults = Vec::new();
+    for code in Code::ALL {
+        let wrong = examples(*code, "Wrong");
+        let Some(chart) = only(&wrong, "gct") else { continue };
+        let trace = only(&wrong, "csv");
+        assert_eq!(trace.is_some(), code.as_str().starts_with("E06"), "{code:?}: pages about traces show a trace");
+        let found = diagnose(*code, chart, trace);
+        if found != BTreeSet::from([*code]) {
+            faults.push(format!("{code:?}: gives {found:?}"));
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn right_examples_give_nothing() {
+    let mut faults = Vec::new();
+    for code in Code::ALL {
+        let right = examples(*code, "Right");
+        let wrong = examples(*code, "Wrong");
+        // A page about traces shows the chart once.
+        let Some(chart) = only(&right, "gct").or(only(&wrong, "gct")) else { continue };
+        let found = diagnose(*code, chart, only(&right, "csv"));
+        if !found.is_empty() {
+            faults.push(format!("{code:?}: gives {found:?}"));
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn bytes_that_are_not_utf8() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    std::fs::write(folder.path().join("old.gct"), b"initial step f\xFCllen").expect("a file in it");
+    let output =
+        Command::new(grafc()).current_dir(folder.path()).args(["check", "old.gct"]).output().expect("grafc runs");
+    assert_eq!(output.status.code(), Some(1));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(said.contains("error[E0110]"), "{said}");
+}

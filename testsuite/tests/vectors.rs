@@ -1,0 +1,153 @@
+//! Every vector of `vectors/`, run by everything that can run a chart.
+//!
+//! Each test goes through all vectors and reports every one that fails, with the rows that differ. A further way to
+//! run a chart is one more test that hands its function to [`agree`].
+
+use grafc_model::chart::{Chart, GrafcetId, Order, Situation, StepId};
+use grafc_model::reaction::{Evolution, Profile, Response, Stimulus};
+use grafc_model::simulate::Simulator;
+use grafc_testsuite::charts::{self, Case};
+use grafc_testsuite::differential;
+use std::fmt::Write;
+
+/// Runs a check over all vectors and reports every fault at once. A vector that lacks one of its files fails.
+fn each(check: impl Fn(&Case, &Chart, &[Stimulus]) -> Result<(), String>) {
+    let cases = charts::cases(&charts::vectors_folder());
+    assert!(!cases.is_empty(), "there are no vectors");
+    let run = |case: &Case| {
+        let chart = charts::check(&case.name, &case.text)?;
+        let stimuli = charts::stimuli(&case.name, &case.trace, &chart)?;
+        check(case, &chart, &stimuli)
+    };
+    let fault = |case: &Case| run(case).err().map(|fault| format!("{}\n{fault}", case.name));
+    let faults: Vec<String> = cases.iter().filter_map(fault).collect();
+    assert!(faults.is_empty(), "{} of {} vectors fail:\n\n{}", faults.len(), cases.len(), faults.join("\n"));
+}
+
+/// Whether a way to run charts gives the expected results.
+fn agree(run: impl Fn(&Chart, Profile, &[Stimulus]) -> Result<Vec<Response>, String>) {
+    each(|case, chart, stimuli| {
+        let actual = charts::spell(chart, stimuli, &run(chart, case.profile, stimuli)?);
+        if actual == case.expected { Ok(()) } else { Err(difference(&case.expected, &actual)) }
+    });
+}
+
+/// Both results, row by row.
+fn difference(expected: &str, actual: &str) -> String {
+    let mut message = String::new();
+    let (mut expected, mut actual) = (expected.lines(), actual.lines());
+    loop {
+        match (expected.next(), actual.next()) {
+            (None, None) => return message,
+            (Some(expected), Some(actual)) if expected == actual => {
+                let _ = writeln!(message, "           {expected}");
+            }
+            (expected, actual) => {
+                let _ = writeln!(message, "  expected {}", expected.unwrap_or("(no row)"));
+                let _ = writeln!(message, "  actual   {}", actual.unwrap_or("(no row)"));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_simulator_agrees() {
+    agree(|chart, profile, stimuli| {
+        let mut simulator = Simulator::new(chart, profile);
+        Ok(stimuli.iter().map(|stimulus| simulator.react(stimulus)).collect())
+    });
+}
+
+/// Vectors with enclosures or forcing are left out, because these are not lowered yet.
+#[test]
+fn the_scan_program_agrees() {
+    let flat = std::cell::Cell::new(0);
+    each(|case, chart, stimuli| {
+        if !charts::is_flat(chart) {
+            return Ok(());
+        }
+        flat.set(flat.get() + 1);
+        let actual = charts::spell(chart, stimuli, &differential::evaluate(chart, case.profile, stimuli)?);
+        if actual == case.expected { Ok(()) } else { Err(difference(&case.expected, &actual)) }
+    });
+    assert!(flat.get() >= 50, "only {} flat vectors were found", flat.get());
+}
+
+/// I3: after a stable reaction the same stimulus once more changes nothing.
+#[test]
+fn a_repeated_stimulus_changes_nothing() {
+    each(|case, chart, stimuli| {
+        if case.profile.evolution == Evolution::Scan {
+            return Ok(());
+        }
+        let mut simulator = Simulator::new(chart, case.profile);
+        for stimulus in stimuli {
+            let response = simulator.react(stimulus);
+            // A livelock is not a stable reaction, and its flag stays.
+            if response.flags.livelock {
+                break;
+            }
+            let mut again = simulator.clone();
+            let repeated = again.react(stimulus);
+            if repeated != response || again.state() != simulator.state() {
+                return Err(format!("  at {} ms: {response:?}, repeated {repeated:?}", stimulus.t_ms));
+            }
+        }
+        Ok(())
+    });
+}
+
+/// I1: nothing in an enclosure is active while its enclosing step is not.
+#[test]
+fn an_inactive_enclosing_step_has_an_empty_enclosure() {
+    each_situation(|chart, situation| {
+        for grafcet in chart.grafcets.iter() {
+            let enclosed = grafcet.enclosing_step.is_none_or(|step| situation.contains(&step));
+            if !enclosed && grafcet.steps.iter().any(|step| situation.contains(step)) {
+                return Err(format!("{} is active without its enclosing step", grafcet.name));
+            }
+        }
+        Ok(())
+    });
+}
+
+/// I2: a grafcet that is forced to a situation, its enclosing step active, is in that situation.
+#[test]
+fn a_forced_grafcet_is_in_the_forced_situation() {
+    each_situation(|chart, situation| {
+        for (id, grafcet) in chart.grafcets.iter_enumerated() {
+            let enclosed = grafcet.enclosing_step.is_none_or(|step| situation.contains(&step));
+            let Some(order) = in_force(chart, id, situation).filter(|_| enclosed) else { continue };
+            let forced: Vec<StepId> = match &order.situation {
+                Situation::Steps(steps) => steps.clone(),
+                Situation::Initial => grafcet.steps.iter().copied().filter(|&step| chart.steps[step].initial).collect(),
+                Situation::Current => continue,
+            };
+            if grafcet.steps.iter().any(|step| situation.contains(step) != forced.contains(step)) {
+                return Err(format!("{} is not in its forced situation", grafcet.name));
+            }
+        }
+        Ok(())
+    });
+}
+
+/// The order in force on a grafcet: of the highest level, then the first.
+fn in_force<'c>(chart: &'c Chart, grafcet: GrafcetId, situation: &[StepId]) -> Option<&'c Order> {
+    let on_it = chart.orders.iter().filter(|order| order.grafcet == grafcet && situation.contains(&order.step));
+    on_it.min_by_key(|order| chart.grafcets[chart.steps[order.step].grafcet].level)
+}
+
+/// Checks every situation that the simulator publishes, in both profiles.
+fn each_situation(check: impl Fn(&Chart, &[StepId]) -> Result<(), String>) {
+    each(|case, chart, stimuli| {
+        for evolution in [Evolution::Stable, Evolution::Scan] {
+            let mut simulator = Simulator::new(chart, Profile { evolution, ..case.profile });
+            for stimulus in stimuli {
+                let response = simulator.react(stimulus);
+                check(chart, &response.situation)
+                    .map_err(|fault| format!("  {evolution:?}, at {} ms: {fault}", stimulus.t_ms))?;
+            }
+        }
+        Ok(())
+    });
+}
