@@ -44,9 +44,11 @@ pub fn compile(net: &Net, profile: Profile, encoding: Encoding) -> (Option<Progr
     let components = tokens::analyse(net, &lowering.pool, &lowering.edges, &conditions);
     let repeat = loops.then(|| {
         let again = lowering.symbols.fresh(Role::Temporary, "again", Type::Bool, None);
-        let count = lowering.symbols.fresh(Role::Temporary, "micro_steps", Type::Int, None);
+        let bound = profile.bound_for(net.places.len(), net.transitions.len()).clamp(1, i32::MAX as u32);
+        let wide_enough = if bound <= i16::MAX as u32 { Type::Int } else { Type::Dint };
+        let count = lowering.symbols.fresh(Role::Temporary, "micro_steps", wide_enough, None);
         lowering.symbols.flag(Flag::Livelock);
-        Repeat { again, count, bound: profile.bound_for(net.places.len(), net.transitions.len()) }
+        Repeat { again, count, bound }
     });
     let again = repeat.map(|r| r.again);
 

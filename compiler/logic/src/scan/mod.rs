@@ -65,9 +65,9 @@ pub struct Program {
 pub struct Repeat {
     /// True after a micro-step that needs another.
     pub again: VarId,
-    /// Counts the micro-steps of the call.
+    /// Counts the micro-steps of the call; its type holds the bound.
     pub count: VarId,
-    /// At most so many micro-steps.
+    /// At most so many micro-steps; at least one.
     pub bound: u32,
 }
 

@@ -48,13 +48,14 @@ fn sensitive(chart: &Chart) -> IndexVec<StepId, Option<(&'static str, Span)>> {
         }
     }
     for expr in &chart.exprs {
-        let timed = match expr.kind {
-            ExprKind::StepTime(step) => Some(step),
-            ExprKind::Delay { operand, .. } => match chart.exprs[operand].kind {
-                ExprKind::StepActive(step) => Some(step),
-                _ => None,
-            },
-            _ => None,
+        let timed = if let ExprKind::StepTime(step) = expr.kind {
+            Some(step)
+        } else if let ExprKind::Delay { operand, .. } = expr.kind
+            && let ExprKind::StepActive(step) = chart.exprs[operand].kind
+        {
+            Some(step)
+        } else {
+            None
         };
         if let Some(step) = timed {
             sensitive[step].get_or_insert(("start its time anew", expr.span));

@@ -28,16 +28,16 @@ pub fn assign(parts: &Parts, variables: &mut IndexVec<VariableId, Variable>, dia
         let ids = first..first + declaration.names.len();
         first = ids.end;
         let Some(text) = &declaration.address else { continue };
-        let address = parse(&text.text)
-            .ok_or_else(|| malformed(text))
-            .and_then(|address| fits(&address, declaration, text.span).map(|()| address));
-        let mut next = match address {
-            Ok(address) => Some(address),
-            Err(diagnostic) => {
-                diagnostics.push(diagnostic);
-                continue;
-            }
+        let address = parse(&text.text);
+        let fault = match &address {
+            Some(address) => misfit(address, declaration, text.span),
+            None => Some(malformed(text)),
         };
+        if let Some(diagnostic) = fault {
+            diagnostics.push(diagnostic);
+            continue;
+        }
+        let mut next = address;
         for id in ids.map(VariableId::new) {
             let Some(address) = next else {
                 let message = format!("no address is left for `{}` after `{}`", variables[id].name, text.text);
@@ -113,8 +113,8 @@ fn spell(address: &Address, written: &str) -> String {
     format!("%{}{size}{}", address.area, numbers.join("."))
 }
 
-/// Whether area and size suit the kind and the type of what is declared.
-fn fits(address: &Address, declaration: &ast::Declaration, span: Span) -> Result<(), Diagnostic> {
+/// The error on an area or a size that does not suit the kind or the type of what is declared.
+fn misfit(address: &Address, declaration: &ast::Declaration, span: Span) -> Option<Diagnostic> {
     let (what, areas): (&str, &[char]) = match kind(declaration.kind) {
         VariableKind::Input => ("an input", &['I', 'M']),
         VariableKind::Output => ("an output", &['Q', 'M']),
@@ -128,7 +128,7 @@ fn fits(address: &Address, declaration: &ast::Declaration, span: Span) -> Result
             true => "a constant has no place in memory".to_owned(),
             false => format!("{what} is at {}", allowed.join(" or ")),
         };
-        return Err(Diagnostic::new(Code::E0212, span, message).note(note));
+        return Some(Diagnostic::new(Code::E0212, span, message).note(note));
     }
     let size = match declaration.ty {
         Type::Bool => 'X',
@@ -139,11 +139,15 @@ fn fits(address: &Address, declaration: &ast::Declaration, span: Span) -> Result
     if address.size != size {
         let ty = types::name(declaration.ty);
         let message = format!("a variable of type `{ty}` cannot be at `%{}{}`", address.area, address.size);
-        return Err(Diagnostic::new(Code::E0212, span, message)
-            .also(declaration.ty_span, "the type is here")
-            .help(format!("`{ty}` takes the size `{size}`, as in `%{}{size}{}`", address.area, example(size))));
+        return Some(
+            Diagnostic::new(Code::E0212, span, message).also(declaration.ty_span, "the type is here").help(format!(
+                "`{ty}` takes the size `{size}`, as in `%{}{size}{}`",
+                address.area,
+                example(size)
+            )),
+        );
     }
-    Ok(())
+    None
 }
 
 fn example(size: char) -> &'static str {

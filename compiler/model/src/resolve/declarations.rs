@@ -191,7 +191,7 @@ impl Evaluation<'_, '_> {
             match fold(&pool, root, &self.values.constants, |id| kinds[id].kind == VariableKind::Constant) {
                 Ok(value) => value,
                 Err(diagnostic) => {
-                    self.diagnostics.push(diagnostic);
+                    self.diagnostics.push(*diagnostic);
                     None
                 }
             }

@@ -14,7 +14,7 @@ pub fn fold(
     root: ExprId,
     constants: &IndexVec<VariableId, Option<Value>>,
     is_constant: impl Fn(VariableId) -> bool,
-) -> Result<Option<Value>, Diagnostic> {
+) -> Result<Option<Value>, Box<Diagnostic>> {
     let mut values: IndexVec<ExprId, Option<Value>> = IndexVec::with_capacity(pool.len());
     for expr in pool {
         let get = |id: ExprId| values[id];
@@ -55,7 +55,7 @@ pub fn fold(
     Ok(values[root])
 }
 
-fn arithmetic(expr: &Expr, op: Arithmetic, a: Value, b: Value) -> Result<Value, Diagnostic> {
+fn arithmetic(expr: &Expr, op: Arithmetic, a: Value, b: Value) -> Result<Value, Box<Diagnostic>> {
     if let (Value::Real(a), Value::Real(b)) = (a, b) {
         let exact = match op {
             Arithmetic::Add => a + b,
@@ -80,7 +80,7 @@ fn arithmetic(expr: &Expr, op: Arithmetic, a: Value, b: Value) -> Result<Value, 
 }
 
 /// A whole number or a time as its type holds it.
-fn whole(expr: &Expr, value: i128) -> Result<Value, Diagnostic> {
+fn whole(expr: &Expr, value: i128) -> Result<Value, Box<Diagnostic>> {
     let (least, most) = types::whole_range(expr.ty).unwrap_or(types::TIME_RANGE);
     let value = i64::try_from(value).ok().filter(|v| (least..=most).contains(v)).ok_or_else(|| out_of_range(expr))?;
     Ok(if expr.ty == Type::Time { Value::Time(value) } else { Value::Int(value) })
@@ -113,15 +113,17 @@ fn number(value: Value) -> i64 {
     }
 }
 
-fn not_constant(expr: &Expr, message: &str) -> Diagnostic {
-    Diagnostic::new(Code::E0208, expr.span, message)
-        .note("the value of a declaration is made of literals and of constants")
+fn not_constant(expr: &Expr, message: &str) -> Box<Diagnostic> {
+    Box::new(
+        Diagnostic::new(Code::E0208, expr.span, message)
+            .note("the value of a declaration is made of literals and of constants"),
+    )
 }
 
-fn division_by_zero(expr: &Expr) -> Diagnostic {
-    Diagnostic::new(Code::E0208, expr.span, "a division by zero has no value")
+fn division_by_zero(expr: &Expr) -> Box<Diagnostic> {
+    Box::new(Diagnostic::new(Code::E0208, expr.span, "a division by zero has no value"))
 }
 
-fn out_of_range(expr: &Expr) -> Diagnostic {
-    Diagnostic::new(Code::E0210, expr.span, format!("the value does not fit `{}`", types::name(expr.ty)))
+fn out_of_range(expr: &Expr) -> Box<Diagnostic> {
+    Box::new(Diagnostic::new(Code::E0210, expr.span, format!("the value does not fit `{}`", types::name(expr.ty))))
 }

@@ -1,0 +1,71 @@
+//! The laws that the constructors of formulas apply, and no others.
+
+use grafc_logic::formula::{Comparison, Formula, FormulaId, Pool, Type, Value};
+use grafc_logic::scan::VarId;
+use rustc_hash::FxHashMap;
+
+fn pool() -> (Pool, FormulaId, FormulaId, FormulaId) {
+    let mut pool = Pool::default();
+    let [a, b, c] = [0, 1, 2].map(|v| pool.variable(VarId::new(v), Type::Bool));
+    (pool, a, b, c)
+}
+
+#[test]
+fn equal_formulas_are_one() {
+    let (mut pool, a, b, _) = pool();
+    assert_eq!(pool.and([a, b]), pool.and([a, b]));
+    assert_ne!(pool.and([a, b]), pool.and([b, a]), "the order of the author is kept");
+    let (zero, minus) = (pool.constant(Value::Real(0.0), Type::Real), pool.constant(Value::Real(-0.0), Type::Real));
+    assert_ne!(zero, minus);
+}
+
+#[test]
+fn constants_and_repetitions_go() {
+    let (mut pool, a, b, _) = pool();
+    let (yes, no) = (pool.truth(true), pool.truth(false));
+    let not_a = pool.not(a);
+    assert_eq!(pool.and([yes, a]), a);
+    assert_eq!(pool.or([no, a, a]), a);
+    assert_eq!(pool.and([a, no, b]), no);
+    assert_eq!(pool.or([]), no);
+    assert_eq!(pool.and([]), yes);
+    assert_eq!(pool.not(not_a), a);
+    assert_eq!(pool.and([a, b, not_a]), no);
+    assert_eq!(pool.or([not_a, b, a]), yes);
+    assert_eq!(pool.xor(a, a), no);
+    assert_eq!(pool.xor(a, yes), not_a);
+}
+
+#[test]
+fn chains_are_flat_and_mixtures_stay() {
+    let (mut pool, a, b, c) = pool();
+    let ab = pool.and([a, b]);
+    let abc = pool.and([ab, c]);
+    assert_eq!(pool.get(abc), &Formula::And([a, b, c].into()));
+    let mixed = pool.or([ab, c]);
+    assert_eq!(pool.get(mixed), &Formula::Or([ab, c].into()));
+    assert_eq!(pool.depth(mixed), 2);
+}
+
+#[test]
+fn numbers_that_are_none_do_not_differ() {
+    let mut pool = Pool::default();
+    let [x, y] = [0, 1].map(|v| pool.variable(VarId::new(v), Type::Lreal));
+    let differs = pool.differs(x, y);
+    let Formula::And(terms) = pool.get(differs) else { panic!("a conjunction") };
+    assert_eq!(pool.get(terms[0]), &Formula::Compare(Comparison::NotEqual, x, y));
+    let [m, n] = [2, 3].map(|v| pool.variable(VarId::new(v), Type::Int));
+    let differs = pool.differs(m, n);
+    assert_eq!(pool.get(differs), &Formula::Compare(Comparison::NotEqual, m, n));
+}
+
+#[test]
+fn substitution_simplifies_on_the_way() {
+    let (mut pool, a, b, c) = pool();
+    let not_b = pool.not(b);
+    let left = pool.and([a, not_b]);
+    let formula = pool.or([left, c]);
+    let yes = pool.truth(true);
+    let by = FxHashMap::from_iter([(VarId::new(1), yes)]);
+    assert_eq!(pool.substitute(formula, &by), c);
+}

@@ -1,0 +1,153 @@
+//! What a scan program holds, and above all what it does not: nothing that the chart does not use, and no more than
+//! is needed where the net itself proves that it is not.
+
+use grafc_diagnostics::{Code, Diagnostics, FileId};
+use grafc_logic::formula::Type;
+use grafc_logic::scan::{Program, Role, Statement, VarId, verify};
+use grafc_logic::{Encoding, compile};
+use grafc_model::reaction::{Evolution, Profile};
+
+fn compiled(text: &str, profile: Profile) -> (Option<Program>, Diagnostics) {
+    let (tree, said) = grafc_syntax::parse(FileId::default(), text);
+    assert!(!said.has_errors(), "{said:?}");
+    let (chart, said) = grafc_model::check(&tree, "chart");
+    let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{said:?}")));
+    let mut said = Diagnostics::new();
+    grafc_net::passes::run(&mut net, &mut said);
+    compile(&net, profile, Encoding::default())
+}
+
+fn program(text: &str) -> Program {
+    let (program, said) = compiled(text, Profile::default());
+    program.unwrap_or_else(|| panic!("{said:?}"))
+}
+
+/// The names of the variables of ours.
+fn ours(program: &Program) -> Vec<&str> {
+    let chart = [Role::Input, Role::Output, Role::Internal, Role::Constant, Role::Step];
+    program.variables.iter().filter(|v| !chart.contains(&v.role)).map(|v| v.name.as_str()).collect()
+}
+
+/// How often a variable is read by the value of the assignments to another.
+fn reads(program: &Program, of: &str, by: &str) -> usize {
+    let name = |v: VarId| program.variables[v].name.as_str();
+    let mut count = 0;
+    for statement in &program.micro_step {
+        if let Statement::Assign { target, value, .. } = statement
+            && name(*target) == by
+        {
+            count += program
+                .pool
+                .below(*value)
+                .into_iter()
+                .filter(
+                    |f| matches!(program.pool.get(*f), grafc_logic::formula::Formula::Variable(v) if name(*v) == of),
+                )
+                .count();
+        }
+    }
+    count
+}
+
+#[test]
+fn four_steps_need_little() {
+    let program = program(
+        "input a, b, c, d : bool  output Q : bool
+         initial step 1  step 2 { Q }  step 3  step 4
+         transition 1 -> 2 : a  transition 2 -> 3 : b  transition 3 -> 4 : c  transition 4 -> 1 : d",
+    );
+    assert_eq!(ours(&program), ["again", "micro_steps", "LIVELOCK", "clr_1", "clr_2", "clr_3", "clr_4", "started"]);
+    assert_eq!(reads(&program, "X2", "again"), 0, "one token: every clearing moves it");
+    assert_eq!(program.micro_step.len(), 11, "four clearings, `again`, four steps, two headings");
+}
+
+#[test]
+fn the_counter_of_micro_steps_holds_the_bound() {
+    let text = "input a : bool  initial step 1  step 2  transition 1 -> 2 : a";
+    let of = |bound| {
+        let program = compiled(text, Profile { bound: Some(bound), ..Profile::default() }).0.expect("a program");
+        let repeat = program.repeat.expect("a loop");
+        (repeat.bound, program.variables[repeat.count].ty)
+    };
+    assert_eq!(of(32_767), (32_767, Type::Int));
+    assert_eq!(of(32_768), (32_768, Type::Dint));
+    assert_eq!(of(u32::MAX), (2_147_483_647, Type::Dint));
+    assert_eq!(of(0), (1, Type::Int), "a reaction is at least one micro-step");
+}
+
+#[test]
+fn one_evolution_a_scan_has_no_loop() {
+    let text = "input a : bool  initial step 1  step 2  transition 1 -> 2 : a";
+    let (program, _) = compiled(text, Profile { evolution: Evolution::Scan, ..Profile::default() });
+    let program = program.expect("a program");
+    assert!(program.repeat.is_none());
+    assert_eq!(ours(&program), ["clr_1", "started"]);
+}
+
+#[test]
+fn branches_that_exclude_each_other_keep_one_token() {
+    let divergence = |second: &str| {
+        program(&format!(
+            "input a, b : bool  initial step 1  step 2  step 3
+             transition 1 -> 2 : a and not b  transition 1 -> 3 : {second}
+             transition 2 -> 1 : b  transition 3 -> 1 : not b",
+        ))
+    };
+    assert_eq!(reads(&divergence("b"), "X2", "again"), 0);
+    assert_eq!(reads(&divergence("a"), "X2", "again"), 1, "both may clear: two steps may be active");
+}
+
+#[test]
+fn parallel_branches_are_components() {
+    let program = program(
+        "input a : bool  output P : bool
+         initial step 1  step 2 { P := 1 on activation }  step 3  step 4 { P := 0 on activation }
+         transition 1 -> 2, 3 : a  transition 2, 3 -> 4 : 1  transition 4 -> 1 : not a",
+    );
+    assert_eq!(reads(&program, "X2", "again") + reads(&program, "X3", "again"), 0);
+    assert!(!ours(&program).contains(&"ALLOC_CONFLICT"), "2 and 4 are not activated at once");
+}
+
+#[test]
+fn a_source_transition_brings_further_tokens() {
+    let program = program("input a, b : bool  initial step 1  step 2  transition -> 1 : a  transition 1 -> 2 : b");
+    assert!(reads(&program, "X1", "again") > 0);
+}
+
+#[test]
+fn deep_conditions_are_cut_into_pieces() {
+    let mut condition = "a".to_owned();
+    for _ in 0..1000 {
+        condition = format!("(b or (a and {condition}))");
+    }
+    let program = program(&format!("input a, b : bool  initial step 1  step 2  transition 1 -> 2 : {condition}"));
+    assert!(program.pool.ids().all(|f| program.pool.depth(f) <= 60));
+    assert!(ours(&program).contains(&"part_1"));
+}
+
+#[test]
+fn every_read_has_a_value() {
+    let mut program = program("input a : bool  initial step 1  step 2  transition 1 -> 2 : ↑a");
+    assert_eq!(verify(&program), Ok(()));
+    let edge = program
+        .micro_step
+        .iter()
+        .position(|s| matches!(s, Statement::Assign { target, .. } if program.variables[*target].name == "rise_a"));
+    program.micro_step.remove(edge.expect("the edge"));
+    assert!(verify(&program).is_err(), "`rise_a` is read and never set");
+}
+
+#[test]
+fn what_is_not_lowered_is_named() {
+    let (program, said) = compiled(
+        "input a : bool
+         grafcet G1 { initial step 1  enclosing step 2  transition 1 -> 2 : a  step 3 { force G2{} }  transition 2 -> 3 : a }
+         grafcet X2/G3 { activated step 30 }
+         grafcet G2 { initial step 20 }",
+        Profile::default(),
+    );
+    assert!(program.is_none());
+    let codes: Vec<Code> = said.iter().map(|d| d.code).collect();
+    assert_eq!(codes, [Code::E0501, Code::E0502]);
+    assert!(said.iter().all(|d| d.message.contains("G3") || d.message.contains("G2")));
+}
