@@ -343,18 +343,7 @@ impl State {
             Token::Minus => !self.operand,
             _ => false,
         };
-        self.operand = match token {
-            Token::Name
-            | Token::Whole
-            | Token::Integer(_)
-            | Token::Real(_)
-            | Token::Duration(_)
-            | Token::True
-            | Token::False
-            | Token::CloseParen
-            | Token::CloseBracket => true,
-            _ => false,
-        };
+        self.operand = ends_operand(token);
         match token {
             Token::Assign => self.value = true,
             Token::On => self.value = false,
@@ -369,4 +358,10 @@ impl State {
             _ => {}
         }
     }
+}
+
+/// Whether a minus behind this token subtracts.
+fn ends_operand(token: Token) -> bool {
+    use Token::*;
+    matches!(token, Name | Whole | Integer(_) | Real(_) | Duration(_) | True | False | CloseParen | CloseBracket)
 }

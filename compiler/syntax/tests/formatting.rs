@@ -72,7 +72,6 @@ fn one_blank_line_at_most() {
     assert_eq!(
         format("\n\n// first\n\n\n\nstep 1\n\nstep 2\ngrafcet G {\n\n  // in\n\n  step 3\n\n\n}\n\n\n// last\n\n"),
         "// first\n\nstep 1\n\nstep 2\ngrafcet G {\n  // in\n\n  step 3\n}\n\n// last\n"
-            .replace("step 1\n\nstep 2\n", "step 1\n\nstep 2\n")
     );
     assert_eq!(format(""), "");
     assert_eq!(format("\n\n"), "");
@@ -103,8 +102,7 @@ grafcet G { // open
 } // of G
 // tail
 ";
-    let expected = text.replace("step 1 { // actions\n", "step 1 { // actions\n");
-    assert_eq!(format(text), expected);
+    assert_eq!(format(text), text);
     assert_eq!(format("(* only *)"), "(* only *)\n");
     assert_eq!(format("step 1 // no line end"), "step 1 // no line end\n");
     assert_eq!(format("transition 1->2:3s/(*c*)a/(*d*)(b)"), "transition 1 -> 2 : 3s/ (*c*) a/ (*d*) (b)\n");
@@ -150,7 +148,9 @@ fn blanks(text: &str) -> Vec<usize> {
             _ if rest.starts_with("//") => line_comment = true,
             _ => {}
         }
-        if c.is_whitespace() && !line_comment && comment == 0 && !string {
+        // The end of a line comment belongs to it: what is put before it would be part of the comment.
+        let ends_comment = c == '\n' && text[..at].lines().last().is_some_and(|line| line.contains("//"));
+        if c.is_whitespace() && !line_comment && !ends_comment && comment == 0 && !string {
             blanks.push(at);
         }
     }

@@ -70,9 +70,9 @@ fn nested_expansions_have_a_limit() {
 
 #[test]
 fn one_long_token() {
-    let n = 10 << 20;
+    survives(format!("step {}", "a".repeat(10 << 20)), true);
+    let n = 1 << 20;
     survives("a".repeat(n), false);
-    survives(format!("step {}", "a".repeat(n)), true);
     survives(format!("step {}", "1".repeat(n)), true);
     survives(format!("var v : int := {}", "1".repeat(n)), false);
     survives(format!("var v : real := 0.{}", "1".repeat(n)), true);
@@ -121,9 +121,9 @@ fn time_is_linear() {
             };
             (0..3).map(|_| one()).min().unwrap_or_default()
         };
-        let (short, long) = (time(20_000), time(160_000));
+        let (short, long) = (time(5_000), time(40_000));
         let bound = short * 8 * 4 + Duration::from_millis(50);
-        assert!(long < bound, "{open}{piece}…: 20000 took {short:?}, 160000 took {long:?}");
+        assert!(long < bound, "{open}{piece}…: 5000 took {short:?}, 40000 took {long:?}");
     }
 }
 

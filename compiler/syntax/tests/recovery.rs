@@ -184,10 +184,7 @@ fn what_was_expected_is_said_in_words() {
         ("transition 1 -> 2 : ↑not a", "E0107 1:22-24 expected a name, `(` or `[`, found `not`"),
         ("transition 1 -> 2 : a/b/c/d", "E0107 1:26 expected an operator, `{` or the next item, found `/`"),
         ("transition 1 -> 2 : 3/a", "E0107 1:21 expected a duration or a variable, found the number `3`"),
-        (
-            "transition 1 -> 2 : a { C := 1 on activation }",
-            "E0107 1:32-33 expected a name, an operator or `}`, found `on`",
-        ),
+        ("transition 1 -> 2 : a { C := 1 on activation }", "E0107 1:32-33 expected a name or `}`, found `on`"),
         ("transition 1 -> 2 : a { V }", "E0107 1:27 expected `:=`, found `}`"),
         ("step 1 { C := }", "E0107 1:15 expected a value, found `}`"),
         ("step 1 { C := 1 on }", "E0107 1:20 expected `activation`, `deactivation` or `event`, found `}`"),

@@ -5,11 +5,19 @@
 //! nesting of blocks is followed here, with a stack of our own. Where braces do not match, their balance over the rest
 //! of the text tells whether one is missing or one too many.
 
+mod cut;
+mod faults;
+mod salvage;
+
+pub(crate) use cut::{begins_item, is_prefix};
+
+use self::cut::{Run, may_stand_in_block};
+use self::faults::Stop;
 use crate::ast::{self, Item};
 use crate::builder::{Builder, Parsed};
 use crate::expected;
 use crate::grammar::ItemParser;
-use crate::lexer::{self, Lexed, Lexeme, MOST_FAULTS, Token};
+use crate::lexer::{self, Lexed, Lexeme, Token};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
 use lalrpop_util::ParseError;
 
@@ -64,21 +72,6 @@ impl Block {
         };
         if name.text.is_empty() { format!("`{word}`") } else { format!("`{word} {}`", expected::shorten(&name.text)) }
     }
-}
-
-/// The tokens of one item.
-struct Run {
-    start: usize,
-    end: usize,
-    /// Its outermost `{` that has no `}`.
-    open: Option<usize>,
-}
-
-/// Where the parser stopped.
-struct Stop {
-    /// The token that it did not expect; [`Run::end`] if the item ended too early.
-    at: usize,
-    expected: Vec<String>,
 }
 
 struct Reader<'text> {
@@ -191,7 +184,9 @@ impl<'text> Reader<'text> {
                 self.builder.exprs.truncate(arena);
                 self.builder.faults.clear();
                 self.report(&run, &stop);
-                if let Some(parsed) = self.salvage(&run, &stop) {
+                // Beyond the faults that are listed, nobody asks what can be kept.
+                let kept = if self.unlisted == 0 { self.salvage(&run, &stop) } else { self.nameless(&run) };
+                if let Some(parsed) = kept {
                     self.builder.faults.clear();
                     self.add(parsed, &run, is_first);
                 }
@@ -200,78 +195,6 @@ impl<'text> Reader<'text> {
             }
         }
         self.stray_reported = false;
-    }
-
-    /// The item that begins here: up to the next one, to its own closing brace or to that of its block.
-    fn cut(&self) -> Run {
-        let tokens = &self.lexed.lexemes;
-        let start = self.at;
-        let mut end = start + 1;
-        let first = tokens[start].token;
-        if matches!(first, Token::Grafcet | Token::Expansion) {
-            while let Some(lexeme) = tokens.get(end) {
-                match lexeme.token {
-                    Token::OpenBrace => {
-                        end += 1;
-                        break;
-                    }
-                    Token::CloseBrace => break,
-                    token if begins_item(token) => break,
-                    _ => end += 1,
-                }
-            }
-            return Run { start, end, open: None };
-        }
-        if is_prefix(first) {
-            while tokens.get(end).is_some_and(|l| is_prefix(l.token)) {
-                end += 1;
-            }
-            if tokens.get(end).is_some_and(|l| l.token == Token::Step) {
-                end += 1;
-            }
-        }
-        let mut open = Vec::new();
-        while let Some(lexeme) = tokens.get(end) {
-            match lexeme.token {
-                Token::OpenBrace => open.push(end),
-                Token::CloseBrace if open.is_empty() => break,
-                Token::CloseBrace => {
-                    if open.len() == 1 && self.closes_the_block(start, end) {
-                        break;
-                    }
-                    open.pop();
-                    if open.is_empty() {
-                        return Run { start, end: end + 1, open: None };
-                    }
-                }
-                token if begins_item(token) => break,
-                _ => {}
-            }
-            end += 1;
-        }
-        Run { start, end, open: open.first().copied() }
-    }
-
-    /// Whether a `}` that could close an item's braces is rather its block's: one is missing further on, and this one
-    /// is indented less than the item.
-    fn closes_the_block(&self, item: usize, brace: usize) -> bool {
-        let outstanding = self.stack.len() as i64 + 1;
-        let lexemes = &self.lexed.lexemes;
-        self.balance[brace] < outstanding
-            && match (self.indentation(lexemes[item].start), self.indentation(lexemes[brace].start)) {
-                (Some(item), Some(brace)) => brace < item,
-                _ => false,
-            }
-    }
-
-    /// The white space before a token that is the first on its line.
-    fn indentation(&self, start: u32) -> Option<usize> {
-        let before = &self.text.as_bytes()[..start as usize];
-        let blanks = before.iter().rev().take_while(|b| matches!(b, b' ' | b'\t')).count();
-        match before.len().checked_sub(blanks + 1) {
-            None => Some(blanks),
-            Some(at) => (before[at] == b'\n').then_some(blanks),
-        }
     }
 
     fn add(&mut self, parsed: Parsed, run: &Run, is_first: bool) {
@@ -302,73 +225,6 @@ impl<'text> Reader<'text> {
             );
         }
         self.stack.push(Frame { block, opened, reported: false });
-    }
-
-    /// What can be kept of an item that has a fault: the part before it, with an unreadable condition if need be.
-    fn salvage(&mut self, run: &Run, stop: &Stop) -> Option<Parsed> {
-        let find = |token: Token| {
-            let lexemes = &self.lexed.lexemes[run.start..stop.at];
-            lexemes.iter().position(|l| l.token == token).map(|at| run.start + at)
-        };
-        let first = self.lexed.lexemes[run.start].token;
-        let here = self.lexed.lexemes[stop.at - 1].end;
-        let synthetic = |token| Lexeme { token, start: here, end: here };
-        let mut tries: Vec<(usize, Option<Lexeme>)> = Vec::new();
-        match first {
-            Token::Grafcet | Token::Expansion => {
-                // Its items follow if it has a brace, or if there is a brace that closes it.
-                let has_brace = self.lexed.lexemes[run.end - 1].token == Token::OpenBrace;
-                if !has_brace && self.balance[run.end] <= self.stack.len() as i64 {
-                    return None;
-                }
-                tries.push((stop.at, Some(synthetic(Token::OpenBrace))));
-            }
-            Token::Transition => {
-                tries.extend(find(Token::OpenBrace).map(|at| (at, None)));
-                tries.extend(find(Token::Colon).map(|at| (at + 1, Some(synthetic(Token::Unreadable)))));
-            }
-            _ => {
-                tries.extend(find(Token::OpenBrace).map(|at| (at, None)));
-                tries.extend(find(Token::Assign).map(|at| (at, None)));
-                tries.extend(find(Token::At).map(|at| (at, None)));
-                tries.push((stop.at, None));
-            }
-        }
-        let arena = self.builder.exprs.len();
-        for (end, extra) in tries {
-            let extra: Vec<Lexeme> = extra.into_iter().collect();
-            match attempt(&self.parser, &mut self.builder, &self.lexed.lexemes[run.start..end], &extra) {
-                Ok(parsed) => return Some(parsed),
-                Err(_) => self.builder.exprs.truncate(arena),
-            }
-        }
-        self.nameless(run)
-    }
-
-    /// A block whose head could not be read still has items.
-    fn nameless(&self, run: &Run) -> Option<Parsed> {
-        let head = self.lexed.lexemes[run.start];
-        let span = self.builder.span(head.start, head.end);
-        let name = ast::Name { text: String::new(), quoted: false, span };
-        match head.token {
-            Token::Grafcet => {
-                Some(Parsed::Grafcet(ast::Grafcet { path: Vec::new(), name, comment: None, items: Vec::new(), span }))
-            }
-            Token::Expansion => {
-                Some(Parsed::Expansion(ast::Expansion { macro_step: name, comment: None, items: Vec::new(), span }))
-            }
-            _ => None,
-        }
-    }
-
-    /// After a faulty item: leaves out a `}` whose `{` was forgotten.
-    fn skip_partner(&mut self, run: &Run) {
-        let lexemes = &self.lexed.lexemes;
-        let next_closes = lexemes.get(run.end).is_some_and(|l| l.token == Token::CloseBrace);
-        let has_brace = lexemes[run.start..run.end].iter().any(|l| l.token == Token::OpenBrace);
-        if next_closes && !has_brace && self.balance[run.end] > self.stack.len() as i64 {
-            self.at = run.end + 1;
-        }
     }
 
     // ---- Blocks ----
@@ -449,104 +305,6 @@ impl<'text> Reader<'text> {
                 .also(self.place_of(self.at), "`}` is missing before this");
         self.fault(fault);
     }
-
-    // ---- Faults ----
-
-    /// Tokens that belong to no item.
-    fn junk(&mut self) {
-        let start = self.at;
-        let mut depth = 0usize;
-        while let Some(lexeme) = self.lexed.lexemes.get(self.at) {
-            match lexeme.token {
-                Token::OpenBrace => depth += 1,
-                Token::CloseBrace if depth == 0 => break,
-                Token::CloseBrace => depth -= 1,
-                token if begins_item(token) => break,
-                _ => {}
-            }
-            self.at += 1;
-        }
-        if self.is_near_bad(start) {
-            return;
-        }
-        let first = self.lexed.lexemes[start];
-        let span = self.builder.span(first.start, first.end);
-        let what = if self.stack.is_empty() {
-            "an item such as `input`, `step` or `transition`"
-        } else {
-            "`step`, `transition` or `}`"
-        };
-        let found = &self.text[span.range()];
-        let mut fault =
-            Diagnostic::new(Code::E0107, span, format!("expected {what}, found `{}`", expected::shorten(found)));
-        let lower = found.to_lowercase();
-        if first.token == Token::Name && lower != found && ITEM_WORDS.contains(&lower.as_str()) {
-            fault = fault.help(format!("words of the language are in lower case: `{lower}`"));
-        }
-        self.fault(fault);
-    }
-
-    /// Reports why an item could not be read, unless a fault has been reported at that very place.
-    fn report(&mut self, run: &Run, stop: &Stop) {
-        if self.is_near_bad(stop.at) || self.doubtful.take() == Some(run.start) {
-            return;
-        }
-        let lexemes = &self.lexed.lexemes;
-        let previous = lexemes[stop.at - 1];
-        let next = lexemes.get(stop.at);
-        let found = next.map_or("", |l| &self.text[l.start as usize..l.end as usize]);
-        let can_close = expected::contains(&stop.expected, "}");
-        if let (true, true, Some(open)) = (stop.at == run.end, can_close, run.open) {
-            let open = lexemes[open];
-            let fault =
-                Diagnostic::new(Code::E0107, self.builder.span(open.start, open.end), "this `{` is never closed")
-                    .also(self.place_of(stop.at), "`}` is missing before this");
-            return self.fault(fault);
-        }
-        // What is missing at the end of a line is shown there, and not at the item that follows.
-        let gap = &self.text[previous.end as usize..next.map_or(self.text.len(), |l| l.start as usize)];
-        let on_this_line = next.is_some() && !gap.contains('\n');
-        let span = if on_this_line || stop.at < run.end {
-            self.place_of(stop.at)
-        } else {
-            self.builder.span(previous.end, previous.end)
-        };
-        if on_this_line && stop.at == run.end {
-            self.doubtful = Some(run.end);
-        }
-        let found_words =
-            if next.is_some() { format!("`{}`", expected::shorten(found)) } else { "the end of the text".into() };
-        let expected = expected::describe(previous.token, &stop.expected);
-        let mut fault = Diagnostic::new(Code::E0107, span, format!("expected {expected}, found {found_words}"));
-        let found_here = next.filter(|_| on_this_line || stop.at < run.end).map(|l| l.token);
-        fault.help = expected::cure(lexemes[run.start].token, previous.token, found_here, found, &stop.expected);
-        self.fault(fault);
-    }
-
-    /// Whether the lexer reported something between the token before this one and this one.
-    fn is_near_bad(&self, at: usize) -> bool {
-        let lexemes = &self.lexed.lexemes;
-        let from = at.checked_sub(1).map_or(0, |before| lexemes[before].start);
-        let to = lexemes.get(at).map_or(self.text.len() as u32, |l| l.start);
-        let bad = &self.lexed.bad;
-        let first = bad.partition_point(|&(_, end)| end <= from);
-        bad.get(first).is_some_and(|&(start, _)| start <= to)
-    }
-
-    fn place_of(&self, at: usize) -> Span {
-        match self.lexed.lexemes.get(at) {
-            Some(lexeme) => self.builder.span(lexeme.start, lexeme.end),
-            None => Span::new(self.file, self.text.len(), self.text.len()),
-        }
-    }
-
-    fn fault(&mut self, fault: Diagnostic) {
-        if self.faults.len() < MOST_FAULTS {
-            self.faults.push(fault);
-        } else {
-            self.unlisted += 1;
-        }
-    }
 }
 
 /// Parses the tokens of one item. A failure tells how many were read, and what was expected then.
@@ -573,40 +331,6 @@ fn attempt(
         Err(ParseError::InvalidToken { .. } | ParseError::ExtraToken { .. }) => Err((lexemes.len(), Vec::new())),
         Err(ParseError::User { error }) => match error {},
     }
-}
-
-/// The words that begin an item, as they are written.
-const ITEM_WORDS: [&str; 13] = [
-    "chart",
-    "input",
-    "output",
-    "var",
-    "const",
-    "grafcet",
-    "expansion",
-    "step",
-    "transition",
-    "initial",
-    "activated",
-    "enclosing",
-    "macro",
-];
-
-/// Whether an item begins with this word; it stands nowhere else, except for `step` behind a prefix.
-pub(crate) fn begins_item(token: Token) -> bool {
-    is_prefix(token) || may_stand_in_block(token) || is_top_level(token)
-}
-
-pub(crate) fn is_prefix(token: Token) -> bool {
-    matches!(token, Token::Initial | Token::Activated | Token::Enclosing | Token::Macro)
-}
-
-fn may_stand_in_block(token: Token) -> bool {
-    is_prefix(token) || matches!(token, Token::Step | Token::Transition | Token::Expansion)
-}
-
-fn is_top_level(token: Token) -> bool {
-    matches!(token, Token::Chart | Token::Input | Token::Output | Token::Var | Token::Const | Token::Grafcet)
 }
 
 #[cfg(test)]

@@ -1,0 +1,106 @@
+//! Cuts the tokens into items.
+//!
+//! An item begins with a reserved word and ends before the next one, with its own closing brace or before that of its
+//! block.
+
+use super::Reader;
+use crate::lexer::Token;
+
+/// The tokens of one item.
+pub(super) struct Run {
+    pub(super) start: usize,
+    pub(super) end: usize,
+    /// Its outermost `{` that has no `}`.
+    pub(super) open: Option<usize>,
+}
+
+impl Reader<'_> {
+    /// The item that begins here: up to the next one, to its own closing brace or to that of its block.
+    pub(super) fn cut(&self) -> Run {
+        let tokens = &self.lexed.lexemes;
+        let start = self.at;
+        let mut end = start + 1;
+        let first = tokens[start].token;
+        if matches!(first, Token::Grafcet | Token::Expansion) {
+            while let Some(lexeme) = tokens.get(end) {
+                match lexeme.token {
+                    Token::OpenBrace => {
+                        end += 1;
+                        break;
+                    }
+                    Token::CloseBrace => break,
+                    token if begins_item(token) => break,
+                    _ => end += 1,
+                }
+            }
+            return Run { start, end, open: None };
+        }
+        if is_prefix(first) {
+            while tokens.get(end).is_some_and(|l| is_prefix(l.token)) {
+                end += 1;
+            }
+            if tokens.get(end).is_some_and(|l| l.token == Token::Step) {
+                end += 1;
+            }
+        }
+        let mut open = Vec::new();
+        while let Some(lexeme) = tokens.get(end) {
+            match lexeme.token {
+                Token::OpenBrace => open.push(end),
+                Token::CloseBrace if open.is_empty() => break,
+                Token::CloseBrace => {
+                    if open.len() == 1 && self.closes_the_block(start, end) {
+                        break;
+                    }
+                    open.pop();
+                    if open.is_empty() {
+                        return Run { start, end: end + 1, open: None };
+                    }
+                }
+                token if begins_item(token) => break,
+                _ => {}
+            }
+            end += 1;
+        }
+        Run { start, end, open: open.first().copied() }
+    }
+
+    /// Whether a `}` that could close an item's braces is rather its block's: one is missing further on, and this one
+    /// is indented less than the item.
+    pub(super) fn closes_the_block(&self, item: usize, brace: usize) -> bool {
+        let outstanding = self.stack.len() as i64 + 1;
+        let lexemes = &self.lexed.lexemes;
+        self.balance[brace] < outstanding
+            && match (self.indentation(lexemes[item].start), self.indentation(lexemes[brace].start)) {
+                (Some(item), Some(brace)) => brace < item,
+                _ => false,
+            }
+    }
+
+    /// The white space before a token that is the first on its line.
+    pub(super) fn indentation(&self, start: u32) -> Option<usize> {
+        let before = &self.text.as_bytes()[..start as usize];
+        let blanks = before.iter().rev().take_while(|b| matches!(b, b' ' | b'\t')).count();
+        match before.len().checked_sub(blanks + 1) {
+            None => Some(blanks),
+            Some(at) => (before[at] == b'\n').then_some(blanks),
+        }
+    }
+}
+
+/// Whether an item begins with this word; it stands nowhere else, except for `step` behind a prefix.
+pub(crate) fn begins_item(token: Token) -> bool {
+    is_prefix(token) || may_stand_in_block(token) || is_top_level(token)
+}
+
+pub(crate) fn is_prefix(token: Token) -> bool {
+    matches!(token, Token::Initial | Token::Activated | Token::Enclosing | Token::Macro)
+}
+
+pub(super) fn may_stand_in_block(token: Token) -> bool {
+    is_prefix(token) || matches!(token, Token::Step | Token::Transition | Token::Expansion)
+}
+
+fn is_top_level(token: Token) -> bool {
+    matches!(token, Token::Chart | Token::Input | Token::Output | Token::Var | Token::Const | Token::Grafcet)
+}

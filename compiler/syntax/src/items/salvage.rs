@@ -1,0 +1,80 @@
+//! What is kept of an item that cannot be read.
+//!
+//! The part before the mistake is often an item by itself. Keeping it spares the author messages about steps and names
+//! that are there.
+
+use super::cut::Run;
+use super::faults::Stop;
+use super::{Reader, attempt};
+use crate::ast;
+use crate::builder::Parsed;
+use crate::lexer::{Lexeme, Token};
+
+impl Reader<'_> {
+    /// What can be kept of an item that has a fault: the part before it, with an unreadable condition if need be.
+    pub(super) fn salvage(&mut self, run: &Run, stop: &Stop) -> Option<Parsed> {
+        let find = |token: Token| {
+            let lexemes = &self.lexed.lexemes[run.start..stop.at];
+            lexemes.iter().position(|l| l.token == token).map(|at| run.start + at)
+        };
+        let first = self.lexed.lexemes[run.start].token;
+        let here = self.lexed.lexemes[stop.at - 1].end;
+        let synthetic = |token| Lexeme { token, start: here, end: here };
+        let mut tries: Vec<(usize, Option<Lexeme>)> = Vec::new();
+        match first {
+            Token::Grafcet | Token::Expansion => {
+                // Its items follow if it has a brace, or if there is a brace that closes it.
+                let has_brace = self.lexed.lexemes[run.end - 1].token == Token::OpenBrace;
+                if !has_brace && self.balance[run.end] <= self.stack.len() as i64 {
+                    return None;
+                }
+                tries.push((stop.at, Some(synthetic(Token::OpenBrace))));
+            }
+            Token::Transition => {
+                tries.extend(find(Token::OpenBrace).map(|at| (at, None)));
+                tries.extend(find(Token::Colon).map(|at| (at + 1, Some(synthetic(Token::Unreadable)))));
+            }
+            _ => {
+                tries.extend(find(Token::OpenBrace).map(|at| (at, None)));
+                tries.extend(find(Token::Assign).map(|at| (at, None)));
+                tries.extend(find(Token::At).map(|at| (at, None)));
+                tries.push((stop.at, None));
+            }
+        }
+        let arena = self.builder.exprs.len();
+        for (end, extra) in tries {
+            let extra: Vec<Lexeme> = extra.into_iter().collect();
+            match attempt(&self.parser, &mut self.builder, &self.lexed.lexemes[run.start..end], &extra) {
+                Ok(parsed) => return Some(parsed),
+                Err(_) => self.builder.exprs.truncate(arena),
+            }
+        }
+        self.nameless(run)
+    }
+
+    /// A block whose head could not be read still has items.
+    pub(super) fn nameless(&self, run: &Run) -> Option<Parsed> {
+        let head = self.lexed.lexemes[run.start];
+        let span = self.builder.span(head.start, head.end);
+        let name = ast::Name { text: String::new(), quoted: false, span };
+        match head.token {
+            Token::Grafcet => {
+                Some(Parsed::Grafcet(ast::Grafcet { path: Vec::new(), name, comment: None, items: Vec::new(), span }))
+            }
+            Token::Expansion => {
+                Some(Parsed::Expansion(ast::Expansion { macro_step: name, comment: None, items: Vec::new(), span }))
+            }
+            _ => None,
+        }
+    }
+
+    /// After a faulty item: leaves out a `}` whose `{` was forgotten.
+    pub(super) fn skip_partner(&mut self, run: &Run) {
+        let lexemes = &self.lexed.lexemes;
+        let next_closes = lexemes.get(run.end).is_some_and(|l| l.token == Token::CloseBrace);
+        let has_brace = lexemes[run.start..run.end].iter().any(|l| l.token == Token::OpenBrace);
+        if next_closes && !has_brace && self.balance[run.end] > self.stack.len() as i64 {
+            self.at = run.end + 1;
+        }
+    }
+}
