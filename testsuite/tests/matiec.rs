@@ -5,7 +5,7 @@
 
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, is_flat, spell, stimuli, vectors_folder};
 use grafc_testsuite::differential::{compile, first_difference, profile, report, simulate};
-use grafc_testsuite::matiec::{Job, Tools, run};
+use grafc_testsuite::matiec::{Job, Tools, misreckons, run};
 use grafc_testsuite::random::{Kind, checked, trace};
 
 /// Runs all flat cases and compares them with what is expected of them.
@@ -62,8 +62,14 @@ fn random_charts_agree() {
     let Some(tools) = Tools::find_or_skip() else { return };
     let mut jobs = Vec::new();
     let mut drawn_charts = Vec::new();
-    for seed in 1000..1040 {
+    for seed in 1000.. {
+        if jobs.len() == 40 {
+            break;
+        }
         let drawn = checked(seed, Kind::Flat);
+        if misreckons(&drawn.chart) {
+            continue;
+        }
         let program =
             compile(&drawn.chart, profile(seed)).unwrap_or_else(|e| panic!("seed {seed}: {e}\n{}", drawn.text));
         let stimuli = trace(seed, &drawn.chart, 30);

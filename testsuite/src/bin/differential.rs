@@ -76,14 +76,16 @@ fn main() -> ExitCode {
         let actual = caught(|| evaluate(&drawn.chart, profile, &stimuli));
         if disagrees(&expected, &actual) {
             mismatches += 1;
-            show(&drawn, profile, &stimuli, "scan program", |chart, stimuli| {
+            show(&drawn, profile, &stimuli, ("scan program", 3000), |chart, stimuli| {
                 caught(|| evaluate(chart, profile, stimuli))
             });
         }
         if let Some(tools) = &tools
             && seed - options.seed < options.matiec
         {
-            if let Ok(program) = caught(|| compile(&drawn.chart, profile)) {
+            if !matiec::misreckons(&drawn.chart)
+                && let Ok(program) = caught(|| compile(&drawn.chart, profile))
+            {
                 batch.push((drawn, profile, Job { program, stimuli }));
             }
             if batch.len() == 40 || seed + 1 - options.seed == options.matiec.min(options.charts) {
@@ -109,7 +111,7 @@ fn run_batch(tools: &Tools, batch: &mut Vec<(Drawn, Profile, Job)>) -> u64 {
     for (((drawn, profile), job), actual) in charts.iter().zip(&jobs).zip(matiec::run(tools, &jobs)) {
         if disagrees(&simulate(&drawn.chart, *profile, &job.stimuli), &actual) {
             mismatches += 1;
-            show(drawn, *profile, &job.stimuli, "MATIEC", |chart, stimuli| {
+            show(drawn, *profile, &job.stimuli, ("MATIEC", 60), |chart, stimuli| {
                 let program = caught(|| compile(chart, *profile))?;
                 let job = Job { program, stimuli: stimuli.to_vec() };
                 matiec::run(tools, &[job]).pop().unwrap_or_else(|| Err("no result".into()))
@@ -124,12 +126,12 @@ fn show(
     drawn: &Drawn,
     profile: Profile,
     stimuli: &[Stimulus],
-    who: &str,
+    (who, tries): (&str, u32),
     mut run: impl FnMut(&Chart, &[Stimulus]) -> Result<Vec<Response>, String>,
 ) {
     let was_error = run(&drawn.chart, stimuli).is_err();
     let named = NamedTrace::of(&drawn.chart, stimuli);
-    let (text, named) = shrink(&drawn.text, &named, 3000, |text, named| {
+    let (text, named) = shrink(&drawn.text, &named, tries, |text, named| {
         let Ok(Ok(chart)) = caught(|| Ok(charts::check("shrunk", text))) else { return false };
         let stimuli = named.stimuli(&chart);
         let actual = run(&chart, &stimuli);

@@ -45,7 +45,13 @@ impl Coverage {
                 ExprKind::MacroActive(_) => "activity of a macro-step",
                 ExprKind::GrafcetActive(_) => "activity of a grafcet",
                 ExprKind::Variable(v) if chart.variables[*v].mode == Mode::Wire => "continuous variable read",
-                _ => continue,
+                ExprKind::Literal(_)
+                | ExprKind::Variable(_)
+                | ExprKind::StepActive(_)
+                | ExprKind::Not(_)
+                | ExprKind::And(..)
+                | ExprKind::Or(..)
+                | ExprKind::Xor(..) => continue,
             });
         }
         for transition in &chart.transitions {

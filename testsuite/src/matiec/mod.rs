@@ -10,6 +10,7 @@ mod tools;
 
 use grafc_backends::st;
 use grafc_logic::scan::Program;
+use grafc_model::chart::{Arithmetic, Chart, ExprKind, Type};
 use grafc_model::reaction::{Response, Stimulus};
 use std::fs;
 pub use tools::Tools;
@@ -96,6 +97,17 @@ fn build_and_play(tools: &Tools, batch: &[usize], units: &[&Unit]) -> Result<Str
     fs::write(folder.path().join("main.c"), &main).map_err(|e| e.to_string())?;
     tools.gcc(folder.path()).map_err(|said| format!("{said}\n{source}"))?;
     tools.play(folder.path()).map_err(|said| format!("{said}\n{source}"))
+}
+
+/// Whether MATIEC reckons something in a chart wrongly, so that a comparison would test MATIEC and not grafc.
+///
+/// It multiplies the nanoseconds of a time as 32 bits (`T#250ms * 10` is negative), and divides a time into fractions
+/// of a millisecond, of which `.gct` has none.
+pub fn misreckons(chart: &Chart) -> bool {
+    chart.exprs.iter().any(|expr| match expr.kind {
+        ExprKind::Arithmetic(Arithmetic::Multiply | Arithmetic::Divide, _, _) => expr.ty == Type::Time,
+        _ => false,
+    })
 }
 
 /// Whether `iec2c` takes a text.

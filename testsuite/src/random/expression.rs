@@ -153,10 +153,10 @@ impl Scope {
             let left = self.number_operand(rng, ty, depth - 1);
             if ty == Type::Time {
                 // Products of times are kept small: charts run for hours, not for years.
-                return match rng.u8(0..4) {
+                return match rng.u8(0..16) {
                     0 => format!("{left} / {}", one_of(rng, &["2", "3", "0"])),
                     1 => format!("{} * {}", one_of(rng, &["1s", "250ms", "7ms"]), one_of(rng, &["2", "3", "10"])),
-                    2 => format!("{left} - {}", one_of(rng, &["1s", "1ms", "500ms"])),
+                    2..8 => format!("{left} - {}", one_of(rng, &["1s", "1ms", "500ms"])),
                     _ => format!("{left} + {}", one_of(rng, &["1s", "1ms", "500ms"])),
                 };
             }
