@@ -165,25 +165,21 @@ impl Body<'_> {
                 }
             });
         };
-        match self.program.pool.get(b) {
-            Formula::Constant(Value::Int(0) | Value::Time(0)) => by_zero(out),
-            Formula::Constant(Value::Real(x)) if *x == 0.0 => by_zero(out),
-            Formula::Constant(Value::Int(-1)) if overflows => by_minus_one(out),
-            Formula::Constant(_) => quotient(out),
-            _ => {
-                self.compare(out, "IF", b, &zero(ty));
-                by_zero(out);
-                if overflows && !matches!(self.program.pool.get(a), Formula::Constant(_)) {
-                    out.leave();
-                    self.compare(out, "ELSIF", b, &literal(Value::Int(-1), ty));
-                    by_minus_one(out);
-                }
-                out.leave();
-                out.open("ELSE");
-                quotient(out);
-                out.close("END_IF;");
-            }
+        if self.program.pool.as_constant(b).is_some() {
+            // Other constants divide without a guard, inside a formula.
+            return by_zero(out);
         }
+        self.compare(out, "IF", b, &zero(ty));
+        by_zero(out);
+        if overflows && self.program.pool.as_constant(a).is_none() {
+            out.leave();
+            self.compare(out, "ELSIF", b, &literal(Value::Int(-1), ty));
+            by_minus_one(out);
+        }
+        out.leave();
+        out.open("ELSE");
+        quotient(out);
+        out.close("END_IF;");
     }
 
     /// `IF a = constant THEN`, and one level deeper.

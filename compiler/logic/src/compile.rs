@@ -133,7 +133,7 @@ fn again_statement(
     }
     let value = lowering.pool.or(terms);
     let unchanged = matches!(lowering.pool.get(value), Formula::Variable(v) if *v == again);
-    (!unchanged).then(|| Statement::Assign { target: again, value, remark: None })
+    (!unchanged).then_some(Statement::Assign { target: again, value, remark: None })
 }
 
 /// The stored actions of a micro-step, in the order of R7: event, deactivation, clearing, activation.

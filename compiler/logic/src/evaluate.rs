@@ -3,7 +3,8 @@
 //! Shares nothing with the reference simulator. The program is translated once into code for a stack machine, so that
 //! no evaluation recurses and a scan costs what the program holds.
 
-use crate::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
+use crate::formula::{Formula, FormulaId, Type, Value};
+use crate::number::{arithmetic, compare, divide, negate};
 use crate::scan::{Flag, Program, Role, Statement, TimerId, VarId};
 use grafc_model::chart::StepId;
 use grafc_model::reaction::{Flags, Response, Stimulus};
@@ -194,89 +195,11 @@ impl<'p> Evaluator<'p> {
             Formula::Xor(a, b) => Value::Bool(holds(a) != holds(b)),
             Formula::Compare(op, a, b) => Value::Bool(compare(*op, known(a), known(b))),
             Formula::Arithmetic(op, a, b) => arithmetic(*op, pool.ty(id), known(a), known(b)),
-            Formula::Negate(a) => match known(a) {
-                Value::Int(n) => Value::Int(wrap(pool.ty(id), -i128::from(n))),
-                Value::Real(x) => Value::Real(-x),
-                Value::Time(n) => Value::Time(n.wrapping_neg()),
-                Value::Bool(b) => Value::Bool(b),
-            },
+            Formula::Negate(a) => negate(pool.ty(id), known(a)),
             Formula::Widen(a) => match (known(a), pool.ty(id)) {
                 (Value::Int(n), Type::Real | Type::Lreal) => Value::Real(n as f64),
                 (value, _) => value,
             },
         }
     }
-}
-
-/// What is left of a number in a variable of the type.
-fn wrap(ty: Type, n: i128) -> i64 {
-    match ty {
-        Type::Int => i64::from(n as i16),
-        Type::Uint => i64::from(n as u16),
-        Type::Dint => i64::from(n as i32),
-        Type::Udint => i64::from(n as u32),
-        Type::Bool | Type::Real | Type::Lreal | Type::Time => n as i64,
-    }
-}
-
-fn round(ty: Type, x: f64) -> Value {
-    Value::Real(if ty == Type::Real { f64::from(x as f32) } else { x })
-}
-
-/// A time or a whole number as it is.
-fn whole(value: Value) -> i128 {
-    match value {
-        Value::Int(n) | Value::Time(n) => i128::from(n),
-        Value::Bool(_) | Value::Real(_) => 0,
-    }
-}
-
-fn compare(op: Comparison, a: Value, b: Value) -> bool {
-    let order = match (a, b) {
-        (Value::Real(a), Value::Real(b)) => a.partial_cmp(&b),
-        _ => Some(whole(a).cmp(&whole(b))),
-    };
-    match op {
-        Comparison::Equal => order.is_some_and(|o| o.is_eq()),
-        Comparison::NotEqual => order.is_none_or(|o| o.is_ne()),
-        Comparison::Less => order.is_some_and(|o| o.is_lt()),
-        Comparison::LessEqual => order.is_some_and(|o| o.is_le()),
-        Comparison::Greater => order.is_some_and(|o| o.is_gt()),
-        Comparison::GreaterEqual => order.is_some_and(|o| o.is_ge()),
-    }
-}
-
-fn arithmetic(op: Arithmetic, ty: Type, a: Value, b: Value) -> Value {
-    if let (Value::Real(a), Value::Real(b)) = (a, b) {
-        return round(
-            ty,
-            match op {
-                Arithmetic::Add => a + b,
-                Arithmetic::Subtract => a - b,
-                Arithmetic::Multiply => a * b,
-                Arithmetic::Divide => a / b,
-                Arithmetic::Modulo => a % b,
-            },
-        );
-    }
-    let (a, b) = (whole(a), whole(b));
-    let result = match op {
-        Arithmetic::Add => a + b,
-        Arithmetic::Subtract => a - b,
-        Arithmetic::Multiply => a * b,
-        Arithmetic::Divide => a.checked_div(b).unwrap_or(0),
-        Arithmetic::Modulo => a.checked_rem(b).unwrap_or(0),
-    };
-    if ty == Type::Time { Value::Time(result as i64) } else { Value::Int(wrap(ty, result)) }
-}
-
-/// None where the divisor is zero.
-fn divide(ty: Type, modulo: bool, a: Value, b: Value) -> Option<Value> {
-    let zero = match b {
-        Value::Real(x) => x == 0.0,
-        Value::Int(n) | Value::Time(n) => n == 0,
-        Value::Bool(_) => true,
-    };
-    let op = if modulo { Arithmetic::Modulo } else { Arithmetic::Divide };
-    (!zero).then(|| arithmetic(op, ty, a, b))
 }

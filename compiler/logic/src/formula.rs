@@ -4,6 +4,7 @@
 //! meets every operand before what uses it. The constructors apply only laws that keep a formula recognisable
 //! (constants, double negation, repeated operands).
 
+use crate::number;
 use crate::scan::{TimerId, VarId};
 pub use grafc_model::chart::{Arithmetic, Comparison, Type, Value};
 use index_vec::define_index_type;
@@ -40,7 +41,7 @@ pub enum Formula {
     /// Both sides have the same type.
     Compare(Comparison, FormulaId, FormulaId),
     /// Never nested in another `Arithmetic`, `Negate` or `Compare`, save through a variable of its type: the statement
-    /// that stores it wraps it around. Never divides: see `Statement::Divide`.
+    /// that stores it wraps it around. Divides only by a constant other than 0 and -1: see `Statement::Divide`.
     Arithmetic(Arithmetic, FormulaId, FormulaId),
     /// Arithmetic negation; nested no more than `Arithmetic` is.
     Negate(FormulaId),
@@ -167,6 +168,14 @@ impl Pool {
         }
     }
 
+    /// The value of a formula that is a constant.
+    pub fn as_constant(&self, id: FormulaId) -> Option<Value> {
+        match self.get(id) {
+            Formula::Constant(value) => Some(*value),
+            _ => None,
+        }
+    }
+
     /// The value of a variable.
     pub fn variable(&mut self, variable: VarId, ty: Type) -> FormulaId {
         self.add(Formula::Variable(variable), ty)
@@ -246,7 +255,10 @@ impl Pool {
                 self.not(differ)
             }
             (Type::Bool, Comparison::NotEqual) => self.xor(a, b),
-            _ => self.add(Formula::Compare(op, a, b), Type::Bool),
+            _ => match (self.as_constant(a), self.as_constant(b)) {
+                (Some(a), Some(b)) => self.truth(number::compare(op, a, b)),
+                (None, _) | (_, None) => self.add(Formula::Compare(op, a, b), Type::Bool),
+            },
         }
     }
 
@@ -262,15 +274,22 @@ impl Pool {
         self.and([differs, some_number])
     }
 
-    /// An arithmetic operation other than division; see [`Formula::Arithmetic`] for what may be its operand.
+    /// An arithmetic operation; see [`Formula::Arithmetic`] for what may be its operands. Constants are computed here:
+    /// compilers of PLCs refuse an operation on literals whose result leaves the range of the type.
     pub fn arithmetic(&mut self, op: Arithmetic, ty: Type, a: FormulaId, b: FormulaId) -> FormulaId {
-        self.add(Formula::Arithmetic(op, a, b), ty)
+        match (self.as_constant(a), self.as_constant(b)) {
+            (Some(a), Some(b)) => self.constant(number::arithmetic(op, ty, a, b), ty),
+            (None, _) | (_, None) => self.add(Formula::Arithmetic(op, a, b), ty),
+        }
     }
 
     /// `-a`.
     pub fn negate(&mut self, a: FormulaId) -> FormulaId {
         let ty = self.ty(a);
-        self.add(Formula::Negate(a), ty)
+        match self.as_constant(a) {
+            Some(a) => self.constant(number::negate(ty, a), ty),
+            None => self.add(Formula::Negate(a), ty),
+        }
     }
 
     /// A conversion without loss; a constant is converted here.

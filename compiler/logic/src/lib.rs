@@ -17,6 +17,7 @@ pub mod formula;
 mod input_event;
 mod limits;
 mod lower;
+mod number;
 pub mod scan;
 mod symbols;
 mod tokens;

@@ -69,3 +69,19 @@ fn substitution_simplifies_on_the_way() {
     let by = FxHashMap::from_iter([(VarId::new(1), yes)]);
     assert_eq!(pool.substitute(formula, &by), c);
 }
+
+#[test]
+fn constants_are_computed_at_the_width_of_their_type() {
+    let mut pool = Pool::default();
+    let mut fold = |op, ty, a, b| {
+        let (a, b) = (pool.constant(Value::Int(a), ty), pool.constant(Value::Int(b), ty));
+        let result = pool.arithmetic(op, ty, a, b);
+        pool.as_constant(result)
+    };
+    use grafc_logic::formula::Arithmetic::{Add, Divide, Modulo, Multiply, Subtract};
+    assert_eq!(fold(Subtract, Type::Udint, 1, 3), Some(Value::Int(4_294_967_294)));
+    assert_eq!(fold(Add, Type::Int, 32_767, 1), Some(Value::Int(-32_768)));
+    assert_eq!(fold(Multiply, Type::Dint, 65_536, 65_536), Some(Value::Int(0)));
+    assert_eq!(fold(Divide, Type::Int, -7, 2), Some(Value::Int(-3)));
+    assert_eq!(fold(Modulo, Type::Int, -7, 2), Some(Value::Int(-1)));
+}

@@ -218,14 +218,13 @@ fn division() {
         let ratio = b.var(Role::Output, "ratio", Type::Real);
         let p = b.pool();
         let (two, zero) = (p.constant(Value::Int(2), Type::Dint), p.constant(Value::Int(0), Type::Dint));
-        let minus = p.constant(Value::Int(-1), Type::Dint);
+        let remainder = p.arithmetic(Arithmetic::Modulo, Type::Dint, v[0], two);
         let divide = |target, modulo, dividend, divisor| Statement::Divide { target, modulo, dividend, divisor, flag };
         vec![
             divide(y, false, v[0], v[1]),
             divide(y, true, two, v[1]),
-            divide(y, true, v[0], two),
+            Statement::Assign { target: y, value: remainder, remark: None },
             divide(y, false, v[0], zero),
-            divide(y, false, v[0], minus),
             divide(ratio, false, v[2], v[2]),
             divide(share, false, v[3], v[4]),
         ]
@@ -250,7 +249,6 @@ fn division() {
         y := a MOD 2;
         y := 0;
         DIV0 := TRUE;
-        y := 0 - a;
         IF r = 0.0 THEN
             ratio := 0.0;
             DIV0 := TRUE;

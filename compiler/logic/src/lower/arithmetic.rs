@@ -4,7 +4,7 @@
 //! result is stored in a variable of its type, and every division is guarded.
 
 use super::{Context, Lowering};
-use crate::formula::{Arithmetic, Formula, FormulaId, Type};
+use crate::formula::{Arithmetic, Formula, FormulaId, Type, Value};
 use crate::scan::{Flag, Role, Statement, VarId};
 
 impl Lowering<'_> {
@@ -44,26 +44,30 @@ impl Lowering<'_> {
         b: FormulaId,
     ) -> FormulaId {
         let (a, b) = (self.latch(cx, a), self.latch(cx, b));
-        match op {
-            Arithmetic::Add | Arithmetic::Subtract | Arithmetic::Multiply => self.pool.arithmetic(op, ty, a, b),
-            Arithmetic::Divide | Arithmetic::Modulo => {
-                // The pool tells whether this very division was done already at this moment.
-                let quotient = self.pool.arithmetic(op, ty, a, b);
-                let target = match cx.latched.get(&quotient) {
-                    Some(known) => *known,
-                    None => {
-                        let target = self.intermediate(ty);
-                        let (dividend, divisor) = (self.operand(cx, a), self.operand(cx, b));
-                        let modulo = op == Arithmetic::Modulo;
-                        let flag = self.symbols.flag(Flag::Div0);
-                        cx.statements.push(Statement::Divide { target, modulo, dividend, divisor, flag });
-                        cx.latch_in(quotient, target);
-                        target
-                    }
-                };
-                self.symbols.read(&mut self.pool, target)
+        match (op, self.pool.as_constant(b)) {
+            (Arithmetic::Add | Arithmetic::Subtract | Arithmetic::Multiply, _) => self.pool.arithmetic(op, ty, a, b),
+            // The least whole number has no negative in its type, and a processor may stop at the attempt.
+            (Arithmetic::Divide, Some(Value::Int(-1))) => self.pool.negate(a),
+            (Arithmetic::Modulo, Some(Value::Int(-1))) => self.pool.constant(crate::symbols::zero(ty), ty),
+            (Arithmetic::Divide | Arithmetic::Modulo, Some(divisor)) if !is_zero(divisor) => {
+                self.pool.arithmetic(op, ty, a, b)
             }
+            (Arithmetic::Divide | Arithmetic::Modulo, _) => self.division(cx, op == Arithmetic::Modulo, ty, a, b),
         }
+    }
+
+    /// A division by what may be zero.
+    fn division(&mut self, cx: &mut Context, modulo: bool, ty: Type, a: FormulaId, b: FormulaId) -> FormulaId {
+        if let Some(known) = cx.divided.get(&(modulo, a, b)) {
+            return self.symbols.read(&mut self.pool, *known);
+        }
+        let target = self.intermediate(ty);
+        let (dividend, divisor) = (self.operand(cx, a), self.operand(cx, b));
+        let flag = self.symbols.flag(Flag::Div0);
+        cx.statements.push(Statement::Divide { target, modulo, dividend, divisor, flag });
+        cx.divided.insert((modulo, a, b), target);
+        cx.divided_in_order.push((modulo, a, b));
+        self.symbols.read(&mut self.pool, target)
     }
 
     /// A variable or constant of this value: what a division reads more than once.
@@ -90,5 +94,13 @@ impl Lowering<'_> {
     fn intermediate(&mut self, ty: Type) -> VarId {
         self.latches += 1;
         self.symbols.fresh(Role::Temporary, format!("value_{}", self.latches), ty, None)
+    }
+}
+
+fn is_zero(value: Value) -> bool {
+    match value {
+        Value::Int(n) | Value::Time(n) => n == 0,
+        Value::Real(x) => x == 0.0,
+        Value::Bool(_) => true,
     }
 }

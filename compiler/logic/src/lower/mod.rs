@@ -43,7 +43,13 @@ pub(crate) struct Context {
     /// Variables that hold an intermediate result, and the order in which they came.
     latched: FxHashMap<FormulaId, VarId>,
     latched_in_order: Vec<FormulaId>,
+    /// Variables that hold a quotient (or, marked, a remainder), and the order in which they came.
+    divided: FxHashMap<Division, VarId>,
+    divided_in_order: Vec<Division>,
 }
+
+/// Whether the remainder is wanted, the dividend and the divisor.
+type Division = (bool, FormulaId, FormulaId);
 
 impl Context {
     fn latch_in(&mut self, value: FormulaId, variable: VarId) {
@@ -61,6 +67,8 @@ impl Context {
             grafcets: FxHashMap::default(),
             latched: FxHashMap::default(),
             latched_in_order: Vec::new(),
+            divided: FxHashMap::default(),
+            divided_in_order: Vec::new(),
         }
     }
 }
@@ -337,10 +345,13 @@ impl<'n> Lowering<'n> {
     /// because it holds a value only where the branch is taken.
     pub(crate) fn branch_value(&mut self, cx: &mut Context, value: ExprId) -> (Vec<Statement>, FormulaId) {
         let outer = std::mem::take(&mut cx.statements);
-        let known = cx.latched_in_order.len();
+        let (known, divided) = (cx.latched_in_order.len(), cx.divided_in_order.len());
         let formula = self.expr(cx, value);
         for inside in cx.latched_in_order.drain(known..) {
             cx.latched.remove(&inside);
+        }
+        for inside in cx.divided_in_order.drain(divided..) {
+            cx.divided.remove(&inside);
         }
         (std::mem::replace(&mut cx.statements, outer), formula)
     }

@@ -167,7 +167,7 @@ pub enum Statement {
         modulo: bool,
         /// A variable or a constant.
         dividend: FormulaId,
-        /// A variable or a constant.
+        /// A variable, or the constant 0: other constants divide inside a formula.
         divisor: FormulaId,
         /// The flag to raise.
         flag: VarId,
