@@ -7,6 +7,7 @@ use super::{Build, assign, four_steps};
 use crate::st::{Options, Pou, emit};
 use grafc_logic::formula::{Arithmetic, Comparison, FormulaId, Type, Value};
 use grafc_logic::scan::{Flag, Preset, Program, Role, Statement, VarId};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -17,7 +18,6 @@ struct Matiec {
 }
 
 /// Looks for MATIEC.
-#[expect(clippy::print_stderr, reason = "a skipped test must say so")]
 fn matiec() -> Option<Matiec> {
     let path = std::env::var_os("PATH").unwrap_or_default();
     let found = std::env::split_paths(&path).map(|folder| folder.join("iec2c")).find(|file| file.is_file());
@@ -28,9 +28,14 @@ fn matiec() -> Option<Matiec> {
         Some(Matiec { compiler, library })
     });
     if found.is_none() {
-        eprintln!("skipped: iec2c is not on the search path");
+        skipped("iec2c");
     }
     found
+}
+
+/// Says so on the process's own standard error, because a passing test's output is not shown.
+fn skipped(tool: &str) {
+    let _ = writeln!(std::io::stderr(), "skipped: {tool} is not on the search path");
 }
 
 impl Matiec {
@@ -46,7 +51,6 @@ impl Matiec {
     }
 
     /// Runs gcc on files of a folder; nothing if there is no gcc.
-    #[expect(clippy::print_stderr, reason = "a skipped test must say so")]
     fn gcc(&self, folder: &Path, arguments: &[&str]) -> bool {
         let mut command = Command::new("gcc");
         command.arg("-w").arg("-I").arg(self.library.join("C")).args(arguments).current_dir(folder);
@@ -56,7 +60,7 @@ impl Matiec {
                 true
             }
             Err(_) => {
-                eprintln!("skipped: gcc is not on the search path");
+                skipped("gcc");
                 false
             }
         }
