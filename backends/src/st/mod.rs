@@ -1,7 +1,7 @@
 //! Structured Text: IEC 61131-3 edition 2, and of it only what MATIEC, IronPLC, STruC++ and the vendors' tools all take.
 //!
 //! So: keywords in upper case, flat comments, no VAR_TEMP, no empty block or body, no implicit conversion, time literals
-//! of one unit, located variables in a block of their own. [`names`] fixes all names first, [`limits`] refuses what
+//! of one unit, located variables in a block of their own. `names` fixes all names first, `limits` refuses what
 //! could not be written well, then each part is written in one walk.
 
 mod declarations;

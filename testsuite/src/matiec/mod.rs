@@ -1,6 +1,6 @@
 //! Generated Structured Text, as MATIEC compiles it and a C compiler runs it.
 //!
-//! The function blocks of many charts go into one file for `iec2c`, what it writes and a driver of ours ([`driver`])
+//! The function blocks of many charts go into one file for `iec2c`, what it writes and a driver of ours (`driver`)
 //! into one program for `gcc`, which plays each chart's trace and prints what came out. The time is fixed throughout a
 //! call, as the PLC's cycle fixes it. If a file of many charts is refused, each is tried alone, so that a fault is
 //! reported with its chart.

@@ -2,10 +2,10 @@
 //!
 //! A seed is a chart: the same seed gives the same text for as long as this module stays as it is, and a failure that
 //! is worth keeping becomes a vector of its own. Charts are correct by construction, as far as the rules of the
-//! language can be kept without a model of it; [`checked`] tries the next seed in the rare other case.
+//! language can be kept without a model of it; `checked` tries the next seed in the rare other case.
 //!
-//! Structure is drawn first ([`structure`]), with every label known; then declarations, conditions and actions are
-//! written ([`expression`]), so that any condition may name any step. Weights lean towards charts in which things
+//! Structure is drawn first (`structure`), with every label known; then declarations, conditions and actions are
+//! written (`expression`), so that any condition may name any step. Weights lean towards charts in which things
 //! happen: rings rather than dead ends, conditions of one or two inputs, delays that the traces meet to the millisecond.
 
 mod expression;
