@@ -1,7 +1,8 @@
 //! The generated code of the example charts, word for word: so that a change of it is seen and read before it lands.
 //!
-//! A golden file proves nothing about meaning; that is what the other tests are for. `GRAFC_BLESS=1` rewrites them.
+//! A golden file proves nothing about meaning; that is what the other tests are for. `UPDATE_EXPECT=1` rewrites them.
 
+use expect_test::expect_file;
 use grafc::pipeline::{self, Options, Target};
 use grafc_backends::st;
 use grafc_diagnostics::FileId;
@@ -16,8 +17,6 @@ fn folder() -> PathBuf {
 
 #[test]
 fn the_generated_st_is_as_it_was_read_last() {
-    let bless = std::env::var_os("GRAFC_BLESS").is_some();
-    let mut faults = Vec::new();
     let mut wanted = BTreeSet::new();
     for case in cases(&charts_folder()) {
         let chart = check(&case.name, &case.text).unwrap_or_else(|said| panic!("{said}"));
@@ -35,16 +34,10 @@ fn the_generated_st_is_as_it_was_read_last() {
         let (code, said) = pipeline::compile(FileId::default(), &case.text, &case.name, &options);
         let code = code.unwrap_or_else(|| panic!("{}: {said:?}", case.name));
         let file = format!("{}.st", case.name);
-        let path = folder().join(&file);
-        if bless {
-            std::fs::write(&path, &code).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
-        } else if std::fs::read_to_string(&path).ok().as_deref() != Some(&code) {
-            faults.push(file.clone());
-        }
+        expect_file![folder().join(&file)].assert_eq(&code);
         wanted.insert(file);
     }
     assert!(wanted.len() >= 10, "only {} flat charts were found", wanted.len());
-    assert!(faults.is_empty(), "these differ from testsuite/golden, or are missing there: {faults:?}");
     let stale: Vec<String> = std::fs::read_dir(folder())
         .expect("the folder of golden files")
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
