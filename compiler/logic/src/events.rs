@@ -113,24 +113,9 @@ impl Clearings {
     ) -> Vec<FormulaId> {
         let net = lowering.net;
         let edges: FxHashSet<VarId> = lowering.edges.iter().flat_map(|e| [e.rise, e.fall]).flatten().collect();
-        let is_edge = |f: FormulaId| matches!(lowering.pool.get(f), Formula::Variable(v) if edges.contains(v));
-        let waits: IndexVec<TransitionId, bool> = conditions
-            .iter()
-            .map(|c| match lowering.pool.get(*c) {
-                Formula::And(factors) => factors.iter().any(|f| is_edge(*f)),
-                Formula::Variable(_) => is_edge(*c),
-                Formula::Constant(_)
-                | Formula::TimerDone(_)
-                | Formula::TimerElapsed(_)
-                | Formula::Not(_)
-                | Formula::Or(_)
-                | Formula::Xor(..)
-                | Formula::Compare(..)
-                | Formula::Arithmetic(..)
-                | Formula::Negate(_)
-                | Formula::Widen(_) => false,
-            })
-            .collect();
+        let is_edge = |f: &FormulaId| matches!(lowering.pool.get(*f), Formula::Variable(v) if edges.contains(v));
+        let waits: IndexVec<TransitionId, bool> =
+            conditions.iter().map(|c| lowering.pool.factors(c).iter().any(is_edge)).collect();
         let mut moves: IndexVec<TransitionId, bool> = net.transitions.iter().map(|_| false).collect();
         for s in net.places.indices().filter(|s| components.covers(*s)) {
             self.out_of[s].iter().for_each(|t| moves[*t] = true);
@@ -189,7 +174,7 @@ impl StepEvents {
                 } else {
                     clearings.deactivated(lowering, components, s)
                 };
-                let simple = lowering.pool.operands(value).next().is_none();
+                let simple = lowering.pool.is_leaf(value);
                 let value = if simple || *count == 1 {
                     value
                 } else {

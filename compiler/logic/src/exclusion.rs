@@ -28,9 +28,9 @@ impl EdgeFacts {
 
     /// The factors of a condition, each with whether it is asserted or denied, and what its edges imply.
     fn literals(&self, pool: &Pool, condition: FormulaId) -> Vec<(FormulaId, bool)> {
-        let factors = if let Formula::And(list) = pool.get(condition) { list.to_vec() } else { vec![condition] };
+        let factors = pool.factors(&condition);
         let mut literals = Vec::with_capacity(factors.len());
-        for factor in factors {
+        for factor in factors.iter().copied() {
             if let Formula::Not(inner) = pool.get(factor) {
                 literals.push((*inner, false));
                 continue;

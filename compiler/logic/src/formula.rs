@@ -5,12 +5,25 @@
 //! (constants, double negation, repeated operands).
 
 use crate::number;
-use crate::scan::{TimerId, VarId};
 pub use grafc_model::chart::{Arithmetic, Comparison, Type, Value};
 use index_vec::define_index_type;
 use indexmap::IndexSet;
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 use std::hash::{Hash, Hasher};
+
+define_index_type! {
+    /// A variable of a program.
+    pub struct VarId = u32;
+    DISPLAY_FORMAT = "v{}";
+    DEBUG_FORMAT = "v{}";
+}
+
+define_index_type! {
+    /// A timer of a program.
+    pub struct TimerId = u32;
+    DISPLAY_FORMAT = "d{}";
+    DEBUG_FORMAT = "d{}";
+}
 
 define_index_type! {
     /// A formula of a [`Pool`].
@@ -113,6 +126,16 @@ impl Pool {
     /// Whether there is no formula.
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
+    }
+
+    /// Whether a formula has no operands: a constant, a variable or a timer.
+    pub fn is_leaf(&self, id: FormulaId) -> bool {
+        self.operands(id).next().is_none()
+    }
+
+    /// The factors of a conjunction; of any other formula itself.
+    pub fn factors<'a>(&'a self, id: &'a FormulaId) -> &'a [FormulaId] {
+        if let Formula::And(list) = self.get(*id) { list } else { std::slice::from_ref(id) }
     }
 
     /// All ids, operands before operators.

@@ -1,7 +1,7 @@
 //! Arithmetic as the types define it: whole numbers wrap around at their width, a `real` is rounded to single after each
 //! operation, a time is a whole number of milliseconds.
 
-use crate::formula::{Arithmetic, Comparison, Type, Value};
+use grafc_model::chart::{Arithmetic, Comparison, Type, Value};
 
 /// `-a`.
 pub(crate) fn negate(ty: Type, a: Value) -> Value {

@@ -10,18 +10,8 @@ use crate::scan::{Flag, Role, Statement, VarId};
 impl Lowering<'_> {
     /// The value itself if it is a variable or a constant, else a variable that holds it.
     pub(super) fn latch(&mut self, cx: &mut Context, value: FormulaId) -> FormulaId {
-        match self.pool.get(value) {
-            Formula::Arithmetic(..) | Formula::Negate(_) => {}
-            Formula::Constant(_)
-            | Formula::Variable(_)
-            | Formula::TimerDone(_)
-            | Formula::TimerElapsed(_)
-            | Formula::Not(_)
-            | Formula::And(_)
-            | Formula::Or(_)
-            | Formula::Xor(..)
-            | Formula::Compare(..)
-            | Formula::Widen(_) => return value,
+        if !matches!(self.pool.get(value), Formula::Arithmetic(..) | Formula::Negate(_)) {
+            return value;
         }
         let target = match cx.latched.get(&value) {
             Some(known) => *known,
@@ -70,25 +60,14 @@ impl Lowering<'_> {
         self.symbols.read(&mut self.pool, target)
     }
 
-    /// A variable or constant of this value: what a division reads more than once.
+    /// The value without operators: a division reads it more than once.
     fn operand(&mut self, cx: &mut Context, value: FormulaId) -> FormulaId {
-        match self.pool.get(value) {
-            Formula::Constant(_) | Formula::Variable(_) => value,
-            Formula::TimerDone(_)
-            | Formula::TimerElapsed(_)
-            | Formula::Not(_)
-            | Formula::And(_)
-            | Formula::Or(_)
-            | Formula::Xor(..)
-            | Formula::Compare(..)
-            | Formula::Arithmetic(..)
-            | Formula::Negate(_)
-            | Formula::Widen(_) => {
-                let target = self.intermediate(self.pool.ty(value));
-                cx.statements.push(Statement::Assign { target, value, remark: None });
-                self.symbols.read(&mut self.pool, target)
-            }
+        if self.pool.is_leaf(value) {
+            return value;
         }
+        let target = self.intermediate(self.pool.ty(value));
+        cx.statements.push(Statement::Assign { target, value, remark: None });
+        self.symbols.read(&mut self.pool, target)
     }
 
     fn intermediate(&mut self, ty: Type) -> VarId {

@@ -4,7 +4,7 @@
 //! R_TRIG are of no use here: they see an edge at power-up and lose edges when they are not called in every context.
 
 use super::{Context, Lowering, Moment};
-use crate::formula::{Formula, FormulaId, Type};
+use crate::formula::{FormulaId, Type};
 use crate::scan::{Role, Statement, VarId};
 use grafc_model::chart::ExprId;
 
@@ -59,21 +59,12 @@ impl Lowering<'_> {
 
     fn remember(&mut self, cx: &mut Context, operand: ExprId, formula: FormulaId) -> usize {
         let base = self.base_name(operand, self.edges.len() + 1);
-        let now = match self.pool.get(formula) {
-            Formula::Variable(_) | Formula::TimerDone(_) | Formula::Constant(_) => formula,
-            Formula::TimerElapsed(_)
-            | Formula::Not(_)
-            | Formula::And(_)
-            | Formula::Or(_)
-            | Formula::Xor(..)
-            | Formula::Compare(..)
-            | Formula::Arithmetic(..)
-            | Formula::Negate(_)
-            | Formula::Widen(_) => {
-                let target = self.symbols.fresh(Role::Temporary, format!("now_{base}"), Type::Bool, None);
-                cx.statements.push(Statement::Assign { target, value: formula, remark: None });
-                self.symbols.read(&mut self.pool, target)
-            }
+        let now = if self.pool.is_leaf(formula) {
+            formula
+        } else {
+            let target = self.symbols.fresh(Role::Temporary, format!("now_{base}"), Type::Bool, None);
+            cx.statements.push(Statement::Assign { target, value: formula, remark: None });
+            self.symbols.read(&mut self.pool, target)
         };
         let old = self.symbols.fresh(Role::Memory, format!("old_{base}"), Type::Bool, None);
         let index = self.edges.len();

@@ -267,7 +267,7 @@ impl<'n> Lowering<'n> {
 
     /// `XM3 := XE3 OR X30 OR XS3`, so that no condition has to spell it out again.
     fn named_activity(&mut self, cx: &mut Context, label: &str, activity: FormulaId) -> FormulaId {
-        if self.pool.operands(activity).next().is_none() {
+        if self.pool.is_leaf(activity) {
             return activity;
         }
         let target = self.symbols.fresh(Role::Temporary, format!("X{label}"), Type::Bool, None);

@@ -18,22 +18,9 @@ mod verify;
 pub use verify::verify;
 
 use crate::formula::{FormulaId, Pool, Type, Value};
+pub use crate::formula::{TimerId, VarId};
 use grafc_diagnostics::Span;
-use index_vec::{IndexVec, define_index_type};
-
-define_index_type! {
-    /// A variable of a [`Program`].
-    pub struct VarId = u32;
-    DISPLAY_FORMAT = "v{}";
-    DEBUG_FORMAT = "v{}";
-}
-
-define_index_type! {
-    /// A timer of a [`Program`].
-    pub struct TimerId = u32;
-    DISPLAY_FORMAT = "d{}";
-    DEBUG_FORMAT = "d{}";
-}
+use index_vec::IndexVec;
 
 /// The statements of one scan.
 #[derive(Clone, Debug)]
@@ -165,9 +152,9 @@ pub enum Statement {
         target: VarId,
         /// `true` for the remainder.
         modulo: bool,
-        /// A variable or a constant.
+        /// A formula without operators.
         dividend: FormulaId,
-        /// A variable, or the constant 0: other constants divide inside a formula.
+        /// A formula without operators; of constants only 0, since others divide inside a formula.
         divisor: FormulaId,
         /// The flag to raise.
         flag: VarId,
