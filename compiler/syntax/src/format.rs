@@ -26,7 +26,7 @@ pub fn format(text: &str, chart: &Chart) -> String {
     }
     let mut formatter = Formatter {
         text,
-        pieces: pieces(text, &lexed.lexemes, &lexed.comments),
+        pieces: without_empty_braces(pieces(text, &lexed.lexemes, &lexed.comments)),
         actions: action_starts(chart),
         out: String::with_capacity(text.len()),
         level: 0,
@@ -61,6 +61,33 @@ fn pieces(text: &str, lexemes: &[Lexeme], comments: &[Lexeme]) -> Vec<Piece> {
             Piece { lexeme, breaks: gap.iter().filter(|b| **b == b'\n').count() }
         })
         .collect()
+}
+
+/// Leaves out the braces of steps and transitions that hold nothing: they say nothing. They go before anything is laid
+/// out, so that a comment beside them stands where it would without them.
+fn without_empty_braces(pieces: Vec<Piece>) -> Vec<Piece> {
+    let mut kept: Vec<Piece> = Vec::with_capacity(pieces.len());
+    let (mut in_head_of_block, mut forcing) = (false, false);
+    let mut gap = 0;
+    let mut pieces = pieces.into_iter().peekable();
+    while let Some(mut piece) = pieces.next() {
+        let token = piece.lexeme.token;
+        piece.breaks += std::mem::take(&mut gap);
+        if token == Token::OpenBrace && !in_head_of_block && !forcing {
+            if let Some(close) = pieces.next_if(|p| p.lexeme.token == Token::CloseBrace) {
+                gap = piece.breaks + close.breaks;
+                continue;
+            }
+        }
+        match token {
+            Token::Grafcet | Token::Expansion => in_head_of_block = true,
+            Token::Force => forcing = true,
+            Token::OpenBrace | Token::CloseBrace => (in_head_of_block, forcing) = (false, false),
+            _ => {}
+        }
+        kept.push(piece);
+    }
+    kept
 }
 
 /// Where the actions of steps and transitions begin.
@@ -194,12 +221,6 @@ impl Formatter<'_> {
         while at < pieces.len() {
             let piece = pieces[at];
             let token = piece.lexeme.token;
-            let next_token = pieces.get(at + 1).map(|p| p.lexeme.token);
-            let is_block = matches!(pieces[0].lexeme.token, Token::Grafcet | Token::Expansion);
-            if token == Token::OpenBrace && next_token == Some(Token::CloseBrace) && state.braces == 0 && !is_block {
-                // Empty braces say nothing.
-                break;
-            }
             // What decides the indentation: the token that this piece is, or that the comment stands before.
             let next = following[at];
             let starts_action = next.is_some_and(|l| self.actions.contains(&l.start));

@@ -179,3 +179,14 @@ fn a_comment_between_any_two_tokens() {
         assert!(check(&commented), "{commented}");
     }
 }
+
+#[test]
+fn comments_beside_empty_braces_stand_as_if_there_were_none() {
+    let text = "expansion M3 { step E3\n(* own *) {} (* c *)  \n transition E3 -> S3 : 1 step S3 }";
+    let once = "expansion M3 {\n  step E3\n  (* own *) (* c *)\n  transition E3 -> S3 : 1\n  step S3\n}\n";
+    assert_eq!(format(text), once);
+    assert_eq!(
+        format("step 1 { } // c\nstep 2 { force G1{} }\ngrafcet G3 {}\n"),
+        "step 1 // c\nstep 2 { force G1{} }\ngrafcet G3 {\n}\n"
+    );
+}

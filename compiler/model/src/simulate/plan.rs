@@ -40,7 +40,8 @@ struct Marks {
 pub(super) struct Plan {
     /// By name, the places of its continuous actions in [`Chart::continuous`].
     pub actions: IndexVec<VariableId, Vec<usize>>,
-    /// In every context: transition-conditions, event expressions, and all edges and delays of the chart.
+    /// In every context: transition-conditions, event expressions, the wires that right sides read, and all edges and
+    /// delays of the chart.
     pub context: Vec<Node>,
     /// Event expressions with their edges replaced by 0 (R7).
     pub levels: Vec<Node>,
@@ -75,6 +76,12 @@ impl Plan {
         roots.extend(chart.stored.iter().map(|stored| Node::Expr(stored.value)));
         roots.extend(outputs.iter().copied());
         let all = operands_first(chart, &actions, &roots);
+
+        // Reading has no side effects (X6): whether a wire is evaluated, and a division in it raises DIV0, does not hang
+        // on whether the action that reads it is done.
+        let right_sides = chart.stored.iter().map(|stored| Node::Expr(stored.value)).collect();
+        let read = reach(chart, &actions, right_sides, Memory::Hold);
+        context.extend(all.iter().filter(|&&node| matches!(node, Node::Wire(_)) && read.has(node)));
 
         let mut edges = Vec::new();
         for &node in &all {
