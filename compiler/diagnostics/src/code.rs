@@ -40,14 +40,14 @@ macro_rules! codes {
                 match self { $(Code::$code => Severity::$severity,)* }
             }
 
-            /// The page on it, in Markdown.
-            pub fn page(self) -> &'static str {
-                match self { $(Code::$code => include_str!(concat!("../../../docs/errors/", stringify!($code), ".md")),)* }
-            }
-
             /// The code of this spelling, in any case.
             pub fn parse(text: &str) -> Option<Code> {
                 Code::ALL.iter().copied().find(|c| c.as_str().eq_ignore_ascii_case(text))
+            }
+
+            /// The page on it, in Markdown.
+            pub fn page(self) -> &'static str {
+                match self { $(Code::$code => include_str!(concat!("../../../docs/errors/", stringify!($code), ".md")),)* }
             }
         }
     };
@@ -125,4 +125,33 @@ codes! {
     E0604 "trace-goes-back-in-time" Error;
 
     E0901 "internal-error" Error;
+}
+
+impl Code {
+    /// Whether the fault is there for certain even if other parts of the text could not be read.
+    ///
+    /// What is unknown, missing or never activated may stand in an unreadable part; a name given twice, a type that does
+    /// not fit or an edge inside an edge is wrong whatever stands there.
+    pub fn is_certain_beside_syntax_errors(self) -> bool {
+        use Code::*;
+        matches!(
+            self,
+            E0202
+                | E0203
+                | E0204
+                | E0205
+                | E0206
+                | E0207
+                | E0210
+                | E0211
+                | E0212
+                | E0213
+                | E0303
+                | E0307
+                | E0314
+                | E0413
+                | E0414
+                | E0415
+        )
+    }
 }

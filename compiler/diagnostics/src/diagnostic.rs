@@ -90,6 +90,11 @@ impl Diagnostics {
         self.list.append(&mut other.list);
     }
 
+    /// Keeps the messages of which it is true.
+    pub fn retain(&mut self, keep: impl FnMut(&Diagnostic) -> bool) {
+        self.list.retain(keep);
+    }
+
     /// Whether one of the messages is an error.
     pub fn has_errors(&self) -> bool {
         self.list.iter().any(|d| d.code.severity() == Severity::Error)

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Functions of their arguments alone: nothing is read, written or printed. A stage reports all it finds; after a
-//! stage that found an error, no other begins.
+//! stage that found an error, no other begins, save that a text with syntax errors is checked as far as it was read.
 
 use grafc_backends::st;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
@@ -64,10 +64,14 @@ pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) 
 /// As far as the checked chart. There is one exactly if no message is an error.
 pub fn check(file: FileId, text: &str, default_name: &str) -> (Option<Chart>, Diagnostics) {
     let (tree, mut said) = grafc_syntax::parse(file, text);
+    let (chart, mut found) = grafc_model::check(&tree, default_name);
     if said.has_errors() {
+        // The author shall see all faults at once, but none that only comes from what could not be read.
+        found.retain(|d| d.code.is_certain_beside_syntax_errors());
+        said.append(found);
+        said.sort_by_place();
         return (None, said);
     }
-    let (chart, found) = grafc_model::check(&tree, default_name);
     said.append(found);
     (chart.filter(|_| !said.has_errors()), said)
 }

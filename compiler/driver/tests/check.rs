@@ -81,3 +81,21 @@ fn wrong_use_ends_with_2() {
     place.run(&["check", "-", "-"]).ends(2, "standard input is named twice");
     place.run(&["check", "a.gct", "--target", "st"]).ends(2, "--target");
 }
+
+#[test]
+fn syntax_errors_hide_no_certain_fault_and_cause_no_doubtful_one() {
+    let text = "\
+input a, a : bool
+step ?
+initial step 1
+transition 1 -> 9 : a and ↑(a · ↑a)
+transition 1 -> : b
+transition 1 -> : a or
+";
+    let place = Place::new(&[("mixed.gct", text)]);
+    let run = place.run(&["check", "mixed.gct"]);
+    run.ends(1, "mixed.gct:1:10").ends(1, "mixed.gct:2:6").ends(1, "mixed.gct:4:33").ends(1, "mixed.gct:6:23");
+    assert!(run.err.contains("E0202") && run.err.contains("E0413"), "{}", run.err);
+    // The step `9` and the variable `b` may stand in what could not be read.
+    assert!(run.err.ends_with("\n4 errors\n"), "{}", run.err);
+}

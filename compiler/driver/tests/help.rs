@@ -72,6 +72,6 @@ fn an_unknown_code_leads_to_near_ones() {
     assert_eq!(run.ends(2, "no diagnostic has the code `E0202x`").out, "");
     run.ends(2, "perhaps `E0202` (declared-twice)");
     place.run(&["explain", "unknown-nam"]).ends(2, "`E0201` (unknown-name)");
-    place.run(&["explain", "qqqqqqqqqqqq"]).ends(2, "codes run from E0101 to E0901");
+    place.run(&["explain", "qqqqqqqqqqqq"]).ends(2, "errors run from E0101 to E0901, warnings from W0401");
     place.run(&["explain"]).ends(2, "CODE");
 }

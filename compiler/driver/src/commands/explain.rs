@@ -4,7 +4,7 @@ use crate::Exit;
 use crate::files::print;
 use crate::report::Failure;
 use clap::Args;
-use grafc_diagnostics::Code;
+use grafc_diagnostics::{Code, Severity};
 
 const AFTER_HELP: &str = "\
 Example:
@@ -35,9 +35,11 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
             let help = match near.is_empty() {
                 false => format!("perhaps {}", near.join(" or ")),
                 true => {
-                    let (first, last) = (Code::ALL.first(), Code::ALL.last());
-                    let ends = [first, last].map(|code| code.map_or("", |code| code.as_str()));
-                    format!("codes run from {} to {}, with gaps", ends[0], ends[1])
+                    let of = |severity| Code::ALL.iter().filter(move |c| c.severity() == severity).map(|c| c.as_str());
+                    let ends = |severity| (of(severity).next().unwrap_or(""), of(severity).next_back().unwrap_or(""));
+                    let (errors, warnings) = (ends(Severity::Error), ends(Severity::Warning));
+                    let (e0, e1, w0, w1) = (errors.0, errors.1, warnings.0, warnings.1);
+                    format!("errors run from {e0} to {e1}, warnings from {w0} to {w1}, with gaps")
                 }
             };
             Err(Failure::WrongUse(format!("no diagnostic has the code `{asked}`"), help))
