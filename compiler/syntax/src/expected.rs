@@ -38,7 +38,7 @@ pub(crate) fn describe(previous: Token, expected: &[String]) -> String {
         ("on", "`on`"),
         ("activation", "`activation`, `deactivation` or `event`"),
         ("address", "an address such as `%IX0.0`"),
-        ("at", "`at` with an address"),
+        ("at", "`at`"),
         ("{", "`{`"),
         ("}", "`}`"),
         ("string", "an attached comment"),
