@@ -30,14 +30,16 @@ fn options() -> Result<Options, String> {
     let mut options = Options { charts: 1000, rows: 30, seed: 0, matiec: 0 };
     let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
+        if !["--charts", "--rows", "--seed", "--matiec"].contains(&word.as_str()) {
+            return Err("usage: differential [--charts N] [--rows N] [--seed S] [--matiec N]".to_owned());
+        }
         let value = words.next().ok_or_else(|| format!("`{word}` wants a number"))?;
         let number: u64 = value.parse().map_err(|_| format!("`{value}` is not a number"))?;
         match word.as_str() {
             "--charts" => options.charts = number,
             "--rows" => options.rows = usize::try_from(number).map_err(|e| e.to_string())?,
             "--seed" => options.seed = number,
-            "--matiec" => options.matiec = number,
-            other => return Err(format!("`{other}`: known are --charts, --rows, --seed, --matiec")),
+            _ => options.matiec = number,
         }
     }
     Ok(options)
