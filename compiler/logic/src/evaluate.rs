@@ -1,7 +1,7 @@
 //! Runs a scan program as it stands: the meaning that every backend has to keep.
 //!
-//! Shares nothing with the reference simulator. The program is translated once into code for a stack machine, so that
-//! no evaluation recurses and a scan costs what the program holds.
+//! Shares nothing with the reference simulator. Formulas are walked with a stack of our own, each shared part once, so
+//! that no evaluation recurses and a scan costs what the program holds.
 
 use crate::formula::{Formula, FormulaId, Type, Value};
 use crate::number::{arithmetic, compare, divide, negate};
