@@ -122,20 +122,20 @@ fn stored_reads(lowering: &Lowering, root: ExprId) -> Vec<VariableId> {
                     found.push(*v);
                 }
             }
+            ExprKind::Rise(_) | ExprKind::Fall(_) | ExprKind::Delay { .. } => {}
             ExprKind::Literal(_)
             | ExprKind::StepActive(_)
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
             | ExprKind::GrafcetActive(_)
-            | ExprKind::Rise(_)
-            | ExprKind::Fall(_)
-            | ExprKind::Delay { .. } => {}
-            ExprKind::Not(a) | ExprKind::Negate(a) | ExprKind::Widen(a) => stack.push(*a),
-            ExprKind::And(a, b)
-            | ExprKind::Or(a, b)
-            | ExprKind::Xor(a, b)
-            | ExprKind::Compare(_, a, b)
-            | ExprKind::Arithmetic(_, a, b) => stack.extend([*b, *a]),
+            | ExprKind::Not(_)
+            | ExprKind::And(..)
+            | ExprKind::Or(..)
+            | ExprKind::Xor(..)
+            | ExprKind::Compare(..)
+            | ExprKind::Arithmetic(..)
+            | ExprKind::Negate(_)
+            | ExprKind::Widen(_) => stack.extend(net.exprs[e].kind.operands()),
         }
     }
     found

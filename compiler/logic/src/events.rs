@@ -81,22 +81,43 @@ impl Clearings {
 
     /// `s` is active after the micro-step and was not before.
     pub(crate) fn activated(&self, lowering: &mut Lowering, components: &Components, s: StepId) -> FormulaId {
-        let set = self.any(lowering, self.into[s].iter().copied());
+        let into = self.into[s].iter().copied();
         if components.covers(s) {
             // The step that the token of a component comes to was inactive.
-            return set;
+            return self.any(lowering, into);
         }
-        let active = lowering.active(s);
+        self.activated_by(lowering, s, into)
+    }
+
+    /// `s` was inactive, and one of these transitions into it clears.
+    fn activated_by(
+        &self,
+        lowering: &mut Lowering,
+        s: StepId,
+        transitions: impl IntoIterator<Item = TransitionId>,
+    ) -> FormulaId {
+        let (set, active) = (self.any(lowering, transitions), lowering.active(s));
         let inactive = lowering.pool.not(active);
         lowering.pool.and([set, inactive])
     }
 
     /// `s` was active before the micro-step and is not after.
     pub(crate) fn deactivated(&self, lowering: &mut Lowering, components: &Components, s: StepId) -> FormulaId {
-        let reset = self.any(lowering, self.out_of[s].iter().copied());
+        let out_of = self.out_of[s].iter().copied();
         if components.covers(s) {
-            return reset;
+            return self.any(lowering, out_of);
         }
+        self.deactivated_by(lowering, s, out_of)
+    }
+
+    /// One of these transitions out of `s` clears, and none that leads into it or back to it.
+    fn deactivated_by(
+        &self,
+        lowering: &mut Lowering,
+        s: StepId,
+        transitions: impl IntoIterator<Item = TransitionId>,
+    ) -> FormulaId {
+        let reset = self.any(lowering, transitions);
         let set = self.any(lowering, self.into[s].iter().chain(&self.loops[s]).copied());
         let not_set = lowering.pool.not(set);
         lowering.pool.and([reset, not_set])
@@ -120,23 +141,18 @@ impl Clearings {
         for s in net.places.indices().filter(|s| components.covers(*s)) {
             self.out_of[s].iter().for_each(|t| moves[*t] = true);
         }
-        let moving: Vec<TransitionId> = net.transitions.indices().filter(|t| moves[*t] && !waits[*t]).collect();
+        let moving = net.transitions.indices().filter(|t| moves[*t] && !waits[*t]);
         let mut terms: Vec<FormulaId> =
-            moving.into_iter().map(|t| lowering.symbols.read(&mut lowering.pool, self.variable[t])).collect();
+            moving.map(|t| lowering.symbols.read(&mut lowering.pool, self.variable[t])).collect();
         for s in net.places.indices() {
             let others =
                 |list: &[TransitionId]| list.iter().copied().filter(|t| !moves[*t] && !waits[*t]).collect::<Vec<_>>();
             let (into, out_of) = (others(&self.into[s]), others(&self.out_of[s]));
             if !into.is_empty() {
-                let (set, active) = (self.any(lowering, into), lowering.active(s));
-                let inactive = lowering.pool.not(active);
-                terms.push(lowering.pool.and([set, inactive]));
+                terms.push(self.activated_by(lowering, s, into));
             }
             if !out_of.is_empty() {
-                let reset = self.any(lowering, out_of);
-                let set = self.any(lowering, self.into[s].iter().chain(&self.loops[s]).copied());
-                let not_set = lowering.pool.not(set);
-                terms.push(lowering.pool.and([reset, not_set]));
+                terms.push(self.deactivated_by(lowering, s, out_of));
             }
         }
         terms

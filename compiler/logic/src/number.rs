@@ -79,11 +79,15 @@ pub(crate) fn arithmetic(op: Arithmetic, ty: Type, a: Value, b: Value) -> Value 
 
 /// A quotient or a remainder; none where the divisor is zero.
 pub(crate) fn divide(ty: Type, modulo: bool, a: Value, b: Value) -> Option<Value> {
-    let zero = match b {
-        Value::Real(x) => x == 0.0,
-        Value::Int(n) | Value::Time(n) => n == 0,
-        Value::Bool(_) => true,
-    };
     let op = if modulo { Arithmetic::Modulo } else { Arithmetic::Divide };
-    (!zero).then(|| arithmetic(op, ty, a, b))
+    (!is_zero(b)).then(|| arithmetic(op, ty, a, b))
+}
+
+/// Whether a value is a divisor that gives no quotient.
+pub(crate) fn is_zero(value: Value) -> bool {
+    match value {
+        Value::Int(n) | Value::Time(n) => n == 0,
+        Value::Real(x) => x == 0.0,
+        Value::Bool(_) => true,
+    }
 }

@@ -328,6 +328,30 @@ pub enum ExprKind {
     Widen(ExprId),
 }
 
+impl ExprKind {
+    /// The operands, from left to right.
+    pub fn operands(&self) -> impl DoubleEndedIterator<Item = ExprId> + use<> {
+        let (first, second) = match *self {
+            ExprKind::Literal(_)
+            | ExprKind::Variable(_)
+            | ExprKind::StepActive(_)
+            | ExprKind::StepTime(_)
+            | ExprKind::MacroActive(_)
+            | ExprKind::GrafcetActive(_) => (None, None),
+            ExprKind::Not(a) | ExprKind::Rise(a) | ExprKind::Fall(a) | ExprKind::Negate(a) | ExprKind::Widen(a) => {
+                (Some(a), None)
+            }
+            ExprKind::Delay { operand, .. } => (Some(operand), None),
+            ExprKind::And(a, b)
+            | ExprKind::Or(a, b)
+            | ExprKind::Xor(a, b)
+            | ExprKind::Compare(_, a, b)
+            | ExprKind::Arithmetic(_, a, b) => (Some(a), Some(b)),
+        };
+        first.into_iter().chain(second)
+    }
+}
+
 /// A delay: milliseconds, and the constant that gave them, if one did.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct DelayTime {

@@ -1,7 +1,7 @@
 //! Checks the invariants that [`crate::net`] lists. A violation is a fault of grafc, never of the chart.
 
 use crate::net::{Fact, Net};
-use grafc_model::chart::{Event, ExprId, ExprKind, Situation, StepId};
+use grafc_model::chart::{Event, ExprKind, Situation, StepId};
 use index_vec::IndexVec;
 
 /// Says which invariant of the net does not hold, if one does not.
@@ -44,31 +44,28 @@ fn arcs(net: &Net) -> Result<(), String> {
 
 fn expressions(net: &Net) -> Result<(), String> {
     for (id, expr) in net.exprs.iter_enumerated() {
-        let before = |operand: ExprId| {
-            if operand < id { Ok(()) } else { Err(format!("operand {operand} does not come before {id}")) }
-        };
+        if let Some(operand) = expr.kind.operands().find(|operand| *operand >= id) {
+            return Err(format!("operand {operand} does not come before {id}"));
+        }
         match &expr.kind {
-            ExprKind::Literal(_) => {}
             ExprKind::Variable(v) => in_table("variable", v.index(), net.variables.as_raw_slice())?,
             ExprKind::StepActive(s) | ExprKind::StepTime(s) => {
                 in_table("place", s.index(), net.places.as_raw_slice())?;
             }
             ExprKind::MacroActive(m) => in_table("macro-step", m.index(), net.macro_steps.as_raw_slice())?,
             ExprKind::GrafcetActive(g) => in_table("grafcet", g.index(), net.grafcets.as_raw_slice())?,
-            ExprKind::Not(a)
-            | ExprKind::Rise(a)
-            | ExprKind::Fall(a)
-            | ExprKind::Negate(a)
-            | ExprKind::Widen(a)
-            | ExprKind::Delay { operand: a, .. } => before(*a)?,
-            ExprKind::And(a, b)
-            | ExprKind::Or(a, b)
-            | ExprKind::Xor(a, b)
-            | ExprKind::Compare(_, a, b)
-            | ExprKind::Arithmetic(_, a, b) => {
-                before(*a)?;
-                before(*b)?;
-            }
+            ExprKind::Literal(_)
+            | ExprKind::Not(_)
+            | ExprKind::And(..)
+            | ExprKind::Or(..)
+            | ExprKind::Xor(..)
+            | ExprKind::Rise(_)
+            | ExprKind::Fall(_)
+            | ExprKind::Delay { .. }
+            | ExprKind::Compare(..)
+            | ExprKind::Arithmetic(..)
+            | ExprKind::Negate(_)
+            | ExprKind::Widen(_) => {}
         }
     }
     Ok(())

@@ -5,6 +5,7 @@
 
 use super::{Context, Lowering};
 use crate::formula::{Arithmetic, Formula, FormulaId, Type, Value};
+use crate::number::is_zero;
 use crate::scan::{Flag, Role, Statement, VarId};
 
 impl Lowering<'_> {
@@ -73,13 +74,5 @@ impl Lowering<'_> {
     fn intermediate(&mut self, ty: Type) -> VarId {
         self.latches += 1;
         self.symbols.fresh(Role::Temporary, format!("value_{}", self.latches), ty, None)
-    }
-}
-
-fn is_zero(value: Value) -> bool {
-    match value {
-        Value::Int(n) | Value::Time(n) => n == 0,
-        Value::Real(x) => x == 0.0,
-        Value::Bool(_) => true,
     }
 }

@@ -188,10 +188,12 @@ impl<'n> Lowering<'n> {
                 ExprKind::MacroActive(m) => out.push(Need::Macro(*m)),
                 ExprKind::GrafcetActive(g) => out.push(Need::Grafcet(*g)),
                 ExprKind::And(..) | ExprKind::Or(..) => out.extend(self.chain(e).into_iter().map(Need::Expr)),
-                ExprKind::Not(a) | ExprKind::Negate(a) | ExprKind::Widen(a) => out.push(Need::Expr(*a)),
-                ExprKind::Xor(a, b) | ExprKind::Compare(_, a, b) | ExprKind::Arithmetic(_, a, b) => {
-                    out.extend([Need::Expr(*a), Need::Expr(*b)]);
-                }
+                ExprKind::Not(_)
+                | ExprKind::Xor(..)
+                | ExprKind::Compare(..)
+                | ExprKind::Arithmetic(..)
+                | ExprKind::Negate(_)
+                | ExprKind::Widen(_) => out.extend(self.net.exprs[e].kind.operands().map(Need::Expr)),
                 ExprKind::Rise(a) | ExprKind::Fall(a) => {
                     if cx.moment == Moment::MicroStep {
                         out.push(Need::Expr(*a));
@@ -363,7 +365,6 @@ impl<'n> Lowering<'n> {
         let mut stack = vec![root];
         while let Some(e) = stack.pop() {
             match &self.net.exprs[e].kind {
-                ExprKind::Literal(_) | ExprKind::StepActive(_) => {}
                 ExprKind::Variable(v) => {
                     if all && self.net.variables[*v].mode == Mode::Wire {
                         self.expr(cx, e);
@@ -381,12 +382,16 @@ impl<'n> Lowering<'n> {
                 ExprKind::Delay { .. } => {
                     self.expr(cx, e);
                 }
-                ExprKind::Not(a) | ExprKind::Negate(a) | ExprKind::Widen(a) => stack.push(*a),
-                ExprKind::And(a, b)
-                | ExprKind::Or(a, b)
-                | ExprKind::Xor(a, b)
-                | ExprKind::Compare(_, a, b)
-                | ExprKind::Arithmetic(_, a, b) => stack.extend([*b, *a]),
+                ExprKind::Literal(_)
+                | ExprKind::StepActive(_)
+                | ExprKind::Not(_)
+                | ExprKind::And(..)
+                | ExprKind::Or(..)
+                | ExprKind::Xor(..)
+                | ExprKind::Compare(..)
+                | ExprKind::Arithmetic(..)
+                | ExprKind::Negate(_)
+                | ExprKind::Widen(_) => stack.extend(self.net.exprs[e].kind.operands().rev()),
             }
         }
     }

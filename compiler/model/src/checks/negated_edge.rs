@@ -6,7 +6,6 @@
 //! Warned of: `transition 1 -> 2 : b and not ↑a`
 //! Not warned of: `transition 1 -> 2 : b and not a`
 
-use super::walk::operands;
 use crate::chart::{ExprId, ExprKind};
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
@@ -18,7 +17,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     // The first edge in each expression that no negation in it holds.
     let mut edges: IndexVec<ExprId, Option<ExprId>> = IndexVec::with_capacity(exprs.len());
     for (id, expr) in exprs.iter_enumerated() {
-        let below = operands(&expr.kind).find_map(|operand| edges[operand]);
+        let below = expr.kind.operands().find_map(|operand| edges[operand]);
         edges.push(match expr.kind {
             ExprKind::Rise(_) | ExprKind::Fall(_) => Some(id),
             ExprKind::Not(_) => {

@@ -3,35 +3,13 @@
 use crate::chart::{Expr, ExprId, ExprKind};
 use index_vec::IndexVec;
 
-/// The operands of an expression.
-pub fn operands(kind: &ExprKind) -> impl Iterator<Item = ExprId> + use<> {
-    let (first, second) = match *kind {
-        ExprKind::Literal(_)
-        | ExprKind::Variable(_)
-        | ExprKind::StepActive(_)
-        | ExprKind::StepTime(_)
-        | ExprKind::MacroActive(_)
-        | ExprKind::GrafcetActive(_) => (None, None),
-        ExprKind::Not(a) | ExprKind::Rise(a) | ExprKind::Fall(a) | ExprKind::Negate(a) | ExprKind::Widen(a) => {
-            (Some(a), None)
-        }
-        ExprKind::Delay { operand, .. } => (Some(operand), None),
-        ExprKind::And(a, b)
-        | ExprKind::Or(a, b)
-        | ExprKind::Xor(a, b)
-        | ExprKind::Compare(_, a, b)
-        | ExprKind::Arithmetic(_, a, b) => (Some(a), Some(b)),
-    };
-    first.into_iter().chain(second)
-}
-
 /// An expression and all below it, in order of the text.
 pub fn below(exprs: &IndexVec<ExprId, Expr>, root: ExprId) -> impl Iterator<Item = ExprId> {
     let mut open = vec![root];
     std::iter::from_fn(move || {
         let id = open.pop()?;
         let place = open.len();
-        open.extend(operands(&exprs[id].kind));
+        open.extend(exprs[id].kind.operands());
         open[place..].reverse();
         Some(id)
     })
@@ -57,7 +35,7 @@ pub fn first_edges(exprs: &IndexVec<ExprId, Expr>) -> IndexVec<ExprId, Option<Ex
             | ExprKind::Compare(..)
             | ExprKind::Arithmetic(..)
             | ExprKind::Negate(_)
-            | ExprKind::Widen(_) => operands(&expr.kind).find_map(|operand| edges[operand]),
+            | ExprKind::Widen(_) => expr.kind.operands().find_map(|operand| edges[operand]),
         });
     }
     edges

@@ -246,13 +246,13 @@ fn operands(
             Memory::Update | Memory::Fresh => found.push(Node::Expr(operand)),
             Memory::Hold => {}
         },
-        ExprKind::Not(operand) | ExprKind::Negate(operand) | ExprKind::Widen(operand) => {
-            found.push(Node::Expr(operand));
-        }
-        ExprKind::And(a, b)
-        | ExprKind::Or(a, b)
-        | ExprKind::Xor(a, b)
-        | ExprKind::Compare(_, a, b)
-        | ExprKind::Arithmetic(_, a, b) => found.extend([Node::Expr(a), Node::Expr(b)]),
+        ExprKind::Not(_)
+        | ExprKind::And(..)
+        | ExprKind::Or(..)
+        | ExprKind::Xor(..)
+        | ExprKind::Compare(..)
+        | ExprKind::Arithmetic(..)
+        | ExprKind::Negate(_)
+        | ExprKind::Widen(_) => found.extend(chart.exprs[id].kind.operands().map(Node::Expr)),
     }
 }
