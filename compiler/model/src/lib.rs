@@ -7,9 +7,11 @@
 pub mod chart;
 mod check;
 mod checks;
+pub mod dump;
 pub mod reaction;
 mod resolve;
 pub mod simulate;
 pub mod trace;
 
 pub use check::check;
+pub use dump::dump;

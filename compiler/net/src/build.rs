@@ -1,6 +1,6 @@
 //! Checked chart to Petri net. Translates, decides nothing.
 
-use crate::net::{MacroStep, Net, Place, Transition};
+use crate::net::{Grafcet, MacroStep, Net, Place, Transition};
 use grafc_model::chart::{Chart, MacroId, Node, StepId};
 use index_vec::IndexVec;
 
@@ -49,6 +49,7 @@ pub fn build(chart: &Chart) -> Net {
             grafcet: t.grafcet,
             pre,
             post,
+            within: None,
             condition: t.condition,
             span: t.span,
         });
@@ -66,16 +67,32 @@ pub fn build(chart: &Chart) -> Net {
                 grafcet: s.grafcet,
                 initial: s.initial,
                 activated: s.activated,
+                within: None,
+                auxiliary: false,
                 span: s.span,
             })
             .collect(),
         transitions,
-        grafcets: chart.grafcets.clone(),
+        grafcets: chart
+            .grafcets
+            .iter()
+            .map(|g| Grafcet {
+                name: g.name.clone(),
+                comment: g.comment.clone(),
+                enclosing_step: g.enclosing_step,
+                level: g.level,
+                steps: g.steps.clone(),
+                orders: Vec::new(),
+                frozen_with: None,
+                span: g.span,
+            })
+            .collect(),
         hierarchy: chart.hierarchy.clone(),
         macro_steps,
         continuous: chart.continuous.clone(),
         stored: chart.stored.clone(),
         orders: chart.orders.clone(),
+        conflict_at_start: false,
         exprs: chart.exprs.clone(),
         facts: Vec::new(),
     }

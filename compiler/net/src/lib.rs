@@ -8,10 +8,12 @@
 //! [`verify()`] checks the invariants of [`net`] and every fact, after each pass in tests and debug builds.
 
 mod build;
+mod dump;
 pub mod net;
 pub mod passes;
 mod verify;
 
 pub use build::build;
+pub use dump::dump;
 pub use net::{Fact, Net};
 pub use verify::verify;

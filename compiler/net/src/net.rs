@@ -5,6 +5,16 @@
 //! stay in the chart's pool of expressions: an expression that names the activity of a macro-step or of a grafcet means
 //! the disjunction of the places that the side table lists.
 //!
+//! What removes a construct leaves behind what it means, place by place and transition by transition:
+//!
+//! | construct | before | after |
+//! | --- | --- | --- |
+//! | macro-step | `entered_by`, `left_by` of [`MacroStep`] | arcs |
+//! | forcing order | [`Net::orders`] | [`Grafcet::orders`], the one that wins first; every situation a set or the current one |
+//! | initial situation | `initial` as the chart marks it | `initial` as rules R5 and R10 settle it, [`Net::conflict_at_start`] |
+//! | freezing | follows the hierarchy | [`Grafcet::frozen_with`] |
+//! | enclosure | [`Grafcet::enclosing_step`] | `within` of [`Place`] and [`Transition`] |
+//!
 //! Invariants, which [`crate::verify()`] checks:
 //! - every id lies in its table;
 //! - `pre` and `post` of a transition hold no place twice, and only places of the transition's grafcet;
@@ -14,7 +24,7 @@
 
 use grafc_diagnostics::Span;
 use grafc_model::chart::{
-    Continuous, Expr, ExprId, Grafcet, GrafcetId, MacroId, Order, StepId, Stored, TransitionId, Variable, VariableId,
+    Continuous, Expr, ExprId, GrafcetId, MacroId, Order, StepId, Stored, TransitionId, Variable, VariableId,
 };
 use index_vec::IndexVec;
 
@@ -23,6 +33,16 @@ use index_vec::IndexVec;
 pub enum Fact {
     /// No arc leads into or out of a macro-step: `entered_by` and `left_by` are empty.
     NoMacroSteps,
+    /// `orders` of the net is empty; each grafcet has its own, in the order in which they win.
+    RankedOrders,
+    /// `initial` marks the situation after R10, before the first micro-step.
+    SettledStart,
+    /// `frozen_with` says from where freezing reaches a grafcet.
+    ClosedFreezing,
+    /// No grafcet has an enclosing step; places and transitions say what they are within.
+    NoEnclosures,
+    /// No two places hand over to each other: `a -> b -> a`, where neither is before and after one transition.
+    NoTwoStepRings,
 }
 
 /// A chart as a Petri net.
@@ -48,8 +68,10 @@ pub struct Net {
     pub continuous: Vec<Continuous>,
     /// Stored actions.
     pub stored: Vec<Stored>,
-    /// Forcing orders.
+    /// Forcing orders, until they are ranked.
     pub orders: Vec<Order>,
+    /// Whether orders disagree in the initial situation; known once that is settled.
+    pub conflict_at_start: bool,
     /// Conditions and values.
     pub exprs: IndexVec<ExprId, Expr>,
     /// What the passes so far have brought about.
@@ -67,8 +89,12 @@ pub struct Place {
     pub grafcet: GrafcetId,
     /// In the initial situation.
     pub initial: bool,
-    /// Bears an activation link.
+    /// Bears an activation link: activated together with the step that encloses it.
     pub activated: bool,
+    /// The place that must be active for this one to be, once enclosures are flattened.
+    pub within: Option<StepId>,
+    /// Made by a pass: no step of the chart, and no part of its situation.
+    pub auxiliary: bool,
     /// The label in the chart.
     pub span: Span,
 }
@@ -86,6 +112,8 @@ pub struct Transition {
     pub pre: Vec<StepId>,
     /// The immediately succeeding places.
     pub post: Vec<StepId>,
+    /// The place that must be active for it to clear, once enclosures are flattened.
+    pub within: Option<StepId>,
     /// The transition-condition.
     pub condition: ExprId,
     /// The item in the chart.
@@ -109,4 +137,46 @@ pub struct MacroStep {
     pub entered_by: Vec<TransitionId>,
     /// Transitions with an arc out of it.
     pub left_by: Vec<TransitionId>,
+}
+
+/// A partial grafcet.
+#[derive(Clone, Debug)]
+pub struct Grafcet {
+    /// The name.
+    pub name: String,
+    /// The attached comment.
+    pub comment: Option<String>,
+    /// The step that encloses it, until enclosures are flattened.
+    pub enclosing_step: Option<StepId>,
+    /// Longest chain of orders and enclosures above it (M2).
+    pub level: u32,
+    /// Its places, in order of declaration.
+    pub steps: Vec<StepId>,
+    /// The orders on it, the one that wins first (R2); known once orders are ranked.
+    pub orders: Vec<RankedOrder>,
+    /// The nearest grafcet around it that can be frozen, and freezes this one with itself; known once freezing is
+    /// closed. The grafcet is frozen while a step of `orders` is active or that one is frozen.
+    pub frozen_with: Option<GrafcetId>,
+    /// The name in its heading.
+    pub span: Span,
+}
+
+/// An order on a grafcet, in force while its step is active and no step of an order before it is.
+#[derive(Clone, Debug)]
+pub struct RankedOrder {
+    /// The forcing step.
+    pub step: StepId,
+    /// The forced situation.
+    pub forced: Forced,
+    /// The order in the chart.
+    pub span: Span,
+}
+
+/// A forced situation.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Forced {
+    /// Exactly these places, in order of declaration; `{}` and `{INIT}` are such sets as well.
+    Steps(Vec<StepId>),
+    /// The current situation, frozen: `{*}`.
+    Current,
 }

@@ -84,13 +84,20 @@ fn counting(chart: &Chart) -> IndexVec<TransitionId, bool> {
     counting
 }
 
+/// `circle` goes against the arcs.
 fn report(chart: &Chart, circle: &[TransitionId]) -> Diagnostic {
-    let span = |id: &TransitionId| chart.transitions[*id].span;
-    let first = circle.iter().map(span).min().unwrap_or_default();
-    let mut diagnostic =
-        Diagnostic::new(Code::W0407, first, "this transition and others that are always true lead in a circle");
-    for place in circle.iter().map(span).filter(|&place| place != first).take(SHOWN) {
-        diagnostic = diagnostic.also(place, "always true");
+    let first = (0..circle.len()).min_by_key(|&i| chart.transitions[circle[i]].span).unwrap_or_default();
+    let along = circle[..=first].iter().rev().chain(circle[first + 1..].iter().rev());
+    // The step of the circle before each transition.
+    let mut around = along.filter_map(|&id| {
+        let transition = &chart.transitions[id];
+        Some((transition.span, chart.steps[arcs::left(chart, transition).next()?].label.as_str()))
+    });
+    let (place, label) = around.next().unwrap_or_default();
+    let message = format!("from step `{label}`, transitions that are always true lead in a circle");
+    let mut diagnostic = Diagnostic::new(Code::W0407, place, message);
+    for (place, label) in around.take(SHOWN) {
+        diagnostic = diagnostic.also(place, format!("leaves step `{label}`"));
     }
     diagnostic
         .note("IEC 60848, 4.9.3: the situation is never stable; a reaction stops at its bound and raises LIVELOCK")
@@ -98,11 +105,20 @@ fn report(chart: &Chart, circle: &[TransitionId]) -> Diagnostic {
 
 #[cfg(test)]
 mod tests {
-    use crate::checks::testing::{passes, passes_with};
+    use crate::checks::testing::{labels, passes, passes_with};
 
     #[test]
     fn two_steps() {
         passes_with(&["W0407"], "initial step 1 step 2 transition 1 -> 2 : 1 transition 2 -> 1 : true");
+    }
+
+    #[test]
+    fn the_others_are_shown_in_the_order_of_the_circle() {
+        let shown = labels(
+            "initial step 1 step 2 step 3
+             transition 3 -> 1 : 1 transition 2 -> 3 : 1 transition 1 -> 2 : 1",
+        );
+        assert_eq!(shown, ["transition 1 -> 2 : 1: leaves step `1`", "transition 2 -> 3 : 1: leaves step `2`"]);
     }
 
     #[test]

@@ -29,6 +29,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
             let message = format!("the transition leads from step `{}` to itself, which does not {what}", step.label);
             diagnostics.push(
                 Diagnostic::new(Code::W0405, transition.span, message)
+                    .also(step.span, "this step stays active")
                     .also(place, "this runs on, or is not done")
                     .note("IEC 60848, 4.5.6: a step that is activated and deactivated at once remains active")
                     .note("an assignment on clearing, in the braces of the transition, is done every time"),
@@ -66,7 +67,7 @@ fn sensitive(chart: &Chart) -> IndexVec<StepId, Option<(&'static str, Span)>> {
 
 #[cfg(test)]
 mod tests {
-    use crate::checks::testing::{passes, passes_with};
+    use crate::checks::testing::{labels, passes, passes_with};
 
     #[test]
     fn an_action_on_activation() {
@@ -74,6 +75,13 @@ mod tests {
             &["W0405"],
             "input a : bool var C : int initial step 1 { C := C + 1 on activation } transition 1 -> 1 : ↑a",
         );
+    }
+
+    #[test]
+    fn the_step_and_what_it_bears_are_shown() {
+        let shown =
+            labels("input a : bool var C : int initial step 7 { C := 1 on deactivation } transition 7 -> 7 : ↑a");
+        assert_eq!(shown, ["7: this step stays active", "C := 1 on deactivation: this runs on, or is not done"]);
     }
 
     #[test]

@@ -46,6 +46,17 @@ pub fn help(text: &str) -> Option<String> {
     helps.into_iter().next()
 }
 
+/// The other places of the only message on a chart, each with what is said there.
+pub fn labels(text: &str) -> Vec<String> {
+    let (tree, _) = grafc_syntax::parse(FileId(0), text);
+    let (_, diagnostics) = crate::check(&tree, "test");
+    assert_eq!(diagnostics.iter().count(), 1, "{diagnostics:#?}");
+    let labels = diagnostics.iter().flat_map(|diagnostic| &diagnostic.secondary);
+    labels
+        .map(|label| format!("{}: {}", &text[label.span.start as usize..label.span.end as usize], label.text))
+        .collect()
+}
+
 /// A chart in which nothing is wrong.
 pub fn chart(text: &str) -> crate::chart::Chart {
     let (tree, diagnostics) = grafc_syntax::parse(FileId(0), text);

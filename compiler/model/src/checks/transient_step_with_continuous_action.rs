@@ -36,7 +36,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                     action.span,
                     format!("step `{label}` is left at once, so this action is never done"),
                 )
-                .also(chart.transitions[transition].span, "always true")
+                .also(chart.steps[action.step].span, "this step")
+                .also(chart.transitions[transition].span, "always true, and after no other step")
                 .note("IEC 60848, 4.9.4: a continuous action is not done in a step that is passed through"),
             );
         }
@@ -45,7 +46,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
 
 #[cfg(test)]
 mod tests {
-    use crate::checks::testing::{passes, passes_with};
+    use crate::checks::testing::{labels, passes, passes_with};
 
     #[test]
     fn left_at_once() {
@@ -54,6 +55,12 @@ mod tests {
             "input a : bool output V : bool initial step 1 step 2 { V } step 3
              transition 1 -> 2 : a transition 2 -> 3 : 1",
         );
+    }
+
+    #[test]
+    fn the_step_and_the_transition_are_shown() {
+        let shown = labels("output V : bool initial step 1 { V } step 2 transition 1 -> 2 : 1");
+        assert_eq!(shown, ["1: this step", "transition 1 -> 2 : 1: always true, and after no other step"]);
     }
 
     #[test]

@@ -69,6 +69,18 @@ pub struct Simulator<'a> {
     values: Values,
 }
 
+impl State {
+    /// The active steps.
+    pub fn situation(&self) -> &Activity {
+        &self.active
+    }
+
+    /// The values of inputs, constants and stored variables; what stands for others means nothing.
+    pub fn variables(&self) -> &IndexVec<VariableId, Value> {
+        &self.variables
+    }
+}
+
 impl<'a> Simulator<'a> {
     /// A chart before its initial reaction.
     pub fn new(chart: &'a Chart, profile: Profile) -> Self {
@@ -91,8 +103,13 @@ impl<'a> Simulator<'a> {
         }
     }
 
-    /// The state after the latest reaction.
+    /// The state after the latest reaction, or the latest micro-step of one that is observed.
     pub fn state(&self) -> &State {
         &self.state
+    }
+
+    /// The flags raised so far.
+    pub fn flags(&self) -> Flags {
+        self.flags
     }
 }

@@ -8,9 +8,14 @@ use super::stored::allocate;
 use crate::chart::{Event, Mode, Stored, Value, VariableKind};
 use crate::reaction::{Evolution, Response, Stimulus};
 
-impl Simulator<'_> {
+impl<'a> Simulator<'a> {
     /// Reacts to inputs at an instant; the first call is the initial reaction.
     pub fn react(&mut self, stimulus: &Stimulus) -> Response {
+        self.react_observed(stimulus, &mut |_| ())
+    }
+
+    /// The same, shown from within: `observe` sees the simulator once it has started and after each micro-step.
+    pub fn react_observed(&mut self, stimulus: &Stimulus, observe: &mut dyn FnMut(&Simulator<'a>)) -> Response {
         let t = stimulus.t_ms;
         let inputs = self.set_inputs(&stimulus.inputs);
         // There is no input event at the initial reaction: what came before is taken to have been the same.
@@ -18,15 +23,17 @@ impl Simulator<'_> {
             Some(previous) => previous.iter().zip(&inputs).any(|(&old, &new)| !same(old, new)),
             None => {
                 self.start(t);
+                observe(self);
                 false
             }
         };
         self.previous = Some(inputs);
         match self.profile.evolution {
-            Evolution::Stable => self.evolve(t, input_event),
+            Evolution::Stable => self.evolve(t, input_event, observe),
             // R14: exactly one micro-step a call.
             Evolution::Scan => {
                 self.micro_step(t, input_event);
+                observe(self);
             }
         }
         self.publish(t)
@@ -48,10 +55,15 @@ impl Simulator<'_> {
     }
 
     /// R9: micro-steps until nothing changes, or until there have been too many.
-    fn evolve(&mut self, t: i64, input_event: bool) {
+    fn evolve(&mut self, t: i64, input_event: bool, observe: &mut dyn FnMut(&Simulator<'a>)) {
         let bound = self.profile.bound_for(self.chart.steps.len(), self.chart.transitions.len());
         let mut done = 0;
-        while self.micro_step(t, input_event && done == 0) {
+        loop {
+            let changed = self.micro_step(t, input_event && done == 0);
+            observe(self);
+            if !changed {
+                break;
+            }
             done += 1;
             if done >= bound {
                 self.flags.livelock = true;

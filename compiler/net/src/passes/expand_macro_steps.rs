@@ -10,7 +10,8 @@ use super::Pass;
 use crate::net::{Fact, Net};
 use grafc_diagnostics::Diagnostics;
 
-pub const PASS: Pass = Pass { name: "expand-macro-steps", requires: &[], ensures: &[Fact::NoMacroSteps], run };
+pub const PASS: Pass =
+    Pass { name: "expand-macro-steps", requires: &[], ensures: &[Fact::NoMacroSteps], for_overlap: false, run };
 
 fn run(net: &mut Net, _diagnostics: &mut Diagnostics) {
     for m in &mut net.macro_steps {

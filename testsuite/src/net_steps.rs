@@ -1,0 +1,289 @@
+//! An interpreter of nets: what a net means at any stage, from as built to flat.
+//!
+//! It reads a net as [`grafc_net::net`] says: a construct that a pass has not removed yet as the chart has it, one that
+//! is gone as what it left behind. So it says of each pass by itself whether it keeps the meaning, before any code is
+//! made of the net. Plain and slow, and nothing in it is taken from the stages after the net; the rules are those of
+//! the semantics (R1-R14; X1-X6 in `expressions`).
+//!
+//! The flag DIV0 is left out: passes have no say in it.
+
+mod expressions;
+
+pub use expressions::same;
+use expressions::{Context, Expressions, Memory, Reading, convert};
+use grafc_model::chart::{
+    Event, GrafcetId, Mode, Situation, StepId, TransitionId, Value, Variable, VariableId, VariableKind,
+};
+use grafc_model::reaction::{Evolution, Flags, Profile, Response, Stimulus};
+use grafc_net::net::{Fact, Forced, Net};
+use index_vec::IndexVec;
+
+type Active = IndexVec<StepId, bool>;
+
+/// A net that is being run.
+pub struct NetSteps<'a> {
+    net: &'a Net,
+    profile: Profile,
+    expressions: Expressions<'a>,
+    /// Arcs, those of macro-steps included.
+    pre: IndexVec<TransitionId, Vec<StepId>>,
+    post: IndexVec<TransitionId, Vec<StepId>>,
+    /// Orders on each grafcet, the one that wins first.
+    orders: IndexVec<GrafcetId, Vec<(StepId, Forced)>>,
+    active: Active,
+    variables: IndexVec<VariableId, Value>,
+    memory: Memory,
+    /// The inputs of the reaction before.
+    previous: Option<Vec<Value>>,
+    flags: Flags,
+}
+
+impl<'a> NetSteps<'a> {
+    /// A net before its initial reaction.
+    pub fn new(net: &'a Net, profile: Profile) -> Self {
+        let mut pre: IndexVec<_, Vec<StepId>> = net.transitions.iter().map(|t| t.pre.clone()).collect();
+        let mut post: IndexVec<_, Vec<StepId>> = net.transitions.iter().map(|t| t.post.clone()).collect();
+        for m in &net.macro_steps {
+            m.left_by.iter().for_each(|t| pre[*t].push(m.exit));
+            m.entered_by.iter().for_each(|t| post[*t].push(m.entry));
+        }
+        NetSteps {
+            net,
+            profile,
+            expressions: Expressions::new(net),
+            pre,
+            post,
+            orders: net.grafcets.indices().map(|g| orders(net, g)).collect(),
+            active: net.places.iter().map(|_| false).collect(),
+            variables: net.variables.iter().map(|v| v.initial).collect(),
+            memory: Memory::new(net),
+            previous: None,
+            flags: Flags::default(),
+        }
+    }
+
+    /// Whether each place is active.
+    pub fn situation(&self) -> &Active {
+        &self.active
+    }
+
+    /// Values of inputs, constants and stored variables; what stands for others means nothing.
+    pub fn variables(&self) -> &IndexVec<VariableId, Value> {
+        &self.variables
+    }
+
+    /// The flags raised so far; never DIV0.
+    pub fn flags(&self) -> Flags {
+        self.flags
+    }
+
+    /// Reacts to inputs at an instant (R9-R14). `observe` sees it once it has started and after each micro-step.
+    pub fn react(&mut self, stimulus: &Stimulus, observe: &mut dyn FnMut(&NetSteps)) -> Response {
+        let t = stimulus.t_ms;
+        let inputs: Vec<VariableId> =
+            self.net.variables.indices().filter(|v| self.net.variables[*v].kind == VariableKind::Input).collect();
+        for (v, value) in inputs.iter().zip(&stimulus.inputs) {
+            self.variables[*v] = convert(self.net.variables[*v].ty, *value);
+        }
+        let now: Vec<Value> = inputs.iter().map(|v| self.variables[*v]).collect();
+        let mut event = false;
+        match self.previous.replace(now.clone()) {
+            Some(before) => event = before.iter().zip(&now).any(|(a, b)| !same(*a, *b)),
+            None => {
+                self.start(t);
+                observe(self);
+            }
+        }
+        let bound = self.profile.bound_for(self.net.places.len(), self.net.transitions.len());
+        let mut done = 0;
+        loop {
+            let changed = self.micro_step(t, event && done == 0);
+            observe(self);
+            done += 1;
+            match self.profile.evolution {
+                Evolution::Stable if changed && done < bound => {}
+                Evolution::Stable => {
+                    self.flags.livelock |= changed;
+                    return self.publish(t);
+                }
+                Evolution::Scan => return self.publish(t),
+            }
+        }
+    }
+
+    /// R10. The delays of this context are forgotten again, and no edge is true in the first one.
+    fn start(&mut self, t: i64) {
+        let marked: Active = self.net.places.iter().map(|place| place.initial).collect();
+        if self.has(Fact::SettledStart) {
+            self.active = marked;
+            self.flags.force_conflict = self.net.conflict_at_start;
+        } else {
+            let none: Active = marked.iter().map(|_| false).collect();
+            self.active = self.settle(&none, marked, true);
+        }
+        self.net.places.indices().for_each(|s| self.memory.activated(s, t));
+        if self.profile.initial_actions {
+            let cx = self.read(Reading::Levels, t);
+            let on_activation = |e: Event| matches!(e, Event::Activation(s) if self.active[s]);
+            let triggered: Vec<usize> =
+                (0..self.net.stored.len()).filter(|i| on_activation(self.net.stored[*i].event)).collect();
+            self.allocate(&triggered, &cx);
+        }
+        let cx = self.read(Reading::Context, t);
+        self.memory.keep_edges(&cx);
+    }
+
+    /// R1-R8; says whether something changed.
+    fn micro_step(&mut self, t: i64, input_event: bool) -> bool {
+        let net = self.net;
+        let cx = self.read(Reading::Context, t);
+        let cleared: IndexVec<TransitionId, bool> = net.transitions.indices().map(|t| self.clears(t, &cx)).collect();
+        let cleared_ones = || cleared.iter_enumerated().filter(|(_, c)| **c).map(|(t, _)| t);
+        let mut next = self.active.clone();
+        cleared_ones().flat_map(|t| &self.pre[t]).for_each(|s| next[*s] = false);
+        cleared_ones().flat_map(|t| &self.post[t]).for_each(|s| next[*s] = true);
+        let before = self.active.clone();
+        let next = self.settle(&before, next, false);
+
+        // R7, by kinds: E, D, T, A.
+        let level = |e| self.read(Reading::Levels, t).holds(e);
+        let mut triggered: Vec<(u8, usize)> = Vec::new();
+        for (i, action) in net.stored.iter().enumerate() {
+            let (kind, happened) = match action.event {
+                Event::Event(s, e) => (0, before[s] && cx.holds(e) && (input_event || !level(e))),
+                Event::Deactivation(s) => (1, before[s] && !next[s]),
+                Event::Clearing(t) => (2, cleared[t]),
+                Event::Activation(s) => (3, next[s] && !before[s]),
+            };
+            if happened {
+                triggered.push((kind, i));
+            }
+        }
+        triggered.sort_unstable();
+        let triggered: Vec<usize> = triggered.into_iter().map(|(_, i)| i).collect();
+        let stored = self.allocate(&triggered, &cx);
+
+        let moved = before != next;
+        for s in net.places.indices().filter(|s| next[*s] && !before[*s]) {
+            self.memory.activated(s, t);
+        }
+        self.active = next;
+        let edge = self.memory.keep_edges(&cx);
+        self.memory.keep_delays(&cx);
+        moved || stored || edge
+    }
+
+    /// R3
+    fn clears(&self, id: TransitionId, cx: &Context) -> bool {
+        let transition = &self.net.transitions[id];
+        let within = transition.within.or(self.net.grafcets[transition.grafcet].enclosing_step);
+        self.pre[id].iter().all(|s| self.active[*s])
+            && within.is_none_or(|e| self.active[e])
+            && !self.frozen(transition.grafcet)
+            && cx.holds(transition.condition)
+    }
+
+    /// R2: whether a grafcet is frozen in the old situation.
+    fn frozen(&self, grafcet: GrafcetId) -> bool {
+        let net = self.net;
+        let mut looked_at = Some(grafcet);
+        while let Some(g) = looked_at {
+            if self.orders[g].iter().any(|(step, _)| self.active[*step]) {
+                return true;
+            }
+            looked_at = if self.has(Fact::ClosedFreezing) {
+                net.grafcets[g].frozen_with
+            } else {
+                net.grafcets[g].enclosing_step.map(|e| net.places[e].grafcet)
+            };
+        }
+        false
+    }
+
+    /// R5, place by place.
+    fn settle(&mut self, before: &Active, mut next: Active, start: bool) -> Active {
+        let net = self.net;
+        for g in &net.hierarchy {
+            let grafcet = &net.grafcets[*g];
+            let within = |s: StepId| net.places[s].within.or(grafcet.enclosing_step);
+            for s in &grafcet.steps {
+                let Some(e) = within(*s) else { continue };
+                let linked = !before[e] && net.places[*s].activated && !(start && net.places[e].initial);
+                next[*s] = next[e] && (next[*s] || linked);
+            }
+            if grafcet.steps.first().and_then(|s| within(*s)).is_some_and(|e| !next[e]) {
+                continue;
+            }
+            let in_force: Vec<&Forced> =
+                self.orders[*g].iter().filter(|(step, _)| next[*step]).map(|(_, forced)| forced).collect();
+            let Some(first) = in_force.first() else { continue };
+            self.flags.force_conflict |= in_force.iter().any(|other| other != first);
+            match first {
+                Forced::Steps(steps) => grafcet.steps.iter().for_each(|s| next[*s] = steps.contains(s)),
+                Forced::Current => {}
+            }
+        }
+        next
+    }
+
+    /// R7: assigns from the values of the context, the last one wins; says whether a variable changed.
+    fn allocate(&mut self, triggered: &[usize], cx: &Context) -> bool {
+        let old = self.variables.clone();
+        let mut given: IndexVec<VariableId, Option<Value>> = old.iter().map(|_| None).collect();
+        for action in triggered.iter().map(|i| &self.net.stored[*i]) {
+            let value = cx.value(action.value);
+            self.flags.alloc_conflict |= given[action.target].is_some_and(|earlier| !same(earlier, value));
+            given[action.target] = Some(value);
+        }
+        for (v, value) in given.iter_enumerated() {
+            self.variables[v] = value.unwrap_or(old[v]);
+        }
+        self.variables.iter().zip(&old).any(|(a, b)| !same(*a, *b))
+    }
+
+    /// R11, R14: with the delays of the latest context.
+    fn publish(&self, t: i64) -> Response {
+        let cx = self.read(Reading::After, t);
+        let net = self.net;
+        let output = |(v, variable): (VariableId, &Variable)| match variable.mode {
+            Mode::Wire => Value::Bool(cx.wire(v)),
+            Mode::Given | Mode::Stored => self.variables[v],
+        };
+        let outputs = net.variables.iter_enumerated().filter(|(_, v)| v.kind == VariableKind::Output);
+        let steps = net.places.iter_enumerated().filter(|(s, place)| self.active[*s] && !place.auxiliary);
+        Response {
+            outputs: outputs.map(output).collect(),
+            situation: steps.map(|(s, _)| s).collect(),
+            flags: self.flags,
+        }
+    }
+
+    fn read(&self, reading: Reading, t: i64) -> Context {
+        self.expressions.read(&self.active, &self.variables, &self.memory, reading, t)
+    }
+
+    fn has(&self, fact: Fact) -> bool {
+        self.net.facts.contains(&fact)
+    }
+}
+
+/// R2: the orders on a grafcet, ranked already or not.
+fn orders(net: &Net, grafcet: GrafcetId) -> Vec<(StepId, Forced)> {
+    if net.facts.contains(&Fact::RankedOrders) {
+        return net.grafcets[grafcet].orders.iter().map(|order| (order.step, order.forced.clone())).collect();
+    }
+    let mut found: Vec<(u32, usize)> = Vec::new();
+    for (i, order) in net.orders.iter().enumerate().filter(|(_, order)| order.grafcet == grafcet) {
+        found.push((net.grafcets[net.places[order.step].grafcet].level, i));
+    }
+    found.sort_unstable();
+    let forced = |situation: &Situation| match situation {
+        Situation::Current => Forced::Current,
+        Situation::Steps(steps) => Forced::Steps(steps.clone()),
+        Situation::Initial => {
+            let steps = net.grafcets[grafcet].steps.iter().copied();
+            Forced::Steps(steps.filter(|s| net.places[*s].initial).collect())
+        }
+    };
+    found.into_iter().map(|(_, i)| (net.orders[i].step, forced(&net.orders[i].situation))).collect()
+}
