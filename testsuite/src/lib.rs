@@ -9,4 +9,7 @@ pub mod differential;
 pub mod excerpts;
 pub mod markdown;
 pub mod matiec;
+pub mod net_steps;
 pub mod random;
+pub mod scaling;
+pub mod scan_cost;

@@ -2,7 +2,8 @@
 
 use grafc_backends::st;
 use grafc_diagnostics::FileId;
-use grafc_testsuite::charts::{Case, cases, charts_folder, check, is_flat, spell, stimuli};
+use grafc_logic::{Encoding, Options};
+use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli};
 use grafc_testsuite::differential;
 
 /// Runs a check over all charts and reports every fault at once.
@@ -40,15 +41,15 @@ fn the_simulator_agrees() {
 }
 
 #[test]
-fn the_scan_program_agrees() {
+fn the_scan_programs_agree() {
     each(|case| {
         let chart = check(&case.name, &case.text)?;
-        if !is_flat(&chart) {
-            return Ok(());
-        }
         let stimuli = stimuli(&case.name, &case.trace, &chart)?;
-        let run = differential::evaluate(&chart, case.profile, &stimuli)?;
-        compare(&case.expected, &spell(&chart, &stimuli, &run))
+        for (way, options) in differential::exact(case.profile) {
+            let run = differential::evaluate(&chart, &options, &stimuli)?;
+            compare(&case.expected, &spell(&chart, &stimuli, &run)).map_err(|fault| format!("{way}\n{fault}"))?;
+        }
+        Ok(())
     });
 }
 
@@ -64,14 +65,17 @@ fn every_chart_is_in_canonical_format() {
 }
 
 #[test]
-fn every_flat_chart_compiles_to_structured_text() {
+fn every_chart_compiles_to_structured_text_in_every_encoding() {
     each(|case| {
         let chart = check(&case.name, &case.text)?;
-        if !is_flat(&chart) {
-            return Ok(());
+        for encoding in Encoding::ALL {
+            let options = Options { profile: case.profile, encoding, simplify: true };
+            let program = differential::compile(&chart, &options)?;
+            let text = st::emit(&program, &st::Options::default()).map_err(|said| format!("{said:?}"))?;
+            if !text.contains("FUNCTION_BLOCK") {
+                return Err(text);
+            }
         }
-        let program = differential::compile(&chart, case.profile)?;
-        let text = st::emit(&program, &st::Options::default()).map_err(|said| format!("{said:?}"))?;
-        if text.contains("FUNCTION_BLOCK") { Ok(()) } else { Err(text) }
+        Ok(())
     });
 }

@@ -14,6 +14,9 @@ const WITHOUT_EXAMPLE: &[(Code, &str)] = &[
     (Code::E0901, "no text is known to give it, else it would be mended"),
 ];
 
+/// Codes that compiling gives, not checking, and the options that their charts are compiled with.
+const COMPILED_WITH: &[(Code, &[&str])] = &[(Code::W0413, &["--encoding", "r-trigger"])];
+
 fn examples(code: Code, section: &str) -> Vec<Block> {
     blocks(code.page()).into_iter().filter(|b| b.section == section).collect()
 }
@@ -34,8 +37,11 @@ fn diagnose(code: Code, chart: &Block, trace: Option<&Block>) -> BTreeSet<Code> 
             let checked = checked.unwrap_or_else(|| panic!("{code:?}: the chart of the trace has errors: {said:?}"));
             said.append(grafc_model::trace::parse_trace(FileId(1), &trace.text, &checked).1);
         }
-        None if code.as_str().starts_with("E05") => return compile(&chart.text),
-        None => {}
+        None => {
+            if let Some((_, options)) = COMPILED_WITH.iter().find(|(c, _)| *c == code) {
+                return compile(&chart.text, options);
+            }
+        }
     }
     codes(&said)
 }
@@ -45,13 +51,14 @@ fn codes(said: &Diagnostics) -> BTreeSet<Code> {
 }
 
 /// The codes that compiling to Structured Text gives, as the user sees them.
-fn compile(chart: &str) -> BTreeSet<Code> {
+fn compile(chart: &str, options: &[&str]) -> BTreeSet<Code> {
     let folder = tempfile::tempdir().expect("a temporary folder");
     std::fs::write(folder.path().join("example.gct"), chart).expect("a file in it");
     let mut command = Command::new(grafc());
     let output = command
         .current_dir(folder.path())
         .args(["example.gct", "--target", "st", "-o", "example.st"])
+        .args(options)
         .output()
         .expect("grafc runs");
     let said = String::from_utf8_lossy(&output.stderr);

@@ -1,47 +1,120 @@
-//! The generated code of the example charts, word for word: so that a change of it is seen and read before it lands.
+//! What the compiler writes for the example charts, word for word: so that a change of it is seen and read before it
+//! lands.
 //!
-//! A golden file proves nothing about meaning; that is what the other tests are for. `UPDATE_EXPECT=1` rewrites them.
+//! `NAME.st` is the code in the default encoding, `ENCODING/NAME.st` that in another; `dumps/NAME/` holds what lies
+//! between the stages. A golden file proves nothing about meaning; that is what the other tests are for.
+//! `UPDATE_EXPECT=1` rewrites them.
 
 use expect_test::expect_file;
-use grafc::pipeline::{self, Options, Target};
+use grafc::pipeline::{self, Options, Product};
 use grafc_backends::st;
 use grafc_diagnostics::FileId;
-use grafc_logic::Encoding;
-use grafc_testsuite::charts::{cases, charts_folder, check, is_flat};
+use grafc_logic::{Encoding, Options as Lowering};
+use grafc_net::passes;
+use grafc_testsuite::charts::{Case, cases, charts_folder};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+
+/// Charts whose code is kept in every encoding: branches in parallel, macro-steps, enclosures, enclosures in enclosures.
+const IN_EVERY_ENCODING: [&str; 4] = ["figure_12_6", "weigh_mix_b4", "weigh_mix_b6", "figure_3"];
+
+/// Charts whose way through the compiler is kept: a choice, branches in parallel, orders.
+const STAGE_BY_STAGE: [&str; 3] = ["figure_12_6", "lock_12_2", "weigh_mix_b5"];
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("golden")
 }
 
-#[test]
-fn the_generated_st_is_as_it_was_read_last() {
-    let mut wanted = BTreeSet::new();
-    for case in cases(&charts_folder()) {
-        let chart = check(&case.name, &case.text).unwrap_or_else(|said| panic!("{said}"));
-        if !is_flat(&chart) {
-            continue;
+/// The golden files that were asked for.
+#[derive(Default)]
+struct Golden {
+    files: BTreeSet<String>,
+}
+
+impl Golden {
+    fn expect(&mut self, file: String, text: &str) {
+        let path = folder().join(&file);
+        if let Some(parent) = path.parent().filter(|_| std::env::var_os("UPDATE_EXPECT").is_some()) {
+            std::fs::create_dir_all(parent).expect("a folder for it");
         }
-        let options = Options {
-            profile: case.profile,
-            encoding: Encoding::default(),
-            target: Target::St(st::Options {
-                header: vec![format!("from {}.gct", case.name)],
-                ..st::Options::default()
-            }),
-        };
-        let (code, said) = pipeline::compile(FileId::default(), &case.text, &case.name, &options);
-        let code = code.unwrap_or_else(|| panic!("{}: {said:?}", case.name));
-        let file = format!("{}.st", case.name);
-        expect_file![folder().join(&file)].assert_eq(&code);
-        wanted.insert(file);
+        expect_file![path].assert_eq(text);
+        assert!(self.files.insert(file.clone()), "{file} is written twice");
     }
-    assert!(wanted.len() >= 10, "only {} flat charts were found", wanted.len());
-    let stale: Vec<String> = std::fs::read_dir(folder())
-        .expect("the folder of golden files")
-        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
-        .filter(|name| !wanted.contains(name))
-        .collect();
-    assert!(stale.is_empty(), "these golden files have no chart: {stale:?}");
+
+    /// What a chart becomes.
+    fn made(&self, case: &Case, encoding: Encoding, simplify: bool, product: Product) -> String {
+        let options = Options { lowering: Lowering { profile: case.profile, encoding, simplify }, product };
+        let (text, said) = pipeline::compile(FileId::default(), &case.text, &case.name, &options);
+        text.unwrap_or_else(|| panic!("{}: {said:?}", case.name))
+    }
+
+    fn code(&mut self, case: &Case, encoding: Encoding, simplify: bool, file: String) {
+        let header = vec![format!("from {}.gct", case.name)];
+        let text = self.made(case, encoding, simplify, Product::St(st::Options { header, ..st::Options::default() }));
+        self.expect(file, &text);
+    }
+
+    fn stages(&mut self, case: &Case) {
+        let file = |stage: &str| format!("dumps/{}/{stage}.txt", case.name);
+        for (stage, encoding, product) in [
+            ("ast", Encoding::SinglePhase, Product::Tree),
+            ("model", Encoding::SinglePhase, Product::Chart),
+            ("logic", Encoding::SinglePhase, Product::Equations),
+            ("scan", Encoding::SinglePhase, Product::Program),
+            ("logic-switch", Encoding::Switch, Product::Equations),
+            ("scan-switch", Encoding::Switch, Product::Program),
+        ] {
+            let text = self.made(case, encoding, true, product);
+            self.expect(file(stage), &text);
+        }
+        let mut last = String::new();
+        for (place, pass) in passes::ORDER.iter().enumerate() {
+            let encoding = if pass.for_overlap { Encoding::RTrigger } else { Encoding::SinglePhase };
+            let text = self.made(case, encoding, true, Product::NetAfter(pass.name.to_string()));
+            self.expect(file(&format!("net-{}-{}", place + 1, pass.name)), &text);
+            last = if pass.for_overlap { last } else { text };
+        }
+        // So there is no file of it.
+        assert_eq!(self.made(case, Encoding::SinglePhase, true, Product::Net), last);
+    }
+}
+
+#[test]
+fn what_the_compiler_writes_is_as_it_was_read_last() {
+    let mut golden = Golden::default();
+    for case in cases(&charts_folder()) {
+        golden.code(&case, Encoding::default(), true, format!("{}.st", case.name));
+        if IN_EVERY_ENCODING.contains(&case.name.as_str()) {
+            for encoding in Encoding::ALL.into_iter().filter(|encoding| *encoding != Encoding::default()) {
+                golden.code(&case, encoding, true, format!("{}/{}.st", encoding.name(), case.name));
+            }
+            golden.code(&case, Encoding::default(), false, format!("not-optimized/{}.st", case.name));
+        }
+        if STAGE_BY_STAGE.contains(&case.name.as_str()) {
+            golden.stages(&case);
+        }
+    }
+    let count = |start: &str| golden.files.iter().filter(|file| file.starts_with(start)).count();
+    assert!(golden.files.iter().filter(|file| !file.contains('/')).count() >= 16, "charts are missing");
+    assert_eq!(count("switch/"), IN_EVERY_ENCODING.len());
+    assert_eq!(count("dumps/"), STAGE_BY_STAGE.len() * (6 + passes::ORDER.len()));
+    assert_eq!(present(), golden.files, "golden files without a chart");
+}
+
+/// All files in the folder.
+fn present() -> BTreeSet<String> {
+    let root = folder();
+    let mut files = BTreeSet::new();
+    let mut folders = vec![root.clone()];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).expect("a folder of golden files") {
+            let path = entry.expect("a golden file").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if let Ok(file) = path.strip_prefix(&root) {
+                files.insert(file.to_string_lossy().replace('\\', "/"));
+            }
+        }
+    }
+    files
 }

@@ -4,14 +4,13 @@
 
 use grafc_backends::st;
 use grafc_diagnostics::{Diagnostics, FileId};
-use grafc_logic::Encoding;
-use grafc_model::reaction::Profile;
+use grafc_logic::{Encoding, Options};
 use grafc_testsuite::charts::{cases, charts_folder};
 use grafc_testsuite::matiec::{Tools, accepts};
 use std::time::{Duration, Instant};
 
 /// Structured Text, or nothing and at least one error.
-fn compile(text: &str) -> Result<String, Diagnostics> {
+fn compile(text: &str, encoding: Encoding) -> Result<String, Diagnostics> {
     let (tree, mut said) = grafc_syntax::parse(FileId::default(), text);
     if said.has_errors() {
         return Err(said);
@@ -21,11 +20,11 @@ fn compile(text: &str) -> Result<String, Diagnostics> {
     assert_eq!(chart.is_none(), said.has_errors(), "a chart exactly if there is no error: {said:?}");
     let Some(chart) = chart else { return Err(said) };
     let mut net = grafc_net::build(&chart);
-    grafc_net::passes::run(&mut net, &mut said);
+    grafc_net::passes::run(&mut net, false, &mut said);
     if said.has_errors() {
         return Err(said);
     }
-    let (program, more) = grafc_logic::compile(&net, Profile::default(), Encoding::default());
+    let (program, more) = grafc_logic::compile(&net, &Options { encoding, ..Options::default() });
     said.append(more);
     let Some(program) = program.filter(|_| !said.has_errors()) else {
         assert!(said.has_errors(), "no program, and no reason given");
@@ -37,7 +36,9 @@ fn compile(text: &str) -> Result<String, Diagnostics> {
 /// Neither panics nor takes long; every message lies within the text and at the bounds of characters.
 fn survives(text: &str) -> Result<String, Diagnostics> {
     let started = Instant::now();
-    let result = compile(text);
+    let result = compile(text, Encoding::SinglePhase);
+    let state_by_state = compile(text, Encoding::Switch);
+    assert_eq!(result.is_ok(), state_by_state.is_ok(), "taken in one encoding, refused in the other");
     let took = started.elapsed();
     assert!(took < Duration::from_secs(60), "{took:?} for {} bytes", text.len());
     if let Err(said) = &result {

@@ -3,9 +3,13 @@
 //! A long run is `cargo run --release -p grafc-testsuite --bin differential -- --charts 1000 --rows 30`.
 
 use grafc_diagnostics::FileId;
+use grafc_logic::{Encoding, Options};
+use grafc_model::reaction::{Profile, Response, Stimulus};
 use grafc_testsuite::differential::coverage::Coverage;
-use grafc_testsuite::differential::{caught, evaluate, first_difference, profile, report, simulate};
-use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::differential::{
+    caught, evaluate, exact, first_difference, first_other_situation, profile, report, simulate, stable_situations,
+};
+use grafc_testsuite::random::{Drawn, Kind, checked, trace};
 
 const ROWS: usize = 30;
 
@@ -19,14 +23,8 @@ fn the_scan_program_agrees_with_the_simulator() {
         let (chart, profile) = (&drawn.chart, profile(seed));
         let stimuli = trace(seed, chart, ROWS);
         let expected = simulate(chart, profile, &stimuli);
-        match caught(|| evaluate(chart, profile, &stimuli)) {
-            Err(fault) => panic!("seed {}: {fault}\n{}", drawn.seed, drawn.text),
-            Ok(actual) if first_difference(&expected, &actual).is_some() => {
-                let report = report(chart, profile, &stimuli, &expected, &actual);
-                panic!("seed {}\n{}\n{report}", drawn.seed, drawn.text);
-            }
-            Ok(_) => coverage.count(chart, profile, &expected),
-        }
+        agrees(&drawn, profile, &stimuli, &expected);
+        coverage.count(chart, profile, &expected);
     }
     assert!(rejected <= 15, "{rejected} of the texts drawn had errors");
     // The charts must be about something.
@@ -62,21 +60,59 @@ fn the_scan_program_agrees_with_the_simulator() {
     }
 }
 
+/// Every exact way to lower a chart does what the simulator does.
+fn agrees(drawn: &Drawn, profile: Profile, stimuli: &[Stimulus], expected: &[Response]) {
+    for (way, options) in exact(profile) {
+        match caught(|| evaluate(&drawn.chart, &options, stimuli)) {
+            Err(fault) => panic!("seed {}, {way}: {fault}\n{}", drawn.seed, drawn.text),
+            Ok(actual) if first_difference(expected, &actual).is_some() => {
+                let report = report(&drawn.chart, profile, stimuli, expected, &actual);
+                panic!("seed {}, {way}\n{}\n{report}", drawn.seed, drawn.text);
+            }
+            Ok(_) => {}
+        }
+    }
+}
+
 #[test]
-fn hierarchical_charts_run() {
+fn the_scan_program_agrees_on_hierarchical_charts() {
     let mut coverage = Coverage::default();
     let mut rejected = 0;
-    for seed in 0..100 {
+    for seed in 0..200 {
         let drawn = checked(seed, Kind::Hierarchical);
         rejected += drawn.rejected;
         let stimuli = trace(seed, &drawn.chart, ROWS);
         let run = simulate(&drawn.chart, profile(seed), &stimuli);
+        agrees(&drawn, profile(seed), &stimuli, &run);
         coverage.count(&drawn.chart, profile(seed), &run);
     }
-    assert!(rejected <= 20, "{rejected} of the texts drawn had errors");
+    assert!(rejected <= 40, "{rejected} of the texts drawn had errors");
     for what in ["enclosure", "forcing of steps", "freezing", "forcing to the initial situation", "FORCE_CONFLICT"] {
         assert!(coverage.of(what) >= 3, "only {} charts: {what}\n{coverage}", coverage.of(what));
     }
+}
+
+/// R- and S-trigger end where the rules end, unless there is a warning that they may not.
+#[test]
+fn overlapping_steps_reach_the_same_stable_situations() {
+    let mut without_warning = 0;
+    for seed in 0..150 {
+        let drawn = checked(seed, Kind::Plain);
+        let profile = Profile::default();
+        let stimuli = trace(seed, &drawn.chart, ROWS);
+        let expected = simulate(&drawn.chart, profile, &stimuli);
+        agrees(&drawn, profile, &stimuli, &expected);
+        for encoding in [Encoding::RTrigger, Encoding::STrigger] {
+            let options = Options { profile, encoding, simplify: true };
+            let run = caught(|| stable_situations(&drawn.chart, &options, &stimuli));
+            let run = run.unwrap_or_else(|fault| panic!("seed {}, {}: {fault}", drawn.seed, encoding.name()));
+            let Some(run) = run else { continue };
+            without_warning += 1;
+            let row = first_other_situation(&expected, &run);
+            assert_eq!(row, None, "seed {}, {}\n{}", drawn.seed, encoding.name(), drawn.text);
+        }
+    }
+    assert!(without_warning >= 100, "only {without_warning} of 300 runs had no warning");
 }
 
 #[test]

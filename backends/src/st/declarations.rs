@@ -2,9 +2,10 @@
 
 use super::literals::{is_zero, literal, type_name};
 use super::names::{Names, remark};
-use super::writer::{WIDTH, Writer, fits_behind};
+use super::writer::Writer;
 use crate::comment::clean;
-use grafc_logic::scan::{Program, Role, VarId, Variable};
+use grafc_logic::scan::{Program, Role, State, VarId, Variable};
+use rustc_hash::FxHashMap;
 
 /// Comments of neighbouring declarations start in one column, unless a declaration is longer than this.
 const FURTHEST_COLUMN: usize = 48;
@@ -63,7 +64,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names) {
         "VAR",
         vec![
             ("internal variables", entries(|v| v.role == Role::Internal && !is_published(v))),
-            ("steps", entries(|v| v.role == Role::Step)),
+            ("steps", steps(program, names)),
             ("timers", timers.collect()),
             ("memory from call to call", entries(|v| v.role == Role::Memory)),
             ("values within one call", entries(|v| v.role == Role::Temporary)),
@@ -76,7 +77,7 @@ pub(super) fn is_published(variable: &Variable) -> bool {
     match variable.role {
         Role::Output | Role::Flag(_) => true,
         Role::Internal => variable.address.is_some(),
-        Role::Input | Role::Constant | Role::Step | Role::Memory | Role::Temporary => false,
+        Role::Input | Role::Constant | Role::Step | Role::State | Role::Memory | Role::Temporary => false,
     }
 }
 
@@ -84,7 +85,7 @@ pub(super) fn is_published(variable: &Variable) -> bool {
 pub(super) fn entry(id: VarId, variable: &Variable, names: &Names) -> Entry {
     let name = &names.variables[id];
     let comment = match variable.role {
-        Role::Input | Role::Output | Role::Internal | Role::Constant | Role::Step => {
+        Role::Input | Role::Output | Role::Internal | Role::Constant | Role::Step | Role::State => {
             remark(&variable.name, name, variable.comment.as_deref())
         }
         Role::Flag(_) | Role::Memory | Role::Temporary => remark(name, name, variable.comment.as_deref()),
@@ -98,6 +99,36 @@ pub(super) fn entry(id: VarId, variable: &Variable, names: &Names) -> Entry {
         initial: shown.then(|| literal(variable.initial, variable.ty)),
         comment,
     }
+}
+
+/// The situation: a variable a step, or one that says which of several steps is active.
+fn steps(program: &Program, names: &Names) -> Vec<Entry> {
+    let states: FxHashMap<VarId, &State> = program.states.iter().map(|state| (state.variable, state)).collect();
+    let all = program.variables.iter_enumerated().filter(|(_, v)| matches!(v.role, Role::Step | Role::State));
+    let with_values = |(id, variable)| {
+        let mut entry = entry(id, variable, names);
+        if let Some(state) = states.get(&id) {
+            let values = values(state);
+            entry.comment = Some(entry.comment.map_or_else(|| values.clone(), |text| format!("{text}: {values}")));
+        }
+        entry
+    };
+    all.map(with_values).collect()
+}
+
+/// What the values of a state stand for: `0 none, 1 to 11`.
+fn values(state: &State) -> String {
+    let mut values: Vec<i64> = state.values.iter().map(|(_, value)| *value).collect();
+    values.sort_unstable();
+    let runs = values.chunk_by(|a, b| a + 1 == *b);
+    let mut parts: Vec<String> = state.idle.iter().map(|idle| format!("{idle} none")).collect();
+    for run in runs {
+        match run {
+            [first, _, .., last] => parts.push(format!("{first} to {last}")),
+            few => parts.extend(few.iter().map(i64::to_string)),
+        }
+    }
+    parts.join(", ")
 }
 
 /// A block of declarations in sections, each under its heading; nothing if there are none.
@@ -125,7 +156,7 @@ fn section(out: &mut Writer, entries: &[Entry]) {
         let text = entry.text();
         let length = out.indent() + text.len();
         if let Some(comment) = &entry.comment {
-            if !fits_behind(length.max(column), comment) {
+            if !out.fits_behind(length.max(column), comment) {
                 out.comment(comment);
                 out.line(&text);
                 continue;
@@ -141,7 +172,8 @@ fn section(out: &mut Writer, entries: &[Entry]) {
         out.text(&entry.name);
         let mut length = length;
         while entry.is_plain() {
-            let fits = |next: &Entry| next.is_plain() && next.ty == entry.ty && length + 2 + next.name.len() <= WIDTH;
+            let fits =
+                |next: &Entry| next.is_plain() && next.ty == entry.ty && length + 2 + next.name.len() <= out.width();
             let Some(next) = entries.next_if(|next| fits(next)) else { break };
             out.text(", ");
             out.text(&next.name);

@@ -5,7 +5,7 @@
 
 use super::literals::{literal, type_name};
 use super::names::Names;
-use super::writer::{WIDTH, Writer};
+use super::writer::Writer;
 use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::Program;
 use std::borrow::Cow;
@@ -119,10 +119,10 @@ impl<'p> Expressions<'p> {
     pub fn lines(&self, out: &mut Writer, id: FormulaId, tail: &str) {
         let shape = self.shape(id);
         match &shape.parts {
-            Parts::Infix(operator, operands) if out.indent() + self.width(id) + tail.len() > WIDTH => {
+            Parts::Infix(operator, operands) if out.indent() + self.width(id) + tail.len() > out.width() => {
                 self.chain(out, &shape, operator, operands, tail);
             }
-            Parts::Prefix(word, operand) if out.indent() + self.width(id) + tail.len() > WIDTH => {
+            Parts::Prefix(word, operand) if out.indent() + self.width(id) + tail.len() > out.width() => {
                 self.term(out, &shape, 1, word, *operand, tail);
             }
             Parts::Atom(_) | Parts::Prefix(..) | Parts::Call(..) | Parts::Infix(..) => {
@@ -161,7 +161,7 @@ impl<'p> Expressions<'p> {
     /// One operand on lines of its own.
     fn term(&self, out: &mut Writer, parent: &Shape, place: usize, lead: &str, id: FormulaId, tail: &str) {
         let wrap = self.needs_parentheses(parent, place, id);
-        if out.indent() + lead.len() + self.width(id) + 2 + tail.len() > WIDTH {
+        if out.indent() + lead.len() + self.width(id) + 2 + tail.len() > out.width() {
             if wrap {
                 out.open(&format!("{lead}("));
                 self.lines(out, id, "");
@@ -223,6 +223,7 @@ impl<'p> Expressions<'p> {
                 Formula::Xor(b, c) if self.is_plain(*b) && self.is_plain(*c) => {
                     (Level::Comparison, Parts::Infix("=", pair(*b, *c)))
                 }
+                Formula::Compare(Comparison::Equal, b, c) => (Level::Comparison, Parts::Infix("<>", pair(*b, *c))),
                 _ => (Level::Not, Parts::Prefix("NOT ", *a)),
             },
             Formula::And(list) => (Level::Junction, Parts::Infix("AND", Cow::Borrowed(list))),

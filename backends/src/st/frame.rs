@@ -3,7 +3,7 @@
 use super::declarations::{Entry, block, entry, is_published};
 use super::literals::time;
 use super::names::Names;
-use super::writer::{WIDTH, Writer};
+use super::writer::Writer;
 use grafc_logic::scan::{Program, Role, VarId, Variable};
 
 /// Writes a program with one instance of the block.
@@ -44,7 +44,7 @@ pub(super) fn program(out: &mut Writer, program: &Program, names: &Names) {
 fn call(out: &mut Writer, names: &Names, inputs: impl Iterator<Item = VarId>) {
     let arguments: Vec<String> = inputs.map(|id| format!("{0} := {0}", names.variables[id])).collect();
     let flat = format!("{}({});", names.instance, arguments.join(", "));
-    if flat.len() <= WIDTH {
+    if flat.len() <= out.width() {
         return out.line(&flat);
     }
     out.open(&format!("{}(", names.instance));

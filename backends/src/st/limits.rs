@@ -8,8 +8,9 @@ use grafc_logic::scan::{Flag, Program, Role, Statement, VarId};
 const DEEPEST_FORMULA: u32 = 100;
 /// Shared formulas are written out at each use; more than this is a lack of temporaries.
 const LARGEST_FORMULA: u32 = 1_000_000;
-/// Nested `If` statements.
-const DEEPEST_BLOCK: u32 = 50;
+/// Nested `If` and `Case` statements: what is bounded here may recurse. MATIEC takes 36 nested `CASE`; the nesting of
+/// states in `logic` ends before that.
+const DEEPEST_BLOCK: u32 = 100;
 
 /// Checks a whole program.
 pub(super) fn check(program: &Program) -> Result<(), Diagnostics> {
@@ -18,8 +19,11 @@ pub(super) fn check(program: &Program) -> Result<(), Diagnostics> {
         check.block(block, 0);
     }
     let has_flag = program.variables.iter().any(|variable| variable.role == Role::Flag(Flag::Livelock));
-    if program.repeat.is_some() && !has_flag {
+    if program.repeat.is_some_and(|repeat| repeat.limit.is_some()) && !has_flag {
         check.fault(None, "the stability loop has no LIVELOCK flag");
+    }
+    if program.repeat.is_some_and(|repeat| repeat.limit.is_none()) && is_empty(&program.micro_step) {
+        check.fault(None, "the stability loop is empty");
     }
     for (id, variable) in program.variables.iter_enumerated() {
         if matches!(variable.initial, Value::Real(x) if !x.is_finite()) {
@@ -68,6 +72,13 @@ impl Check<'_> {
         }
     }
 
+    fn body(&mut self, statements: &[Statement], depth: u32) {
+        if is_empty(statements) {
+            self.fault(None, "a branch is empty");
+        }
+        self.block(statements, depth);
+    }
+
     fn block(&mut self, statements: &[Statement], depth: u32) {
         if depth > DEEPEST_BLOCK {
             return self.fault(None, "statements are nested too deeply");
@@ -81,13 +92,18 @@ impl Check<'_> {
                     self.formula(Some(*target), *divisor);
                 }
                 Statement::CallTimer { timer: _, input } => self.formula(None, *input),
+                Statement::Case { of, arms } => {
+                    if arms.is_empty() {
+                        self.fault(Some(*of), "a choice has no arms");
+                    }
+                    for arm in arms {
+                        self.body(&arm.body, depth + 1);
+                    }
+                }
                 Statement::If { branches, otherwise } => {
                     for (condition, body) in branches {
                         self.formula(None, *condition);
-                        if is_empty(body) {
-                            self.fault(None, "a branch is empty");
-                        }
-                        self.block(body, depth + 1);
+                        self.body(body, depth + 1);
                     }
                     self.block(otherwise, depth + 1);
                 }

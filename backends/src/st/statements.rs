@@ -4,15 +4,13 @@ use super::expressions::Expressions;
 use super::limits::is_empty;
 use super::literals::{literal, time, zero};
 use super::names::Names;
-use super::writer::{WIDTH, Writer, fits_behind};
+use super::writer::Writer;
 use crate::comment::clean;
 use grafc_logic::formula::{Formula, FormulaId, Type, Value};
-use grafc_logic::scan::{Flag, Program, Repeat, Role, Statement, TimerId, VarId};
+use grafc_logic::scan::{Arm, Flag, Program, Repeat, Role, Statement, TimerId, VarId};
 
 /// What a timer without a preset is given: the longest time that all compilers take.
 const FOR_EVER_MS: i64 = i32::MAX as i64;
-/// Remarks of neighbouring lines start in one column, unless a line is longer than this.
-const FURTHEST_COLUMN: usize = 60;
 
 /// Writes the statements of one call.
 pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, expressions: &Expressions) {
@@ -51,19 +49,27 @@ impl Body<'_> {
         }
     }
 
-    /// The stability loop, and the flag when it was cut off.
+    /// The stability loop; where it has a limit, the flag when it was cut off.
     fn repeat(&self, out: &mut Writer, repeat: Repeat) {
-        let (again, count) = (self.name(repeat.again), self.name(repeat.count));
+        let again = self.name(repeat.again);
+        let limit = repeat.limit.map(|limit| (self.name(limit.count), limit.bound));
         out.blank();
-        out.line(&format!("{count} := 0;"));
+        if let Some((count, _)) = limit {
+            out.line(&format!("{count} := 0;"));
+        }
         out.open("REPEAT");
-        out.line(&format!("{count} := {count} + 1;"));
+        if let Some((count, _)) = limit {
+            out.line(&format!("{count} := {count} + 1;"));
+        }
         self.block(out, &self.program.micro_step);
         out.leave();
-        out.line(&format!("UNTIL NOT {again} OR ({count} >= {})", repeat.bound));
+        out.line(&match limit {
+            Some((count, bound)) => format!("UNTIL NOT {again} OR ({count} >= {bound})"),
+            None => format!("UNTIL NOT {again}"),
+        });
         out.line("END_REPEAT;");
         let flag = self.program.variables.iter_enumerated().find(|(_, v)| v.role == Role::Flag(Flag::Livelock));
-        if let Some((flag, _)) = flag {
+        if let Some((flag, _)) = flag.filter(|_| limit.is_some()) {
             out.open(&format!("IF {again} THEN"));
             out.line(&format!("{} := TRUE;", self.name(flag)));
             out.close("END_IF;");
@@ -82,7 +88,7 @@ impl Body<'_> {
                 }
                 Statement::Assign { target, value, remark } => {
                     if place >= end {
-                        (column, end) = self.remark_column(out.indent(), statements, place);
+                        (column, end) = self.remark_column(out, statements, place);
                     }
                     self.assign(out, *target, *value, remark.as_deref(), column);
                 }
@@ -90,6 +96,7 @@ impl Body<'_> {
                     self.divide(out, *target, *modulo, *dividend, *divisor, *flag);
                 }
                 Statement::CallTimer { timer, input } => self.call_timer(out, *timer, *input),
+                Statement::Case { of, arms } => self.case(out, *of, arms),
                 Statement::If { branches, otherwise } => self.branch(out, branches, otherwise),
             }
         }
@@ -101,12 +108,12 @@ impl Body<'_> {
     }
 
     /// Where the remarks of the assignments from `start` on begin, and the place after the last of them.
-    fn remark_column(&self, indent: usize, statements: &[Statement], start: usize) -> (usize, usize) {
+    fn remark_column(&self, out: &Writer, statements: &[Statement], start: usize) -> (usize, usize) {
         let mut column = 0;
         for (place, statement) in statements.iter().enumerate().skip(start) {
             let Statement::Assign { target, value, remark } = statement else { return (column, place) };
-            let length = self.length(indent, *target, *value);
-            if remark.is_some() && length <= FURTHEST_COLUMN {
+            let length = self.length(out.indent(), *target, *value);
+            if remark.is_some() && length <= out.furthest_remark() {
                 column = column.max(length);
             }
         }
@@ -116,7 +123,7 @@ impl Body<'_> {
     fn assign(&self, out: &mut Writer, target: VarId, value: FormulaId, remark: Option<&str>, column: usize) {
         let length = self.length(out.indent(), target, value);
         let remark = remark.map(clean).filter(|text| !text.is_empty());
-        if length > WIDTH {
+        if length > out.width() {
             out.comment(&remark.unwrap_or_default());
             out.line(&format!("{} :=", self.name(target)));
             out.enter();
@@ -124,7 +131,7 @@ impl Body<'_> {
             out.leave();
             return;
         }
-        let behind = remark.as_deref().filter(|text| fits_behind(length.max(column), text));
+        let behind = remark.as_deref().filter(|text| out.fits_behind(length.max(column), text));
         if behind.is_none() {
             out.comment(remark.as_deref().unwrap_or_default());
         }
@@ -221,7 +228,7 @@ impl Body<'_> {
             Some(preset) => preset.constant.map_or_else(|| time(preset.ms), |id| self.name(id).to_owned()),
         };
         let length = out.indent() + name.len() + "(IN := , PT := );".len() + preset.len();
-        if length.saturating_add(self.expressions.value_width(input)) <= WIDTH {
+        if length.saturating_add(self.expressions.value_width(input)) <= out.width() {
             out.start();
             out.text(&format!("{name}(IN := "));
             self.expressions.value(out, input);
@@ -238,10 +245,34 @@ impl Body<'_> {
         }
     }
 
+    /// An arm a value, with what the value stands for beside it. Labels are literals: constants are not taken everywhere.
+    fn case(&self, out: &mut Writer, of: VarId, arms: &[Arm]) {
+        out.open(&format!("CASE {} OF", self.name(of)));
+        for arm in arms {
+            let label = format!("{}:", arm.value);
+            let remark = arm.remark.as_deref().map(clean).filter(|text| !text.is_empty());
+            let length = out.indent() + label.len();
+            let behind = remark.as_deref().filter(|text| out.fits_behind(length, text));
+            out.start();
+            out.text(&label);
+            if let Some(remark) = behind {
+                out.trailing_comment(length, length, remark);
+            }
+            out.end();
+            out.enter();
+            if behind.is_none() {
+                out.comment(remark.as_deref().unwrap_or_default());
+            }
+            self.block(out, &arm.body);
+            out.leave();
+        }
+        out.close("END_CASE;");
+    }
+
     fn branch(&self, out: &mut Writer, branches: &[(FormulaId, Vec<Statement>)], otherwise: &[Statement]) {
         let mut word = "IF";
         for (condition, body) in branches {
-            if out.indent() + word.len() + self.expressions.width(*condition) + 6 <= WIDTH {
+            if out.indent() + word.len() + self.expressions.width(*condition) + 6 <= out.width() {
                 out.start();
                 out.text(word);
                 out.text(" ");

@@ -2,10 +2,14 @@
 
 use crate::comment::wrap;
 
-/// No line of ours is longer, if it can be broken at all.
-pub(super) const WIDTH: usize = 100;
-/// A line may be so long with the comment at its end.
-pub(super) const WIDTH_WITH_COMMENT: usize = 110;
+/// No line of ours is longer, if it can be broken at all, save where the indentation leaves too little.
+const WIDTH: usize = 100;
+/// So much room is left behind any indentation: states nest as deep as enclosures do.
+const LEAST_ROOM: usize = 60;
+/// A line may be so much longer with the comment at its end.
+const ROOM_FOR_COMMENT: usize = 10;
+/// Remarks of neighbouring lines start in one column, unless they leave less room than this.
+const LEAST_ROOM_FOR_REMARK: usize = 40;
 /// One level of indentation.
 pub(super) const STEP: usize = 4;
 
@@ -34,6 +38,21 @@ impl Writer {
     /// The columns that the indentation takes.
     pub fn indent(&self) -> usize {
         self.indent
+    }
+
+    /// The last column that a line here takes, if it can be broken at all.
+    pub fn width(&self) -> usize {
+        WIDTH.max(self.indent + LEAST_ROOM)
+    }
+
+    /// The last column at which the remarks of neighbouring lines start together.
+    pub fn furthest_remark(&self) -> usize {
+        self.width() - LEAST_ROOM_FOR_REMARK
+    }
+
+    /// Whether a clean comment fits behind a line that ends at `column`.
+    pub fn fits_behind(&self, column: usize, comment: &str) -> bool {
+        column + 8 + comment.chars().count() <= self.width() + ROOM_FOR_COMMENT
     }
 
     /// A blank line before what comes next, unless a block starts there.
@@ -100,7 +119,7 @@ impl Writer {
 
     /// One comment of several clean texts, each on lines of its own.
     pub fn block_comment(&mut self, texts: impl IntoIterator<Item = String>) {
-        let width = WIDTH.saturating_sub(self.indent + 6).max(40);
+        let width = self.width() - self.indent - 6;
         let mut lines = texts.into_iter().flat_map(|text| wrap(&text, width)).peekable();
         let mut first = true;
         while let Some(line) = lines.next() {
@@ -122,9 +141,4 @@ impl Writer {
         self.text(text);
         self.text(" *)");
     }
-}
-
-/// Whether a clean comment fits behind a line that ends at `column`.
-pub(super) fn fits_behind(column: usize, comment: &str) -> bool {
-    column + 8 + comment.chars().count() <= WIDTH_WITH_COMMENT
 }

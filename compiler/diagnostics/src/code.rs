@@ -115,9 +115,11 @@ codes! {
     W0406 "source-transition-on-level" Warning;
     W0407 "always-true-cycle" Warning;
     W0408 "transient-step-with-continuous-action" Warning;
-
-    E0501 "enclosure-not-lowered" Error;
-    E0502 "forcing-not-lowered" Error;
+    W0409 "non-exclusive-divergence" Warning;
+    W0410 "counter-race" Warning;
+    W0411 "orders-not-exclusive" Warning;
+    W0412 "allocation-conflict" Warning;
+    W0413 "visible-overlap" Warning;
 
     E0601 "malformed-trace" Error;
     E0602 "unknown-trace-column" Error;

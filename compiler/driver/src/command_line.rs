@@ -1,6 +1,6 @@
 //! What can be asked of grafc.
 
-use crate::commands::{check, compile, completions, explain, fmt, man, sim};
+use crate::commands::{check, compile, completions, explain, fmt, man, sim, stats};
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use grafc_model::reaction::{Evolution, Profile};
@@ -10,6 +10,7 @@ use std::path::Path;
 const AFTER_HELP: &str = "\
 Example:
   grafc valve.gct --target st -o valve.st
+  grafc valve.gct --emit net
 
 Exit codes: 0 done, 1 the chart has errors, 2 wrong use, 3 the file system said no.
 A chart that is named like a command is given as `./check`; `-` is standard input or output.";
@@ -60,6 +61,8 @@ pub enum Command {
     Check(check::Arguments),
     /// Run a chart over a trace of its inputs with the reference simulator
     Sim(sim::Arguments),
+    /// Measure what a chart takes in each encoding
+    Stats(stats::Arguments),
     /// Bring charts into the canonical format
     Fmt(fmt::Arguments),
     /// Print the page on a diagnostic code

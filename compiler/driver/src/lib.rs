@@ -31,6 +31,7 @@ pub fn run(command_line: CommandLine) -> Exit {
         None => commands::compile::run(command_line.compile),
         Some(Command::Check(args)) => commands::check::run(args),
         Some(Command::Sim(args)) => commands::sim::run(args),
+        Some(Command::Stats(args)) => commands::stats::run(args),
         Some(Command::Fmt(args)) => commands::fmt::run(args),
         Some(Command::Explain(args)) => commands::explain::run(args),
         Some(Command::Completions(args)) => commands::completions::run(args),

@@ -6,59 +6,92 @@
 //!
 //! Functions of their arguments alone: nothing is read, written or printed. A stage reports all it finds; after a
 //! stage that found an error, no other begins, save that a text with syntax errors is checked as far as it was read.
+//! What lies between two stages can be had as text.
 
 use grafc_backends::st;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
 use grafc_logic::Encoding;
+use grafc_logic::scan::Program;
 use grafc_model::chart::Chart;
 use grafc_model::reaction::Profile;
 use grafc_model::simulate::Simulator;
 use grafc_model::trace;
+use grafc_net::Net;
+use grafc_net::passes::Pass;
 use grafc_syntax::ast::same;
 
-/// What code is made, and what it is to mean.
+/// What is made, and what it is to mean.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Choices that change what the chart means.
-    pub profile: Profile,
-    /// How the situation is held.
-    pub encoding: Encoding,
-    /// The language of the code.
-    pub target: Target,
+    /// How the chart becomes a program.
+    pub lowering: grafc_logic::Options,
+    /// What comes out.
+    pub product: Product,
 }
 
-/// A language, with the choices that it alone knows.
+/// What comes out: code, with the choices that its language alone knows, or what lies between two stages.
 #[derive(Clone, Debug)]
-pub enum Target {
+pub enum Product {
     /// IEC 61131-3 Structured Text.
     St(st::Options),
+    /// The syntax tree.
+    Tree,
+    /// The checked chart.
+    Chart,
+    /// The net after the pass of this name.
+    NetAfter(String),
+    /// The flat net.
+    Net,
+    /// The equations of the scan program.
+    Equations,
+    /// The scan program.
+    Program,
 }
 
-/// The whole way. There is code exactly if no message is an error.
+/// As far as what is asked for. There is a text exactly if no message is an error; and none after a pass that is not run.
 pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) -> (Option<String>, Diagnostics) {
-    let (chart, mut said) = check(file, text, default_name);
-    let Some(chart) = chart else { return (None, said) };
-
-    let mut net = grafc_net::build(&chart);
-    grafc_net::passes::run(&mut net, &mut said);
-    if said.has_errors() {
-        return (None, said);
-    }
-
-    let (program, found) = grafc_logic::compile(&net, options.profile, options.encoding);
-    said.append(found);
-    let Some(program) = program.filter(|_| !said.has_errors()) else { return (None, said) };
-
-    let code = match &options.target {
-        Target::St(options) => st::emit(&program, options),
-    };
-    match code {
-        Ok(code) => (Some(code), said),
-        Err(found) => {
-            said.append(found);
-            (None, said)
+    let lowering = &options.lowering;
+    let (made, said) = match &options.product {
+        Product::Tree => {
+            let (tree, said) = grafc_syntax::parse(file, text);
+            (Some(grafc_syntax::dump(&tree)), said)
         }
-    }
+        Product::Chart => {
+            let (chart, said) = check(file, text, default_name);
+            (chart.as_ref().map(grafc_model::dump), said)
+        }
+        Product::NetAfter(name) => {
+            let mut found = None;
+            let look =
+                |pass: &Pass, net: &Net| found = found.take().or((pass.name == name).then(|| grafc_net::dump(net)));
+            let (_, said) = flatten(file, text, default_name, lowering.encoding, look);
+            (found, said)
+        }
+        Product::Net => {
+            let (net, said) = flatten(file, text, default_name, lowering.encoding, |_, _| ());
+            (net.as_ref().map(grafc_net::dump), said)
+        }
+        Product::Equations => {
+            let (program, said) = lower(file, text, default_name, lowering);
+            (program.as_ref().map(grafc_logic::equations), said)
+        }
+        Product::Program => {
+            let (program, said) = lower(file, text, default_name, lowering);
+            (program.as_ref().map(grafc_logic::dump), said)
+        }
+        Product::St(options) => {
+            let (program, mut said) = lower(file, text, default_name, lowering);
+            match program.map(|program| st::emit(&program, options)) {
+                Some(Ok(code)) => (Some(code), said),
+                Some(Err(found)) => {
+                    said.append(found);
+                    (None, said)
+                }
+                None => (None, said),
+            }
+        }
+    };
+    (made.filter(|_| !said.has_errors()), said)
 }
 
 /// As far as the checked chart. There is one exactly if no message is an error.
@@ -74,6 +107,35 @@ pub fn check(file: FileId, text: &str, default_name: &str) -> (Option<Chart>, Di
     }
     said.append(found);
     (chart.filter(|_| !said.has_errors()), said)
+}
+
+/// As far as the flat net; `look` sees it after each pass. There is one exactly if no message is an error.
+fn flatten(
+    file: FileId,
+    text: &str,
+    default_name: &str,
+    encoding: Encoding,
+    look: impl FnMut(&'static Pass, &Net),
+) -> (Option<Net>, Diagnostics) {
+    let (chart, mut said) = check(file, text, default_name);
+    let Some(chart) = chart else { return (None, said) };
+    let mut net = grafc_net::build(&chart);
+    grafc_net::passes::run_and_look(&mut net, encoding.overlaps(), &mut said, look);
+    (Some(net).filter(|_| !said.has_errors()), said)
+}
+
+/// As far as the scan program. There is one exactly if no message is an error.
+fn lower(
+    file: FileId,
+    text: &str,
+    default_name: &str,
+    options: &grafc_logic::Options,
+) -> (Option<Program>, Diagnostics) {
+    let (net, mut said) = flatten(file, text, default_name, options.encoding, |_, _| ());
+    let Some(net) = net else { return (None, said) };
+    let (program, found) = grafc_logic::compile(&net, options);
+    said.append(found);
+    (program.filter(|_| !said.has_errors()), said)
 }
 
 /// A chart and a trace of its inputs to a trace of its outputs.

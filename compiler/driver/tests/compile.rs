@@ -100,12 +100,48 @@ fn choices_reach_the_code() {
     };
     let plain = code(&[]);
     assert_eq!(code(&["--encoding", "single-phase", "--evolution", "stable", "--initial-actions", "on"]), plain);
+    assert_eq!(code(&["--optimize", "1"]), plain);
     assert_eq!(code(&["--pou", "function-block"]), plain);
     assert_ne!(code(&["--evolution", "scan"]), plain);
     assert!(code(&["--pou", "program"]).contains("\nPROGRAM "));
     let configuration = code(&["--pou", "configuration", "--interval", "50ms"]);
     assert!(configuration.contains("CONFIGURATION"), "{configuration}");
     assert!(configuration.to_uppercase().contains("T#50MS"), "{configuration}");
+}
+
+#[test]
+fn every_encoding_holds_the_situation_in_its_own_way() {
+    let place = Place::new(&[("valve.gct", VALVE)]);
+    let code =
+        |encoding: &str| place.run(&["valve.gct", "--target", "st", "--encoding", encoding]).is_done().out.clone();
+    let encodings = ["single-phase", "r-trigger", "s-trigger", "sequent", "switch"];
+    let codes = encodings.map(code);
+    for (place, text) in codes.iter().enumerate() {
+        assert!(text.contains(&format!("--encoding {} ", encodings[place])), "{text}");
+        let body = |text: &str| text.split_once("*)").map(|(_, body)| body.to_string());
+        assert!(codes[..place].iter().all(|other| body(other) != body(text)), "{text}");
+    }
+    // One step is active at any time: a number says which.
+    assert!(codes[4].contains("CASE at_G1 OF\n        1:  (* step 1 *)\n            IF a THEN\n"), "{}", codes[4]);
+    assert!(!codes[4].contains("X1 : BOOL") && codes[0].contains("X1, X2 : BOOL"), "{}\n{}", codes[0], codes[4]);
+}
+
+#[test]
+fn the_level_of_optimisation_is_said_if_it_is_not_the_usual_one() {
+    let place = Place::new(&[("valve.gct", VALVE)]);
+    let code = |arguments: &[&str]| {
+        let all: Vec<&str> = ["valve.gct", "--target", "st"].iter().chain(arguments).copied().collect();
+        place.run(&all).is_done().out.clone()
+    };
+    let plain = code(&["-O0"]);
+    assert_eq!(code(&["-O", "0"]), plain);
+    assert_eq!(code(&["--optimize", "0"]), plain);
+    assert_eq!(code(&["--optimize=0"]), plain);
+    assert!(plain.contains("--encoding single-phase --optimize 0 --evolution"), "{plain}");
+    assert_eq!(code(&["-O1"]), code(&[]));
+    assert!(!code(&[]).contains("optimize"));
+    // One token moves: that a clearing changes something need not be asked step by step.
+    assert!(plain.len() > code(&[]).len(), "{plain}");
 }
 
 #[test]
@@ -125,10 +161,12 @@ fn code_says_what_made_it() {
 fn wrong_use_ends_with_2() {
     let place = Place::new(&[("valve.gct", VALVE)]);
     place.run(&[]).ends(2, "Usage: grafc");
-    place.run(&["valve.gct"]).ends(2, "--target");
+    place.run(&["valve.gct"]).ends(2, "--target <TARGET>|--emit <STAGE>|--dump-after <PASS>");
     place.run(&["--target", "st"]).ends(2, "CHART");
     place.run(&["valve.gct", "--target", "fortran"]).ends(2, "possible values: st");
     place.run(&["valve.gct", "--target", "st", "--encoding", "gray"]).ends(2, "single-phase");
+    place.run(&["valve.gct", "--target", "st", "-O2"]).ends(2, "possible values: 0, 1");
+    place.run(&["valve.gct", "--target", "st", "-O"]).ends(2, "--optimize <LEVEL>");
     place.run(&["valve.gct", "--target", "st", "--bound", "0"]).ends(2, "--bound");
     place.run(&["valve.gct", "--target", "st", "--interval", "20ms"]).ends(2, "--pou configuration");
     place.run(&["valve.gct", "--target", "st", "--pou", "configuration", "--interval", "0ms"]).ends(2, "interval");

@@ -12,6 +12,7 @@ fn help_of_every_command_shows_an_example() {
     let place = Place::new(&[]);
     let root = place.run(&["--help"]);
     assert!(root.is_done().out.contains("Example:\n  grafc valve.gct --target st"), "{}", root.out);
+    assert!(root.out.contains("\n  grafc valve.gct --emit net\n"), "{}", root.out);
     assert!(root.out.contains("Exit codes: 0 done, 1 the chart has errors"), "{}", root.out);
     for command in COMMANDS {
         assert!(root.out.contains(&format!("\n  {command} ")), "{command} is listed");
@@ -37,7 +38,12 @@ fn completions_know_every_command() {
         for command in COMMANDS {
             assert!(script.contains(command), "{shell}: {command}");
         }
-        assert!(script.contains("single-phase") || shell == "elvish" || shell == "powershell", "{shell}");
+        assert!(
+            script.contains("s-trigger") && script.contains("flatten-enclosures")
+                || shell == "elvish"
+                || shell == "powershell",
+            "{shell}"
+        );
     }
     place.run(&["completions", "cmd"]).ends(2, "possible values: bash");
 }

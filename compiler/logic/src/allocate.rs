@@ -4,13 +4,14 @@
 //! Variables are written one after the other. Whoever reads a variable is written before it; where the reading goes
 //! round in a circle, one variable is copied first and the others read the copy.
 
-use crate::events::Clearings;
+use crate::events::Flow;
 use crate::formula::{Formula, FormulaId, Type};
 use crate::lower::{Context, Lowering};
 use crate::scan::{Flag, Role, Statement, VarId};
 use crate::tokens::Components;
 use grafc_model::chart::{ExprId, ExprKind, Mode, StepId, TransitionId, VariableId};
 use grafc_net::Net;
+use grafc_net::net::Forced;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// One assignment and when it is done.
@@ -41,7 +42,7 @@ pub(crate) enum Place {
 #[derive(Clone, Copy)]
 pub(crate) struct Tokens<'a> {
     pub(crate) components: &'a Components,
-    pub(crate) clearings: &'a Clearings,
+    pub(crate) flow: &'a Flow,
 }
 
 /// The assignments of a moment, by variable; of each variable in the order of R7.
@@ -150,6 +151,13 @@ fn one_variable(
     again: Option<VarId>,
     out: &mut Vec<Statement>,
 ) {
+    // A step that nothing leads to is never activated.
+    let never = |t: &&Trigger| lowering.pool.as_truth(t.when) == Some(false);
+    let triggers: Vec<Trigger> = triggers.iter().filter(|t| !never(t)).copied().collect();
+    let triggers = triggers.as_slice();
+    if triggers.is_empty() {
+        return;
+    }
     let exclusive = triggers.len() == 1 || tokens.is_some_and(|t| exclusive(lowering.net, t, triggers));
     let literals: Option<Vec<FormulaId>> = triggers.iter().map(|t| literal(lowering, t.value)).collect();
     match literals {
@@ -197,7 +205,13 @@ fn exclusive(net: &Net, tokens: Tokens, triggers: &[Trigger]) -> bool {
         }
     }
     let before: BTreeSet<StepId> = before.into_keys().collect();
-    after.iter().all(|s| !tokens.clearings.leads(net, &before, *s))
+    after.iter().all(|s| !tokens.flow.leads(net, &before, *s) && (before.is_empty() || !forced(net, *s)))
+}
+
+/// Whether an order may bring the token of a component here from wherever it is.
+fn forced(net: &Net, s: StepId) -> bool {
+    let orders = &net.grafcets[net.places[s].grafcet].orders;
+    orders.iter().any(|order| matches!(&order.forced, Forced::Steps(steps) if steps.binary_search(&s).is_ok()))
 }
 
 /// A component whose token all of them wait for.

@@ -17,7 +17,6 @@ pub struct Evaluator<'p> {
     timers: IndexVec<TimerId, Timer>,
     inputs: Vec<VarId>,
     outputs: Vec<VarId>,
-    steps: Vec<VarId>,
     now: i64,
     /// The values of formulas, valid while their mark is the current one.
     memo: Vec<(u64, Value)>,
@@ -44,7 +43,6 @@ impl<'p> Evaluator<'p> {
             timers: program.timers.iter().map(|_| Timer::default()).collect(),
             inputs: of(Role::Input),
             outputs: of(Role::Output),
-            steps: of(Role::Step),
             now: 0,
             memo: vec![(0, Value::Bool(false)); program.pool.len()],
             mark: 0,
@@ -54,6 +52,11 @@ impl<'p> Evaluator<'p> {
 
     /// One call.
     pub fn react(&mut self, stimulus: &Stimulus) -> Response {
+        self.react_observed(stimulus, |_| ())
+    }
+
+    /// One call, watched after each micro-step.
+    pub fn react_observed(&mut self, stimulus: &Stimulus, mut after: impl FnMut(&mut Self)) -> Response {
         let program = self.program;
         self.now = stimulus.t_ms;
         for index in 0..self.inputs.len() {
@@ -62,13 +65,17 @@ impl<'p> Evaluator<'p> {
         self.run(&program.first);
         self.run(&program.before);
         match program.repeat {
-            None => self.run(&program.micro_step),
+            None => {
+                self.run(&program.micro_step);
+                after(self);
+            }
             Some(repeat) => {
                 let mut again = true;
                 let mut count = 0;
-                while again && count < repeat.bound {
+                while again && repeat.limit.is_none_or(|limit| count < limit.bound) {
                     count += 1;
                     self.run(&program.micro_step);
+                    after(self);
                     again = self.values[repeat.again] == Value::Bool(true);
                 }
                 if again {
@@ -79,15 +86,20 @@ impl<'p> Evaluator<'p> {
         self.run(&program.after);
         Response {
             outputs: self.outputs.iter().map(|v| self.values[*v]).collect(),
-            situation: self
-                .steps
-                .iter()
-                .enumerate()
-                .filter(|(_, v)| self.values[**v] == Value::Bool(true))
-                .map(|(index, _)| StepId::from_usize(index))
-                .collect(),
+            situation: self.situation(),
             flags: self.flags(),
         }
+    }
+
+    /// The active steps, in order of declaration.
+    pub fn situation(&mut self) -> Vec<StepId> {
+        let program = self.program;
+        program.steps.iter_enumerated().filter(|(_, active)| self.truth(**active)).map(|(s, _)| s).collect()
+    }
+
+    /// The values of variables that stored actions write, and of all others, in order of declaration.
+    pub fn value_of(&self, variable: VarId) -> Value {
+        self.values[variable]
     }
 
     fn flags(&self) -> Flags {
@@ -104,6 +116,7 @@ impl<'p> Evaluator<'p> {
                 | Role::Internal
                 | Role::Constant
                 | Role::Step
+                | Role::State
                 | Role::Memory
                 | Role::Temporary => {}
             }
@@ -141,6 +154,12 @@ impl<'p> Evaluator<'p> {
                     let state = &mut self.timers[*timer];
                     state.since = if input { state.since.or(Some(self.now)) } else { None };
                     state.at = self.now;
+                }
+                Statement::Case { of, arms } => {
+                    let at = self.values[*of];
+                    if let Some(arm) = arms.iter().find(|arm| Value::Int(arm.value) == at) {
+                        self.run(&arm.body);
+                    }
                 }
                 Statement::If { branches, otherwise } => {
                     let taken = branches.iter().find(|(when, _)| self.truth(*when));

@@ -1,10 +1,11 @@
 //! What happens in a micro-step: clearings, activations and deactivations as net changes (R6), and the events of stored
 //! actions (R7).
 
-use crate::encode::Place;
+use crate::encode::{Place, Task};
 use crate::formula::{Formula, FormulaId};
 use crate::lower::Lowering;
 use crate::scan::{Role, Statement, VarId};
+use crate::settle::Frozen;
 use crate::tokens::Components;
 use grafc_model::chart::{StepId, TransitionId, Type};
 use grafc_net::Net;
@@ -12,28 +13,21 @@ use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
 
-/// The clearing of each transition, latched before anything is written.
-pub(crate) struct Clearings {
-    /// The variable of each transition.
-    pub(crate) variable: IndexVec<TransitionId, VarId>,
+/// The transitions around each step.
+pub(crate) struct Flow {
     /// Transitions that lead into a step, self-loops left out.
-    into: IndexVec<StepId, Vec<TransitionId>>,
+    pub(crate) into: IndexVec<StepId, Vec<TransitionId>>,
     /// Transitions that lead out of a step, self-loops left out.
-    out_of: IndexVec<StepId, Vec<TransitionId>>,
+    pub(crate) out_of: IndexVec<StepId, Vec<TransitionId>>,
     /// Transitions that lead out of a step and back into it at once.
-    loops: IndexVec<StepId, Vec<TransitionId>>,
+    pub(crate) loops: IndexVec<StepId, Vec<TransitionId>>,
 }
 
-impl Clearings {
-    /// Makes the variables and returns the statements that set them.
-    pub(crate) fn new(
-        lowering: &mut Lowering,
-        conditions: &IndexVec<TransitionId, FormulaId>,
-    ) -> (Self, Vec<Statement>) {
-        let net = lowering.net;
+impl Flow {
+    /// Looks at each arc once.
+    pub(crate) fn new(net: &Net) -> Self {
         let none = || -> IndexVec<StepId, Vec<TransitionId>> { net.places.iter().map(|_| Vec::new()).collect() };
-        let mut clearings = Clearings { variable: IndexVec::new(), into: none(), out_of: none(), loops: none() };
-        let mut statements = Vec::with_capacity(net.transitions.len());
+        let mut flow = Flow { into: none(), out_of: none(), loops: none() };
         // The last transition that touched a step, to tell self-loops in one pass.
         let mut before: IndexVec<StepId, Option<TransitionId>> = net.places.iter().map(|_| None).collect();
         let mut after = before.clone();
@@ -41,47 +35,125 @@ impl Clearings {
             transition.pre.iter().for_each(|s| before[*s] = Some(t));
             transition.post.iter().for_each(|s| after[*s] = Some(t));
             for s in &transition.pre {
-                let table = if after[*s] == Some(t) { &mut clearings.loops } else { &mut clearings.out_of };
+                let table = if after[*s] == Some(t) { &mut flow.loops } else { &mut flow.out_of };
                 table[*s].push(t);
             }
             for s in transition.post.iter().filter(|s| before[**s] != Some(t)) {
-                clearings.into[*s].push(t);
+                flow.into[*s].push(t);
             }
-            let enabled: Vec<FormulaId> = transition.pre.iter().map(|s| lowering.active(*s)).collect();
-            let value = lowering.pool.and(enabled.into_iter().chain([conditions[t]]));
-            let name = transition.designation.clone().unwrap_or_else(|| (t.index() + 1).to_string());
-            let target = lowering.symbols.fresh(Role::Temporary, format!("clr_{name}"), Type::Bool, None);
-            clearings.variable.push(target);
-            statements.push(Statement::Assign { target, value, remark: Some(drawn(net, t)) });
         }
-        (clearings, statements)
-    }
-
-    fn any(&self, lowering: &mut Lowering, transitions: impl IntoIterator<Item = TransitionId>) -> FormulaId {
-        let cleared: Vec<FormulaId> =
-            transitions.into_iter().map(|t| lowering.symbols.read(&mut lowering.pool, self.variable[t])).collect();
-        lowering.pool.or(cleared)
+        flow
     }
 
     /// Whether a transition leads from one of the steps of `from` to `to`, another step.
     pub(crate) fn leads(&self, net: &Net, from: &BTreeSet<StepId>, to: StepId) -> bool {
         self.into[to].iter().any(|t| net.transitions[*t].pre.iter().any(|s| from.contains(s)))
     }
+}
+
+/// Whether a transition clears, as the factors of a conjunction (R3): its steps are active, what encloses it is, nothing
+/// freezes it, and its condition holds. A step within another is never active without that, so the factor is needed
+/// only where no step comes before.
+pub(crate) fn clears(
+    lowering: &mut Lowering,
+    t: TransitionId,
+    condition: FormulaId,
+    frozen: &Frozen,
+    simplify: bool,
+) -> Vec<FormulaId> {
+    let transition = &lowering.net.transitions[t];
+    let within = transition.within.filter(|_| transition.pre.is_empty() || !simplify);
+    let mut factors: Vec<FormulaId> = within.iter().chain(&transition.pre).map(|s| lowering.active(*s)).collect();
+    if let Some(frozen) = frozen[transition.grafcet] {
+        factors.push(lowering.pool.not(frozen));
+    }
+    factors.push(condition);
+    factors
+}
+
+/// What a micro-step does to each step, as formulas.
+pub(crate) struct Clearings {
+    /// The transitions around each step.
+    pub(crate) flow: Flow,
+    /// Whether each transition clears.
+    pub(crate) cleared: IndexVec<TransitionId, FormulaId>,
+    /// The next activity of steps for which it has been computed, because others need it or enclosures and orders act
+    /// on them.
+    pub(crate) next: IndexVec<StepId, Option<FormulaId>>,
+}
+
+impl Clearings {
+    /// With the clearing of each transition latched in a variable before anything is written, if `latch`; else written
+    /// out wherever it is needed.
+    pub(crate) fn new(
+        lowering: &mut Lowering,
+        conditions: &IndexVec<TransitionId, FormulaId>,
+        frozen: &Frozen,
+        latch: bool,
+        simplify: bool,
+    ) -> (Self, Vec<Statement>) {
+        let net = lowering.net;
+        let mut statements = Vec::new();
+        let mut cleared = IndexVec::with_capacity(net.transitions.len());
+        for t in net.transitions.indices() {
+            let factors = clears(lowering, t, conditions[t], frozen, simplify);
+            let value = lowering.pool.and(factors);
+            if !latch {
+                cleared.push(value);
+                continue;
+            }
+            let target =
+                lowering.symbols.fresh(Role::Temporary, format!("clr_{}", designation(net, t)), Type::Bool, None);
+            statements.push(Statement::Assign { target, value, remark: Some(drawn(net, t)) });
+            cleared.push(lowering.symbols.read(&mut lowering.pool, target));
+        }
+        let next = net.places.iter().map(|_| None).collect();
+        (Clearings { flow: Flow::new(net), cleared, next }, statements)
+    }
+
+    fn any(&self, lowering: &mut Lowering, transitions: impl IntoIterator<Item = TransitionId>) -> FormulaId {
+        let cleared: Vec<FormulaId> = transitions.into_iter().map(|t| self.cleared[t]).collect();
+        lowering.pool.or(cleared)
+    }
 
     /// What decides on the next activity of a step; none if no transition touches it.
-    pub(crate) fn place(&self, lowering: &mut Lowering, s: StepId) -> Option<Place> {
-        if self.into[s].is_empty() && self.out_of[s].is_empty() {
+    pub(crate) fn place(&self, lowering: &mut Lowering, s: StepId, overlaps: bool) -> Option<Place> {
+        if self.flow.into[s].is_empty() && self.flow.out_of[s].is_empty() {
             // A self-loop alone neither activates nor deactivates: set dominates.
             return None;
         }
-        let set = self.any(lowering, self.into[s].iter().chain(&self.loops[s]).copied());
-        let reset = self.any(lowering, self.out_of[s].iter().chain(&self.loops[s]).copied());
+        let set = self.any(lowering, self.flow.into[s].iter().chain(&self.flow.loops[s]).copied());
+        let reset = if overlaps {
+            self.followed(lowering, s)
+        } else {
+            self.any(lowering, self.flow.out_of[s].iter().chain(&self.flow.loops[s]).copied())
+        };
         Some(Place { active: lowering.active(s), set, reset })
+    }
+
+    /// A successor of `s` is active; a transition that nothing follows resets by its clearing.
+    fn followed(&self, lowering: &mut Lowering, s: StepId) -> FormulaId {
+        let mut terms = Vec::new();
+        for t in &self.flow.out_of[s] {
+            // A step that the transition leads back to was active before.
+            let transition = &lowering.net.transitions[*t];
+            let fresh = transition.post.iter().filter(|after| !transition.pre.contains(after));
+            let successors: Vec<FormulaId> = fresh.map(|after| lowering.active(*after)).collect();
+            if successors.is_empty() {
+                terms.push(self.cleared[*t]);
+            }
+            terms.extend(successors);
+        }
+        lowering.pool.or(terms)
     }
 
     /// `s` is active after the micro-step and was not before.
     pub(crate) fn activated(&self, lowering: &mut Lowering, components: &Components, s: StepId) -> FormulaId {
-        let into = self.into[s].iter().copied();
+        if let Some(next) = self.next[s] {
+            let inactive = lowering.pool.not(lowering.active(s));
+            return lowering.pool.and([next, inactive]);
+        }
+        let into = self.flow.into[s].iter().copied();
         if components.covers(s) {
             // The step that the token of a component comes to was inactive.
             return self.any(lowering, into);
@@ -103,7 +175,11 @@ impl Clearings {
 
     /// `s` was active before the micro-step and is not after.
     pub(crate) fn deactivated(&self, lowering: &mut Lowering, components: &Components, s: StepId) -> FormulaId {
-        let out_of = self.out_of[s].iter().copied();
+        if let Some(next) = self.next[s] {
+            let gone = lowering.pool.not(next);
+            return lowering.pool.and([lowering.active(s), gone]);
+        }
+        let out_of = self.flow.out_of[s].iter().copied();
         if components.covers(s) {
             return self.any(lowering, out_of);
         }
@@ -118,36 +194,40 @@ impl Clearings {
         transitions: impl IntoIterator<Item = TransitionId>,
     ) -> FormulaId {
         let reset = self.any(lowering, transitions);
-        let set = self.any(lowering, self.into[s].iter().chain(&self.loops[s]).copied());
+        let set = self.any(lowering, self.flow.into[s].iter().chain(&self.flow.loops[s]).copied());
         let not_set = lowering.pool.not(set);
         lowering.pool.and([reset, not_set])
     }
 
-    /// Whether the situation changes, as the terms of a disjunction: the clearings that move the token of a component,
-    /// and for what no component covers, activation and deactivation step by step. A transition that waits for an edge
-    /// is left out: the edge itself asks for another micro-step.
+    /// Whether the bits of the situation change, as the terms of a disjunction: the clearings that move the token of a
+    /// component, and for what no component covers, activation and deactivation step by step. A transition that waits
+    /// for an edge is left out: the edge itself asks for another micro-step; and so is one whose clearing is `told`
+    /// otherwise. What enclosures and orders do needs no term: it happens where a step that encloses or forces changes.
     pub(crate) fn changes(
         &self,
         lowering: &mut Lowering,
-        components: &Components,
-        conditions: &IndexVec<TransitionId, FormulaId>,
+        task: &Task,
+        told: impl Fn(TransitionId) -> bool,
     ) -> Vec<FormulaId> {
         let net = lowering.net;
         let edges: FxHashSet<VarId> = lowering.edges.iter().flat_map(|e| [e.rise, e.fall]).flatten().collect();
         let is_edge = |f: &FormulaId| matches!(lowering.pool.get(*f), Formula::Variable(v) if edges.contains(v));
-        let waits: IndexVec<TransitionId, bool> =
-            conditions.iter().map(|c| lowering.pool.factors(c).iter().any(is_edge)).collect();
+        let quiet: IndexVec<TransitionId, bool> = task
+            .conditions
+            .iter_enumerated()
+            .map(|(t, c)| told(t) || lowering.pool.factors(c).iter().any(is_edge))
+            .collect();
+        let bits: Vec<StepId> = net.places.indices().filter(|s| lowering.situation.bit(*s).is_some()).collect();
         let mut moves: IndexVec<TransitionId, bool> = net.transitions.iter().map(|_| false).collect();
-        for s in net.places.indices().filter(|s| components.covers(*s)) {
-            self.out_of[s].iter().for_each(|t| moves[*t] = true);
+        for s in bits.iter().filter(|s| task.components.covers(**s)) {
+            self.flow.out_of[*s].iter().for_each(|t| moves[*t] = true);
         }
-        let moving = net.transitions.indices().filter(|t| moves[*t] && !waits[*t]);
-        let mut terms: Vec<FormulaId> =
-            moving.map(|t| lowering.symbols.read(&mut lowering.pool, self.variable[t])).collect();
-        for s in net.places.indices() {
+        let moving = net.transitions.indices().filter(|t| moves[*t] && !quiet[*t]);
+        let mut terms: Vec<FormulaId> = moving.map(|t| self.cleared[t]).collect();
+        for s in bits {
             let others =
-                |list: &[TransitionId]| list.iter().copied().filter(|t| !moves[*t] && !waits[*t]).collect::<Vec<_>>();
-            let (into, out_of) = (others(&self.into[s]), others(&self.out_of[s]));
+                |list: &[TransitionId]| list.iter().copied().filter(|t| !moves[*t] && !quiet[*t]).collect::<Vec<_>>();
+            let (into, out_of) = (others(&self.flow.into[s]), others(&self.flow.out_of[s]));
             if !into.is_empty() {
                 terms.push(self.activated_by(lowering, s, into));
             }
@@ -216,8 +296,13 @@ impl StepEvents {
     }
 }
 
-/// A transition as the chart writes it: `5, 8 -> 9 "comment"`.
-fn drawn(net: &Net, t: TransitionId) -> String {
+/// What a transition is called: its designation, or its number.
+pub(crate) fn designation(net: &Net, t: TransitionId) -> String {
+    net.transitions[t].designation.clone().unwrap_or_else(|| (t.index() + 1).to_string())
+}
+
+/// A transition as the chart writes it: `5, 8 -> 9: comment`.
+pub(crate) fn drawn(net: &Net, t: TransitionId) -> String {
     let labels = |steps: &[StepId]| steps.iter().map(|s| net.places[*s].label.as_str()).collect::<Vec<_>>().join(", ");
     let transition = &net.transitions[t];
     let mut text = format!("{} -> {}", labels(&transition.pre), labels(&transition.post)).trim().to_owned();

@@ -343,22 +343,39 @@ impl Pool {
 
     /// The formula with variables replaced.
     pub fn substitute(&mut self, root: FormulaId, by: &FxHashMap<VarId, FormulaId>) -> FormulaId {
+        let reads = |pool: &Pool, id: FormulaId| match pool.get(id) {
+            Formula::Variable(v) => by.get(v).copied(),
+            _ => None,
+        };
+        let replaced = self.below(root).into_iter().filter_map(|id| Some((id, reads(self, id)?))).collect();
+        self.replace(root, &replaced)
+    }
+
+    /// The formula with formulas in it replaced.
+    pub fn replace(&mut self, root: FormulaId, by: &FxHashMap<FormulaId, FormulaId>) -> FormulaId {
         let mut new: FxHashMap<FormulaId, FormulaId> = FxHashMap::default();
         for id in self.below(root) {
-            let replaced = match self.get(id).clone() {
-                Formula::Variable(v) => by.get(&v).copied().unwrap_or(id),
-                Formula::Constant(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) => id,
-                Formula::Not(a) => self.not(new[&a]),
-                Formula::And(list) => self.and(list.iter().map(|o| new[o])),
-                Formula::Or(list) => self.or(list.iter().map(|o| new[o])),
-                Formula::Xor(a, b) => self.xor(new[&a], new[&b]),
-                Formula::Compare(op, a, b) => self.compare(op, new[&a], new[&b]),
-                Formula::Arithmetic(op, a, b) => self.arithmetic(op, self.ty(id), new[&a], new[&b]),
-                Formula::Negate(a) => self.negate(new[&a]),
-                Formula::Widen(a) => self.widen(self.ty(id), new[&a]),
+            let replaced = match by.get(&id) {
+                Some(replacement) => *replacement,
+                None => self.rebuilt(id, &new),
             };
             new.insert(id, replaced);
         }
         new[&root]
+    }
+
+    /// One formula on new operands, all of which are in `new`.
+    pub(crate) fn rebuilt(&mut self, id: FormulaId, new: &FxHashMap<FormulaId, FormulaId>) -> FormulaId {
+        match self.get(id).clone() {
+            Formula::Variable(_) | Formula::Constant(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) => id,
+            Formula::Not(a) => self.not(new[&a]),
+            Formula::And(list) => self.and(list.iter().map(|o| new[o])),
+            Formula::Or(list) => self.or(list.iter().map(|o| new[o])),
+            Formula::Xor(a, b) => self.xor(new[&a], new[&b]),
+            Formula::Compare(op, a, b) => self.compare(op, new[&a], new[&b]),
+            Formula::Arithmetic(op, a, b) => self.arithmetic(op, self.ty(id), new[&a], new[&b]),
+            Formula::Negate(a) => self.negate(new[&a]),
+            Formula::Widen(a) => self.widen(self.ty(id), new[&a]),
+        }
     }
 }

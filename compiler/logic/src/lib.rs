@@ -8,19 +8,31 @@
 //! [`evaluate`] runs them. Each encoding of the situation is one file in `encode/`.
 
 mod allocate;
+mod arms;
 mod compile;
+mod dump;
 mod encode;
 pub mod evaluate;
 mod events;
 mod exclusion;
 pub mod formula;
 mod input_event;
-mod limits;
 mod lower;
+mod measure;
 mod number;
+mod outputs;
+mod overlap;
 pub mod scan;
+mod settle;
+mod simplify;
+mod situation;
+mod stored;
 mod symbols;
 mod tokens;
+mod warnings;
 
-pub use compile::compile;
+pub use compile::{Options, compile};
+pub use dump::{dump, equations};
 pub use encode::Encoding;
+pub use measure::{Measure, measure};
+pub use warnings::warn;

@@ -2,8 +2,9 @@
 
 use crate::formula::{FormulaId, Pool, Type, Value};
 use crate::scan::{Flag, Role, VarId, Variable};
-use grafc_model::chart::{StepId, VariableId, VariableKind};
+use grafc_model::chart::{VariableId, VariableKind};
 use grafc_net::Net;
+use grafc_net::net::Place;
 use index_vec::IndexVec;
 use std::collections::BTreeMap;
 
@@ -11,12 +12,11 @@ use std::collections::BTreeMap;
 pub(crate) struct Symbols {
     pub(crate) table: IndexVec<VarId, Variable>,
     declared: IndexVec<VariableId, VarId>,
-    steps: IndexVec<StepId, VarId>,
     flags: BTreeMap<Flag, VarId>,
 }
 
 impl Symbols {
-    /// The chart's own variables and steps.
+    /// The chart's own variables.
     pub(crate) fn new(net: &Net) -> Self {
         let mut table = IndexVec::new();
         let declared = net
@@ -46,22 +46,7 @@ impl Symbols {
                 })
             })
             .collect();
-        let steps = net
-            .places
-            .iter()
-            .map(|p| {
-                table.push(Variable {
-                    role: Role::Step,
-                    name: format!("X{}", p.label),
-                    ty: Type::Bool,
-                    initial: Value::Bool(false),
-                    comment: p.comment.clone(),
-                    address: None,
-                    span: Some(p.span),
-                })
-            })
-            .collect();
-        Symbols { table, declared, steps, flags: BTreeMap::new() }
+        Symbols { table, declared, flags: BTreeMap::new() }
     }
 
     /// The variable that was declared in the chart.
@@ -69,14 +54,22 @@ impl Symbols {
         self.declared[id]
     }
 
-    /// The activity of a step.
-    pub(crate) fn step(&self, id: StepId) -> VarId {
-        self.steps[id]
-    }
-
     /// A new variable of ours.
     pub(crate) fn fresh(&mut self, role: Role, name: impl Into<String>, ty: Type, comment: Option<String>) -> VarId {
         self.table.push(Variable { role, name: name.into(), ty, initial: zero(ty), comment, address: None, span: None })
+    }
+
+    /// A new variable for the activity of a place.
+    pub(crate) fn bit(&mut self, place: &Place) -> VarId {
+        self.table.push(Variable {
+            role: Role::Step,
+            name: format!("X{}", place.label),
+            ty: Type::Bool,
+            initial: Value::Bool(false),
+            comment: place.comment.clone(),
+            address: None,
+            span: Some(place.span),
+        })
     }
 
     /// The variable of a flag, which exists from its first use on.

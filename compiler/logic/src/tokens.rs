@@ -1,14 +1,24 @@
 //! Sets of steps of which at most one is active at any time.
 //!
-//! A set is such a *component* if
-//! 1. at most one of its steps is initial;
+//! A set of steps of one grafcet is such a *component* if
+//! 1. at most one of its steps is initial, once the start is settled;
 //! 2. every transition that leads into the set has exactly one step of the set before it and one after it, and every
 //!    transition that leads out of the set or within it has exactly one before and at most one after it;
-//! 3. where several transitions leave a step of the set, their conditions exclude each other in plain sight.
+//! 3. where several transitions leave a step of the set, their conditions exclude each other;
+//! 4. if the grafcet is within a step, at most one step of the set bears an activation link;
+//! 5. each situation that an order forces on the grafcet holds at most one step of the set.
 //!
-//! Then the start puts at most one token into it, by 3 at most one transition that has a step of the set before it clears
-//! in a micro-step, and by 2 that clearing moves the token or takes it away. What follows is used to keep formulas
-//! short: the step that the token comes to was inactive, and a clearing that does not lead back changes the situation.
+//! Proof, by induction over micro-steps. The start puts at most one token into the set by 1. If no step of the set is
+//! active, then by 2 no transition that leads into it clears (R3), and none comes. If one is, then by 3 at most one
+//! transition after it clears, by 2 no other transition around the set does, and that one moves the token or takes it
+//! away (R4). Then R5: an enclosure that is emptied harms nothing. One that starts was empty, for its enclosing step was
+//! inactive, and nothing in it has cleared: by 4 the links bring at most one token. An order leaves what it finds or
+//! makes the situation the forced one, and then 5 holds.
+//!
+//! What follows is used to keep formulas short: where nothing but clearings acts on a step, the step that the token
+//! comes to was inactive, and a clearing that does not lead back changes the situation. What does not follow: that the
+//! token moves along transitions. A link and an order bring one from nowhere, and an order also from any step to any
+//! step that it forces.
 //!
 //! The search is greedy and its work is bounded by the size of the net: what it does not find stays unproved, and the
 //! formulas stay longer.
@@ -18,7 +28,9 @@ use crate::formula::{FormulaId, Pool};
 use crate::lower::EdgeOperand;
 use grafc_model::chart::{StepId, TransitionId};
 use grafc_net::Net;
+use grafc_net::net::Forced;
 use index_vec::IndexVec;
+use rustc_hash::FxHashMap;
 
 /// More transitions than this out of one step are not compared pair by pair.
 const COMPARED: usize = 12;
@@ -35,6 +47,11 @@ pub(crate) struct Components {
 }
 
 impl Components {
+    /// No component at all.
+    pub(crate) fn none(net: &Net) -> Self {
+        Components { of_step: net.places.iter().map(|_| Vec::new()).collect() }
+    }
+
     /// Components that hold a step, by number; not all of them if there are many.
     pub(crate) fn of(&self, step: StepId) -> &[usize] {
         &self.of_step[step]
@@ -46,13 +63,37 @@ impl Components {
     }
 }
 
+/// A partition of steps into sets that exclude each other; what is in none stays a bit.
+#[derive(Clone, Debug)]
+pub(crate) struct Cover {
+    /// By their first step.
+    pub(crate) sets: Vec<CoverSet>,
+    /// The set that holds a step.
+    pub(crate) of_step: IndexVec<StepId, Option<usize>>,
+}
+
+/// Steps of one component.
+#[derive(Clone, Debug)]
+pub(crate) struct CoverSet {
+    /// In order of declaration.
+    pub(crate) steps: Vec<StepId>,
+    /// Whether exactly one of them is active, always.
+    pub(crate) always_marked: bool,
+}
+
+/// What has been found.
+pub(crate) struct Analysis {
+    pub(crate) components: Components,
+    pub(crate) cover: Cover,
+}
+
 /// Finds components that cover as many steps as possible.
 pub(crate) fn analyse(
     net: &Net,
     pool: &Pool,
     edges: &[EdgeOperand],
     conditions: &IndexVec<TransitionId, FormulaId>,
-) -> Components {
+) -> Analysis {
     let arcs = Arcs::new(net);
     let facts = EdgeFacts::new(edges);
     let decided: IndexVec<StepId, bool> = arcs
@@ -85,7 +126,25 @@ pub(crate) fn analyse(
             }
         }
     }
-    found
+    let cover = cover(net, &found);
+    Analysis { components: found, cover }
+}
+
+/// Each step goes to the first component that holds it.
+fn cover(net: &Net, found: &Components) -> Cover {
+    let mut number: FxHashMap<usize, usize> = FxHashMap::default();
+    let mut sets: Vec<CoverSet> = Vec::new();
+    let of_step = net.places.indices().map(|s| {
+        let component = *found.of(s).first()?;
+        let set = *number.entry(component).or_insert_with(|| {
+            sets.push(CoverSet { steps: Vec::new(), always_marked: false });
+            sets.len() - 1
+        });
+        sets[set].steps.push(s);
+        Some(set)
+    });
+    let of_step = of_step.collect();
+    Cover { sets, of_step }
 }
 
 /// The transitions around each step.
@@ -170,14 +229,21 @@ impl Search<'_> {
         steps.iter().find(|s| !found.covers(**s)).or(steps.first()).copied()
     }
 
-    /// Conditions 1 and 2, word for word.
+    /// Conditions 1, 2, 4 and 5, word for word.
     fn holds(&self, component: &[StepId], mark: usize) -> bool {
         let members = |steps: &[StepId]| steps.iter().filter(|s| self.member[**s] == mark).count();
         let fits = |t: &TransitionId| {
             let transition = &self.net.transitions[*t];
             members(&transition.pre) == 1 && members(&transition.post) <= 1
         };
-        component.iter().filter(|s| self.net.places[**s].initial).count() <= 1
+        let places = || component.iter().map(|s| &self.net.places[*s]);
+        let orders = places().next().map_or(&[][..], |place| &self.net.grafcets[place.grafcet].orders);
+        places().filter(|place| place.initial).count() <= 1
+            && places().filter(|place| place.activated && place.within.is_some()).count() <= 1
+            && orders.iter().all(|order| match &order.forced {
+                Forced::Steps(steps) => members(steps) <= 1,
+                Forced::Current => true,
+            })
             && component
                 .iter()
                 .all(|s| self.arcs.entering[*s].iter().all(fits) && self.arcs.leaving[*s].iter().all(fits))

@@ -1,10 +1,10 @@
 //! What a scan program holds, and above all what it does not: nothing that the chart does not use, and no more than
 //! is needed where the net itself proves that it is not.
 
-use grafc_diagnostics::{Code, Diagnostics, FileId};
+use grafc_diagnostics::{Diagnostics, FileId};
 use grafc_logic::formula::Type;
 use grafc_logic::scan::{Program, Role, Statement, VarId, verify};
-use grafc_logic::{Encoding, compile};
+use grafc_logic::{Options, compile};
 use grafc_model::reaction::{Evolution, Profile};
 
 fn compiled(text: &str, profile: Profile) -> (Option<Program>, Diagnostics) {
@@ -13,8 +13,8 @@ fn compiled(text: &str, profile: Profile) -> (Option<Program>, Diagnostics) {
     let (chart, said) = grafc_model::check(&tree, "chart");
     let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{said:?}")));
     let mut said = Diagnostics::new();
-    grafc_net::passes::run(&mut net, &mut said);
-    compile(&net, profile, Encoding::default())
+    grafc_net::passes::run(&mut net, false, &mut said);
+    compile(&net, &Options { profile, ..Options::default() })
 }
 
 fn program(text: &str) -> Program {
@@ -67,7 +67,10 @@ fn the_counter_of_micro_steps_holds_the_bound() {
     let of = |bound| {
         let program = compiled(text, Profile { bound: Some(bound), ..Profile::default() }).0.expect("a program");
         let repeat = program.repeat.expect("a loop");
-        (repeat.bound, program.variables[repeat.count].ty)
+        {
+            let limit = repeat.limit.expect("no bound is proved");
+            (limit.bound, program.variables[limit.count].ty)
+        }
     };
     assert_eq!(of(32_767), (32_767, Type::Int));
     assert_eq!(of(32_768), (32_768, Type::Dint));
@@ -135,19 +138,4 @@ fn every_read_has_a_value() {
         .position(|s| matches!(s, Statement::Assign { target, .. } if program.variables[*target].name == "rise_a"));
     program.micro_step.remove(edge.expect("the edge"));
     assert!(verify(&program).is_err(), "`rise_a` is read and never set");
-}
-
-#[test]
-fn what_is_not_lowered_is_named() {
-    let (program, said) = compiled(
-        "input a : bool
-         grafcet G1 { initial step 1  enclosing step 2  transition 1 -> 2 : a  step 3 { force G2{} }  transition 2 -> 3 : a }
-         grafcet X2/G3 { activated step 30 }
-         grafcet G2 { initial step 20 }",
-        Profile::default(),
-    );
-    assert!(program.is_none());
-    let codes: Vec<Code> = said.iter().map(|d| d.code).collect();
-    assert_eq!(codes, [Code::E0501, Code::E0502]);
-    assert!(said.iter().all(|d| d.message.contains("G3") || d.message.contains("G2")));
 }

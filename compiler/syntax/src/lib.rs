@@ -7,6 +7,7 @@
 
 pub mod ast;
 mod builder;
+pub mod dump;
 mod expected;
 mod format;
 mod items;
@@ -19,5 +20,6 @@ lalrpop_util::lalrpop_mod!(
     grammar
 );
 
+pub use dump::dump;
 pub use format::format;
 pub use items::parse;

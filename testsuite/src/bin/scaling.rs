@@ -1,4 +1,4 @@
-//! Writes a chart of a given size to standard output, to measure how long it takes to compile.
+//! Writes a chart of a given shape and size to standard output, to measure how long it takes to compile.
 //!
 //! ```text
 //! cargo build --release
@@ -8,23 +8,27 @@
 //! done
 //! ```
 //!
-//! `rings N`: parallel grafcets of ten steps each, N steps in all. `ring N`: one ring of N steps.
+//! Without arguments it lists the shapes.
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command")]
 
-use grafc_testsuite::random::scaling::{ring, rings};
+use grafc_testsuite::scaling::SHAPES;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
-    let size = words.get(1).and_then(|n| n.parse::<usize>().ok()).filter(|n| *n >= 2);
-    match (words.first().map(String::as_str), size) {
-        (Some("rings"), Some(steps)) => print!("{}", rings(steps)),
-        (Some("ring"), Some(steps)) => print!("{}", ring(steps)),
-        (_, _) => {
-            eprintln!("usage: scaling rings|ring STEPS");
-            return ExitCode::from(2);
-        }
-    }
+    let [name, size] = words.as_slice() else { return usage() };
+    let shape = SHAPES.iter().find(|shape| shape.name == name);
+    let size = size.parse::<usize>().ok().filter(|n| *n >= 2);
+    let (Some(shape), Some(size)) = (shape, size) else { return usage() };
+    print!("{}", (shape.write)(size));
     ExitCode::SUCCESS
+}
+
+fn usage() -> ExitCode {
+    eprintln!("usage: scaling SHAPE N, with N from 2 on");
+    for shape in &SHAPES {
+        eprintln!("  {:8}  {}", shape.name, shape.meaning);
+    }
+    ExitCode::from(2)
 }

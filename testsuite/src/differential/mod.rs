@@ -4,10 +4,10 @@ pub mod coverage;
 pub mod shrink;
 
 use crate::charts;
-use grafc_diagnostics::Diagnostics;
-use grafc_logic::Encoding;
+use grafc_diagnostics::{Code, Diagnostics};
 use grafc_logic::evaluate::Evaluator;
 use grafc_logic::scan::Program;
+use grafc_logic::{Encoding, Options};
 use grafc_model::chart::{Chart, Value};
 use grafc_model::reaction::{Evolution, Profile, Response, Stimulus};
 use grafc_model::simulate::Simulator;
@@ -20,23 +20,64 @@ pub fn simulate(chart: &Chart, profile: Profile, stimuli: &[Stimulus]) -> Vec<Re
 }
 
 /// The scan program of a chart, or the messages of the stages.
-pub fn compile(chart: &Chart, profile: Profile) -> Result<Program, String> {
-    let mut said = Diagnostics::new();
-    let mut net = grafc_net::build(chart);
-    grafc_net::passes::run(&mut net, &mut said);
-    let (program, more) = grafc_logic::compile(&net, profile, Encoding::default());
-    said.append(more);
+pub fn compile(chart: &Chart, options: &Options) -> Result<Program, String> {
+    let (program, said) = lower(chart, options);
     match program {
         Some(program) if !said.has_errors() => Ok(program),
         Some(_) | None => Err(charts::render(&chart.name, "", &said)),
     }
 }
 
+fn lower(chart: &Chart, options: &Options) -> (Option<Program>, Diagnostics) {
+    let mut said = Diagnostics::new();
+    let mut net = grafc_net::build(chart);
+    grafc_net::passes::run(&mut net, options.encoding.overlaps(), &mut said);
+    let (program, more) = grafc_logic::compile(&net, options);
+    said.append(more);
+    (program, said)
+}
+
 /// What the scan program of a chart does.
-pub fn evaluate(chart: &Chart, profile: Profile, stimuli: &[Stimulus]) -> Result<Vec<Response>, String> {
-    let program = compile(chart, profile)?;
+pub fn evaluate(chart: &Chart, options: &Options, stimuli: &[Stimulus]) -> Result<Vec<Response>, String> {
+    let program = compile(chart, options)?;
     let mut evaluator = Evaluator::new(&program);
     Ok(stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect())
+}
+
+/// All ways to lower a chart that must do exactly what the simulator does, with a name each.
+pub fn exact(profile: Profile) -> Vec<(String, Options)> {
+    let mut ways = Vec::new();
+    for encoding in Encoding::ALL.into_iter().filter(|encoding| !encoding.overlaps()) {
+        for simplify in [true, false] {
+            let name = format!("{}{}", encoding.name(), if simplify { "" } else { " -O0" });
+            ways.push((name, Options { profile, encoding, simplify }));
+        }
+    }
+    ways
+}
+
+/// The situations after each call in an encoding whose steps overlap, if the compiler has no warning that the overlap
+/// can be seen.
+pub fn stable_situations(
+    chart: &Chart,
+    options: &Options,
+    stimuli: &[Stimulus],
+) -> Result<Option<Vec<Response>>, String> {
+    let (program, said) = lower(chart, options);
+    let program = program.ok_or_else(|| charts::render(&chart.name, "", &said))?;
+    if said.iter().any(|message| message.code == Code::W0413) {
+        return Ok(None);
+    }
+    let mut evaluator = Evaluator::new(&program);
+    Ok(Some(stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect()))
+}
+
+/// The first row in which the situations differ; rows after a livelock are no stable situations.
+pub fn first_other_situation(left: &[Response], right: &[Response]) -> Option<usize> {
+    left.iter()
+        .zip(right)
+        .take_while(|(l, r)| !l.flags.livelock && !r.flags.livelock)
+        .position(|(l, r)| l.situation != r.situation)
 }
 
 /// A fault as a value: a panic of the compiler is a finding like any other.

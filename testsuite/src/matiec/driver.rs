@@ -1,11 +1,12 @@
 //! The C code that plays traces, and the reading of what it prints.
 //!
-//! A line is `job row value…`: outputs, steps and flags in the order of the program. Reals come with as many digits as
-//! their type needs to be read back exactly.
+//! A line is `job row value…`: outputs, whether each step is active, and flags, each in the order of the program. Reals
+//! come with as many digits as their type needs to be read back exactly.
 
 use super::Job;
+use grafc_logic::formula::{Comparison, Formula, FormulaId};
 use grafc_logic::scan::{Flag, Program, Role, VarId, Variable};
-use grafc_model::chart::{StepId, Type, Value};
+use grafc_model::chart::{Type, Value};
 use grafc_model::reaction::{Flags, Response, Stimulus};
 use index_vec::IndexVec;
 use std::fmt::Write as _;
@@ -23,14 +24,14 @@ static TIME ms(long long t) { TIME r; r.tv_sec = t / 1000; r.tv_nsec = (t % 1000
 static long long in_ms(TIME t) { return (long long)t.tv_sec * 1000 + t.tv_nsec / 1000000; }
 ";
 
-/// The function that plays one job.
+/// The function that plays one job; an error if a step is held in a way that is not known here.
 pub(super) fn write(
     index: usize,
     program: &Program,
     names: &IndexVec<VarId, String>,
     block: &str,
     stimuli: &[Stimulus],
-) -> String {
+) -> Result<String, String> {
     let block = block.to_uppercase();
     let mut out = format!("static void play_{index}(void) {{\n  static {block} d;\n  long row;\n");
     let mut body = String::new();
@@ -55,8 +56,8 @@ pub(super) fn write(
     let _ = writeln!(out, "    __CURRENT_TIME = ms(t[row]);");
     out.push_str(&body);
     let _ = writeln!(out, "    {block}_body__(&d);\n    printf(\"{index} %ld\", row);");
-    for (id, variable) in published(program) {
-        let field = format!("d.{}.value", names[id].to_uppercase());
+    for (id, variable) in outputs(program) {
+        let field = field(names, id);
         let (format, value) = match variable.ty {
             Type::Bool => ("%d", format!("(int)({field} != 0)")),
             Type::Int | Type::Dint | Type::Uint | Type::Udint => ("%lld", format!("(long long){field}")),
@@ -66,8 +67,32 @@ pub(super) fn write(
         };
         let _ = writeln!(out, "    printf(\" {format}\", {value});");
     }
+    for active in &program.steps {
+        let _ = writeln!(out, "    printf(\" %d\", (int)({}));", is_active(program, names, *active)?);
+    }
+    for (id, _) in flags(program) {
+        let _ = writeln!(out, "    printf(\" %d\", (int)({} != 0));", field(names, id));
+    }
     out.push_str("    printf(\"\\n\");\n  }\n}\n");
-    out
+    Ok(out)
+}
+
+/// A variable of the instance.
+fn field(names: &IndexVec<VarId, String>, id: VarId) -> String {
+    format!("d.{}.value", names[id].to_uppercase())
+}
+
+/// Whether a step is active: a variable of its own, or the value of the one that holds several.
+fn is_active(program: &Program, names: &IndexVec<VarId, String>, id: FormulaId) -> Result<String, String> {
+    let pool = &program.pool;
+    match pool.get(id) {
+        Formula::Variable(v) => Ok(format!("{} != 0", field(names, *v))),
+        Formula::Compare(Comparison::Equal, a, b) => match (pool.get(*a), pool.get(*b)) {
+            (Formula::Variable(v), Formula::Constant(Value::Int(n))) => Ok(format!("{} == {n}", field(names, *v))),
+            (a, b) => Err(format!("a step is active where {a:?} = {b:?}, which nothing here can read")),
+        },
+        other => Err(format!("a step is active where {other:?} is true, which nothing here can read")),
+    }
 }
 
 /// The end of the C program: plays all jobs of a batch.
@@ -76,11 +101,21 @@ pub(super) fn main(batch: &[usize]) -> String {
     format!("int main(void) {{\n{calls}  return 0;\n}}\n")
 }
 
-/// What a response is made of, in the order of the program.
-fn published(program: &Program) -> impl Iterator<Item = (VarId, &Variable)> {
-    program.variables.iter_enumerated().filter(|(_, variable)| match variable.role {
-        Role::Output | Role::Step | Role::Flag(_) => true,
-        Role::Input | Role::Internal | Role::Constant | Role::Memory | Role::Temporary => false,
+fn outputs(program: &Program) -> impl Iterator<Item = (VarId, &Variable)> {
+    program.variables.iter_enumerated().filter(|(_, variable)| variable.role == Role::Output)
+}
+
+fn flags(program: &Program) -> impl Iterator<Item = (VarId, Flag)> {
+    program.variables.iter_enumerated().filter_map(|(id, variable)| match variable.role {
+        Role::Flag(flag) => Some((id, flag)),
+        Role::Input
+        | Role::Output
+        | Role::Internal
+        | Role::Constant
+        | Role::Step
+        | Role::State
+        | Role::Memory
+        | Role::Temporary => None,
     })
 }
 
@@ -99,28 +134,25 @@ pub(super) fn read(job: &Job, index: usize, printed: &str) -> Result<Vec<Respons
     for line in printed.lines().filter(|line| line.starts_with(&head)) {
         let mut words = line.split(' ').skip(2);
         let mut response = Response { outputs: Vec::new(), situation: Vec::new(), flags: Flags::default() };
-        let mut step = 0;
-        for (_, variable) in published(&job.program) {
+        let mut next = |ty: Type| {
             let word = words.next().ok_or_else(|| format!("`{line}` is too short"))?;
-            let value = value(variable.ty, word).ok_or_else(|| format!("`{word}` is no {:?}", variable.ty))?;
-            match variable.role {
-                Role::Output => response.outputs.push(value),
-                Role::Step => {
-                    if value == Value::Bool(true) {
-                        response.situation.push(StepId::from_usize(step));
-                    }
-                    step += 1;
-                }
-                Role::Flag(flag) => {
-                    let raised = value == Value::Bool(true);
-                    match flag {
-                        Flag::Livelock => response.flags.livelock = raised,
-                        Flag::AllocConflict => response.flags.alloc_conflict = raised,
-                        Flag::ForceConflict => response.flags.force_conflict = raised,
-                        Flag::Div0 => response.flags.div0 = raised,
-                    }
-                }
-                Role::Input | Role::Internal | Role::Constant | Role::Memory | Role::Temporary => {}
+            value(ty, word).ok_or_else(|| format!("`{word}` is no {ty:?}"))
+        };
+        for (_, variable) in outputs(&job.program) {
+            response.outputs.push(next(variable.ty)?);
+        }
+        for step in job.program.steps.indices() {
+            if next(Type::Bool)? == Value::Bool(true) {
+                response.situation.push(step);
+            }
+        }
+        for (_, flag) in flags(&job.program) {
+            let raised = next(Type::Bool)? == Value::Bool(true);
+            match flag {
+                Flag::Livelock => response.flags.livelock = raised,
+                Flag::AllocConflict => response.flags.alloc_conflict = raised,
+                Flag::ForceConflict => response.flags.force_conflict = raised,
+                Flag::Div0 => response.flags.div0 = raised,
             }
         }
         responses.push(response);

@@ -80,7 +80,7 @@ fn unit(index: usize, job: &Job) -> Result<Unit, String> {
         .ok_or("the text has no function block")?
         .trim()
         .to_string();
-    let driver = driver::write(index, &program, &names, &block, &job.stimuli);
+    let driver = driver::write(index, &program, &names, &block, &job.stimuli)?;
     Ok(Unit { text, driver })
 }
 

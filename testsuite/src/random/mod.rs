@@ -9,7 +9,7 @@
 //! happen: rings rather than dead ends, conditions of one or two inputs, delays that the traces meet to the millisecond.
 
 mod expression;
-pub mod scaling;
+mod plain;
 mod structure;
 mod trace;
 mod write;
@@ -25,11 +25,16 @@ pub enum Kind {
     Flat,
     /// Enclosures, activation links and forcing orders as well.
     Hierarchical,
+    /// Nothing but steps and conditions of inputs, properly nested.
+    Plain,
 }
 
 /// The text of the chart of a seed; nearly always free of errors.
 pub fn text(seed: u64, kind: Kind) -> String {
     let mut rng = fastrand::Rng::with_seed(seed);
+    if kind == Kind::Plain {
+        return plain::chart(&mut rng, &format!("Random_{seed}"));
+    }
     let frames = structure::draw(&mut rng, kind);
     write::chart(&mut rng, &format!("Random_{seed}"), &frames)
 }

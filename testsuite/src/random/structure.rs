@@ -49,7 +49,7 @@ pub(super) enum NodeKind {
 pub(super) fn draw(rng: &mut Rng, kind: Kind) -> Vec<Frame> {
     let mut frames = Vec::new();
     let count = match kind {
-        Kind::Flat => rng.usize(1..=3),
+        Kind::Flat | Kind::Plain => rng.usize(1..=3),
         Kind::Hierarchical => rng.usize(2..=5),
     };
     for index in 0..count {

@@ -3,7 +3,7 @@
 //! `iec2c` must be on the search path with its library beside it (or `MATIEC_LIB` must name the library); otherwise
 //! these tests say that they checked nothing.
 
-use super::{Build, assign, four_steps};
+use super::{Build, assign, four_steps, nested, nested_deeply};
 use crate::st::{Options, Pou, emit};
 use grafc_logic::formula::{Arithmetic, Comparison, FormulaId, Type, Value};
 use grafc_logic::scan::{Flag, Preset, Program, Role, Statement, VarId};
@@ -83,6 +83,13 @@ fn taken(program: &Program) {
 #[test]
 fn a_chart_of_four_steps() {
     taken(&four_steps());
+}
+
+#[test]
+fn states_in_states() {
+    taken(&nested());
+    // As deep as encodings nest states, with a formula as deep as they leave it.
+    taken(&nested_deeply(17, 40));
 }
 
 #[test]
@@ -262,14 +269,15 @@ fn all_forms() {
     taken(&b.program);
 }
 
-/// The stirrer runs for eight seconds; two rising edges within one call count once.
-#[test]
-fn four_steps_behave() {
+/// Plays calls at times in milliseconds and compares the lines that they print. `scan` is C code that gives the inputs,
+/// calls the instance `block` of the block's type and prints.
+fn plays(program: &Program, scan: &str, calls: &[(&str, &str)]) {
     let Some(matiec) = matiec() else { return };
     let folder = tempfile::tempdir().expect("a folder");
-    let text = emit(&four_steps(), &Options::default()).expect("it can be written");
+    let text = emit(program, &Options::default()).expect("it can be written");
     matiec.compile(folder.path(), &text);
-    let main = r#"
+    let block = program.name.to_uppercase();
+    let head = r#"
         #include "iec_std_lib.h"
         #include "accessor.h"
         #include "POUS.h"
@@ -277,45 +285,70 @@ fn four_steps_behave() {
         BOOL __DEBUG;
         #include "POUS.c"
         #include <stdio.h>
-        static FILLING block;
-        static void scan(long ms, int start, int high, int low) {
-            __CURRENT_TIME.tv_sec = ms / 1000;
-            __CURRENT_TIME.tv_nsec = ms % 1000 * 1000000;
-            block.START.value = start, block.HIGH.value = high, block.LOW.value = low;
-            FILLING_body__(&block);
-            printf("%d%d%d %d%d%d%d %d %d\n", block.INLET.value, block.STIRRER.value, block.OUTLET.value, block.X1.value,
-                block.X2.value, block.X3.value, block.X4.value, block.BATCHES.value, block.LIVELOCK.value);
-        }
-        int main(void) {
-            FILLING_init__(&block, 0);
-            scan(0, 1, 0, 0);
-            scan(100, 0, 0, 0);
-            scan(200, 1, 0, 0);
-            scan(300, 1, 1, 1);
-            scan(8299, 1, 1, 1);
-            scan(8300, 1, 0, 1);
-            scan(9000, 1, 0, 0);
-            scan(9100, 0, 0, 0);
-            scan(9200, 1, 1, 1);
-            return 0;
+        static TIME at(long ms) {
+            TIME time = { ms / 1000, ms % 1000 * 1000000 };
+            return time;
         }
     "#;
+    let calls_in_c: String = calls.iter().map(|(call, _)| format!("scan({call});\n")).collect();
+    let main = format!(
+        "{head}\nstatic {block} block;\n{scan}\nint main(void) {{ {block}_init__(&block, 0);\n{calls_in_c}}}\n"
+    );
     std::fs::write(folder.path().join("main.c"), main).expect("the folder can be written");
     if !matiec.gcc(folder.path(), &["main.c", "-o", "main"]) {
         return;
     }
     let output = Command::new(folder.path().join("main")).output().expect("it runs");
     let said = String::from_utf8_lossy(&output.stdout);
-    let expected = [
-        "000 1000 0 0", // the button is held at the start: no edge
-        "000 1000 0 0",
-        "100 0100 0 0",
-        "010 0010 1 0",
-        "010 0010 1 0",
-        "001 0001 1 0",
-        "000 1000 1 0",
-        "000 1000 1 0",
-        "010 0010 2 0", // filling is transient
-    ];
+    let expected: Vec<&str> = calls.iter().map(|(_, expected)| *expected).collect();
     assert_eq!(said.lines().collect::<Vec<_>>(), expected);
+}
+
+/// The stirrer runs for eight seconds; two rising edges within one call count once.
+#[test]
+fn four_steps_behave() {
+    let scan = r#"static void scan(long ms, int start, int high, int low) {
+        __CURRENT_TIME = at(ms);
+        block.START.value = start, block.HIGH.value = high, block.LOW.value = low;
+        FILLING_body__(&block);
+        printf("%d%d%d %d%d%d%d %d %d\n", block.INLET.value, block.STIRRER.value, block.OUTLET.value, block.X1.value,
+            block.X2.value, block.X3.value, block.X4.value, block.BATCHES.value, block.LIVELOCK.value);
+    }"#;
+    plays(
+        &four_steps(),
+        scan,
+        &[
+            ("0, 1, 0, 0", "000 1000 0 0"), // the button is held at the start: no edge
+            ("100, 0, 0, 0", "000 1000 0 0"),
+            ("200, 1, 0, 0", "100 0100 0 0"),
+            ("300, 1, 1, 1", "010 0010 1 0"),
+            ("8299, 1, 1, 1", "010 0010 1 0"),
+            ("8300, 1, 0, 1", "001 0001 1 0"),
+            ("9000, 1, 0, 0", "000 1000 1 0"),
+            ("9100, 0, 0, 0", "000 1000 1 0"),
+            ("9200, 1, 1, 1", "010 0010 2 0"), // filling is transient
+        ],
+    );
+}
+
+/// States in states: what is enclosed starts with the step that encloses it and ends with it.
+#[test]
+fn nested_states_behave() {
+    let scan = r#"static void scan(int a, int b) {
+        block.A.value = a, block.B.value = b;
+        NESTED_body__(&block);
+        printf("%d %d %d\n", block.Y.value, block.AT_G.value, block.AT_H.value);
+    }"#;
+    plays(
+        &nested(),
+        scan,
+        &[
+            ("0, 0", "0 -1 0"),
+            ("1, 0", "0 2 21"),
+            ("1, 1", "1 2 22"),
+            ("1, 0", "1 2 22"),
+            ("0, 1", "0 -1 0"),
+            ("1, 1", "1 2 22"), // two micro-steps in one call
+        ],
+    );
 }

@@ -3,8 +3,10 @@
 mod matiec;
 mod writer;
 
-use grafc_logic::formula::{Arithmetic, FormulaId, Pool, Type, Value};
-use grafc_logic::scan::{Flag, Preset, Program, Repeat, Role, Statement, Timer, TimerId, VarId, Variable};
+use grafc_logic::formula::{Arithmetic, Comparison, FormulaId, Pool, Type, Value};
+use grafc_logic::scan::{
+    Arm, Flag, Limit, Preset, Program, Repeat, Role, State, Statement, Timer, TimerId, VarId, Variable,
+};
 use index_vec::IndexVec;
 
 /// A program under construction.
@@ -20,6 +22,8 @@ impl Build {
             variables: IndexVec::new(),
             timers: IndexVec::new(),
             pool: Pool::default(),
+            steps: IndexVec::new(),
+            states: Vec::new(),
             first: Vec::new(),
             before: Vec::new(),
             micro_step: Vec::new(),
@@ -53,6 +57,30 @@ impl Build {
         self.program.timers.push(Timer { name: name.to_owned(), preset, comment: Some(comment.to_owned()) })
     }
 
+    /// A variable that holds the given steps, and the one that it takes its next value from.
+    fn state(&mut self, name: &str, idle: Option<i64>, values: &[i64]) -> (VarId, VarId) {
+        let variable = self.var(Role::State, &format!("at_{name}"), Type::Int);
+        let next = self.var(Role::Memory, &format!("next_{name}"), Type::Int);
+        let mut held = Vec::new();
+        for value in values {
+            let active = self.is(variable, *value);
+            held.push((self.program.steps.push(active), *value));
+        }
+        self.program.states.push(State { variable, idle, values: held });
+        (variable, next)
+    }
+
+    /// `variable = value`.
+    fn is(&mut self, variable: VarId, value: i64) -> FormulaId {
+        let (read, value) = (self.read(variable), self.pool().constant(Value::Int(value), Type::Int));
+        self.pool().compare(Comparison::Equal, read, value)
+    }
+
+    /// `target := value`.
+    fn set(&mut self, target: VarId, value: i64) -> Statement {
+        assign(target, self.program.pool.constant(Value::Int(value), Type::Int))
+    }
+
     fn read(&mut self, id: VarId) -> FormulaId {
         self.program.pool.variable(id, self.program.variables[id].ty)
     }
@@ -68,6 +96,15 @@ fn assign(target: VarId, value: FormulaId) -> Statement {
 
 fn noted(target: VarId, value: FormulaId, remark: &str) -> Statement {
     Statement::Assign { target, value, remark: Some(remark.to_owned()) }
+}
+
+fn when(condition: FormulaId, body: Vec<Statement>) -> Statement {
+    Statement::If { branches: vec![(condition, body)], otherwise: vec![] }
+}
+
+fn case<const N: usize>(of: VarId, arms: [(i64, &str, Vec<Statement>); N]) -> Statement {
+    let arm = |(value, remark, body): (i64, &str, Vec<Statement>)| Arm { value, remark: Some(remark.into()), body };
+    Statement::Case { of, arms: arms.map(arm).into() }
 }
 
 fn heading(text: &str) -> Statement {
@@ -148,9 +185,70 @@ fn four_steps() -> Program {
     body.extend((0..4).map(|i| assign(steps[i], n[i])));
     body.push(assign(old_start, cs));
     b.program.micro_step = body;
-    b.program.repeat = Some(Repeat { again, count, bound: 200 });
+    b.program.repeat = Some(Repeat { again, limit: Some(Limit { count, bound: 200 }) });
     b.program.after =
         vec![heading("outputs"), assign(inlet, x[1]), assign(stirrer, x[2]), noted(outlet, x[3], "until empty")];
+    b.program
+}
+
+/// Two steps, the second of which encloses two others: `a` runs it, `b` moves on in it, and `y` shows its last step.
+fn nested() -> Program {
+    let mut b = Build::new("Nested");
+    let (in_a, in_b) = (b.bit(Role::Input, "a"), b.bit(Role::Input, "b"));
+    let y = b.bit(Role::Output, "y");
+    let (at_g, next_g) = b.state("G", None, &[-1, 2]);
+    let (at_h, next_h) = b.state("H", Some(0), &[21, 22]);
+    let started = b.bit(Role::Memory, "started");
+    let moved = b.bit(Role::Temporary, "moved");
+
+    let (a, on) = (b.read(in_a), b.read(in_b));
+    let off = b.pool().not(a);
+    let (yes, no) = (b.pool().truth(true), b.pool().truth(false));
+    let not_started = b.read(started);
+    let not_started = b.pool().not(not_started);
+    let start = vec![assign(started, yes), b.set(at_g, -1), b.set(next_g, -1)];
+    b.program.first = vec![when(not_started, start)];
+
+    let run = when(a, vec![b.set(next_g, 2), assign(moved, yes)]);
+    let stop = when(off, vec![b.set(next_g, -1), assign(moved, yes)]);
+    let last = b.pool().constant(Value::Int(22), Type::Int);
+    let go_on = when(on, vec![noted(next_h, last, "21 -> 22"), assign(moved, yes)]);
+    let inner = case(at_h, [(21, "step 21: first", vec![go_on])]);
+    let outer = case(at_g, [(-1, "step -1: ready", vec![run]), (2, "step 2: running", vec![stop, inner])]);
+    let (now_g, then_g, then_h) = (b.read(at_g), b.read(next_g), b.read(next_h));
+    let moves = b.pool().differs(then_g, now_g);
+    let (empty, enter) = (b.set(next_h, 0), b.set(next_h, 21));
+    let enclosed = vec![case(at_g, [(2, "step 2: running", vec![empty])]), case(next_g, [(2, "", vec![enter])])];
+    let again = b.read(moved);
+    b.program.micro_step = vec![
+        heading("transitions"),
+        assign(moved, no),
+        outer,
+        when(again, vec![when(moves, enclosed), assign(at_g, then_g), assign(at_h, then_h)]),
+    ];
+    b.program.repeat = Some(Repeat { again: moved, limit: None });
+    let shown = b.is(at_h, 22);
+    b.program.after = vec![assign(y, shown)];
+    b.program
+}
+
+/// States nested in states, each with one arm; in the innermost a long formula of `and` and `not` in turn.
+fn nested_deeply(levels: usize, operators: usize) -> Program {
+    let mut b = Build::new("Deep");
+    let (in_a, in_b, y) = (b.bit(Role::Input, "a"), b.bit(Role::Input, "b"), b.bit(Role::Output, "y"));
+    let (a, on) = (b.read(in_a), b.read(in_b));
+    let mut value = a;
+    for _ in 0..operators / 2 {
+        let both = b.pool().and([value, on]);
+        value = b.pool().not(both);
+    }
+    let mut body = vec![when(a, vec![assign(y, value)])];
+    for level in 0..levels {
+        let (at, next) = b.state(&format!("G{level}"), Some(0), &[3]);
+        body.push(assign(next, b.program.pool.constant(Value::Int(3), Type::Int)));
+        body = vec![case(at, [(3, "step 3", body)])];
+    }
+    b.program.micro_step = body;
     b.program
 }
 

@@ -1,11 +1,11 @@
 //! What the writer writes.
 
-use super::{Build, assign, body, four_steps, heading, noted};
+use super::{Build, assign, body, case, four_steps, heading, nested, nested_deeply, noted, when};
 use crate::st::{Options, Pou, emit};
 use expect_test::{Expect, expect};
 use grafc_diagnostics::Code;
 use grafc_logic::formula::{Arithmetic, Comparison, FormulaId, Type, Value};
-use grafc_logic::scan::{Flag, Preset, Program, Role, Statement, VarId};
+use grafc_logic::scan::{Flag, Limit, Preset, Program, Repeat, Role, Statement, VarId};
 
 fn check(program: &Program, pou: Pou, expected: Expect) {
     let header = vec!["grafc 0.1.0, filling.gct".to_owned(), "--target st --encoding single-phase".to_owned()];
@@ -189,6 +189,7 @@ fn parentheses() {
             p.or([differ, far]),
             p.and([equal, differ]),
             p.xor(not_a, above),
+            p.not(equal),
         ];
         values.map(|value| assign(y, value)).into()
     });
@@ -204,6 +205,7 @@ fn parentheses() {
         y := (a <> b) OR ((a AND b) XOR c);
         y := (n - (-3) = -3 * n) AND (a <> b);
         y := NOT a XOR (n > 3);
+        y := (n - (-3) <> -3 * n);
 
     "#]],
     );
@@ -491,6 +493,146 @@ fn an_empty_body_is_filled() {
 }
 
 #[test]
+fn states() {
+    check(
+        &nested(),
+        Pou::FunctionBlock,
+        expect![[r#"
+        (* grafc 0.1.0, filling.gct
+           --target st --encoding single-phase *)
+
+        FUNCTION_BLOCK Nested
+
+        VAR_INPUT
+            a, b : BOOL;
+        END_VAR
+
+        VAR_OUTPUT
+            y : BOOL;
+        END_VAR
+
+        VAR
+            (* steps *)
+            at_G : INT;  (* -1, 2 *)
+            at_H : INT;  (* 0 none, 21, 22 *)
+
+            (* memory from call to call *)
+            next_G, next_H : INT;
+            started : BOOL;
+
+            (* values within one call *)
+            moved : BOOL;
+        END_VAR
+
+        IF NOT started THEN
+            started := TRUE;
+            at_G := -1;
+            next_G := -1;
+        END_IF;
+
+        REPEAT
+            (* transitions *)
+            moved := FALSE;
+            CASE at_G OF
+                -1:  (* step -1: ready *)
+                    IF a THEN
+                        next_G := 2;
+                        moved := TRUE;
+                    END_IF;
+                2:  (* step 2: running *)
+                    IF NOT a THEN
+                        next_G := -1;
+                        moved := TRUE;
+                    END_IF;
+                    CASE at_H OF
+                        21:  (* step 21: first *)
+                            IF b THEN
+                                next_H := 22;  (* 21 -> 22 *)
+                                moved := TRUE;
+                            END_IF;
+                    END_CASE;
+            END_CASE;
+            IF moved THEN
+                IF next_G <> at_G THEN
+                    CASE at_G OF
+                        2:  (* step 2: running *)
+                            next_H := 0;
+                    END_CASE;
+                    CASE next_G OF
+                        2:
+                            next_H := 21;
+                    END_CASE;
+                END_IF;
+                at_G := next_G;
+                at_H := next_H;
+            END_IF;
+        UNTIL NOT moved
+        END_REPEAT;
+
+        y := (at_H = 22);
+
+        END_FUNCTION_BLOCK
+    "#]],
+    );
+}
+
+#[test]
+fn what_the_values_of_a_state_stand_for() {
+    for (idle, values, expected) in [
+        (None, vec![1, 2, 3], "1 to 3"),
+        (Some(0), vec![3, 1, 2, 12, 13, 20], "0 none, 1 to 3, 12, 13, 20"),
+        (Some(-1), vec![0, 7], "-1 none, 0, 7"),
+        (Some(0), (1..=500).map(|n| 2 * n).collect(), "0 none, 2, 4"),
+    ] {
+        let mut b = Build::new("Values");
+        b.state("G", idle, &values);
+        let text = emit(&b.program, &Options::default()).expect("it can be written");
+        assert!(text.contains(&format!("(* {expected}")), "{text}");
+        assert!(text.lines().all(|line| line.len() <= 110), "{text}");
+    }
+}
+
+#[test]
+fn nesting() {
+    for levels in [1, 16, 64, 99] {
+        let text = emit(&nested_deeply(levels, 40), &Options::default()).expect("it can be written");
+        assert_eq!(text.lines().filter(|line| line.trim_start().starts_with("CASE at_")).count(), levels, "{text}");
+        assert_eq!(text.lines().filter(|line| line.trim_start() == "END_CASE;").count(), levels, "{text}");
+        // However deep, there is room for a line.
+        assert!(text.lines().any(|line| line.trim_start() == "IF a THEN"), "{text}");
+        assert!(text.lines().all(|line| line.trim_start().len() <= 100), "{text}");
+    }
+    let diagnostics = emit(&nested_deeply(100, 40), &Options::default()).expect_err("too deep");
+    assert!(diagnostics.iter().all(|d| d.code == Code::E0901 && d.message.contains("nested too deeply")));
+}
+
+#[test]
+fn a_long_remark_of_an_arm_stands_below_its_label() {
+    let mut b = Build::new("Body");
+    let (at, _) = b.state("G", None, &[1]);
+    let y = b.bit(Role::Output, "y");
+    let yes = b.pool().truth(true);
+    let remark =
+        "step 1: a comment of such a length that it cannot stand behind the value, not even if nothing else is there";
+    b.program.after =
+        vec![heading("body"), case(at, [(1, remark, vec![assign(y, yes)]), (2, "*)", vec![assign(y, yes)])])];
+    check_body(
+        &b.program,
+        expect![[r#"
+        CASE at_G OF
+            1:
+                (* step 1: a comment of such a length that it cannot stand behind the value, not even if
+                   nothing else is there *)
+                y := TRUE;
+            2:  (* * ) *)
+                y := TRUE;
+        END_CASE;
+
+    "#]],
+    );
+}
+
+#[test]
 fn faults_of_grafc_are_reported() {
     let mut deep = Build::new("Deep");
     let (a, y) = (deep.bit(Role::Input, "a"), deep.bit(Role::Output, "y"));
@@ -505,8 +647,21 @@ fn faults_of_grafc_are_reported() {
     let mut branch = Build::new("Branch");
     let a = branch.bit(Role::Input, "a");
     let a = branch.read(a);
-    branch.program.after = vec![Statement::If { branches: vec![(a, vec![heading("none")])], otherwise: vec![] }];
-    for program in [deep.program, branch.program] {
+    branch.program.after = vec![when(a, vec![heading("none")])];
+    let mut arm = Build::new("Arm");
+    let (at, _) = arm.state("G", None, &[1]);
+    let mut arms = Build::new("Arms");
+    let (none, _) = arms.state("G", None, &[1]);
+    arm.program.after = vec![case(at, [(1, "step 1", vec![heading("none")])])];
+    arms.program.after = vec![case(none, [])];
+    let mut idle = Build::new("Idle");
+    let again = idle.bit(Role::Memory, "again");
+    idle.program.repeat = Some(Repeat { again, limit: None });
+    let mut silent = four_steps();
+    let count = silent.repeat.and_then(|repeat| repeat.limit).map(|limit| limit.count).expect("a limit");
+    silent.repeat = silent.repeat.map(|repeat| Repeat { limit: Some(Limit { count, bound: 1 }), ..repeat });
+    silent.variables.iter_mut().filter(|v| v.name == "LIVELOCK").for_each(|v| v.role = Role::Output);
+    for program in [deep.program, branch.program, arm.program, arms.program, idle.program, silent] {
         let diagnostics = emit(&program, &Options::default()).expect_err("it cannot be written");
         assert!(diagnostics.iter().all(|d| d.code == Code::E0901));
     }

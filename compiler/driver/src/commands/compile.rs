@@ -1,40 +1,52 @@
-//! `grafc CHART --target T`: a chart to code.
+//! `grafc CHART --target T`: a chart to code, or to what lies on the way (`--emit`, `--dump-after`).
 
 use super::refuse_output_over_input;
 use crate::Exit;
 use crate::command_line::{ProfileArguments, option};
 use crate::files::Place;
-use crate::pipeline::{self, Options, Target};
+use crate::pipeline::{self, Options, Product};
 use crate::report::{Failure, Format, Report};
-use clap::{Args, ValueEnum};
+use clap::builder::PossibleValuesParser;
+use clap::{ArgGroup, Args, ValueEnum};
 use grafc_backends::st;
 use grafc_logic::Encoding;
+use grafc_net::passes;
 use std::str::FromStr;
 
 /// Arguments of the compiler itself.
 ///
-/// The two that must be given are options here, because they need not be when another command is given.
+/// What must be given is optional here, because it need not be when another command is given.
 #[derive(Args, Debug)]
+#[command(group = ArgGroup::new("product").required(true))]
 pub struct Arguments {
     /// The chart; `-` is standard input
     #[arg(required = true, value_name = "CHART")]
     chart: Option<Place>,
     /// What to make of it
-    #[arg(long, value_enum, required = true, value_name = "TARGET")]
+    #[arg(long, value_enum, group = "product", value_name = "TARGET")]
     target: Option<TargetName>,
+    /// Instead of code, what the compiler knows on the way, as text
+    #[arg(long, value_enum, group = "product", value_name = "STAGE")]
+    emit: Option<Stage>,
+    /// Instead of code, the net after a pass
+    #[arg(long, group = "product", value_name = "PASS", value_parser = pass_names())]
+    dump_after: Option<String>,
     /// Where to put it [default: standard output]
     #[arg(short, long, value_name = "FILE")]
     output: Option<Place>,
     /// How the situation is held and the next one found
     #[arg(long, value_enum, default_value_t = EncodingName::SinglePhase, value_name = "ENCODING")]
     encoding: EncodingName,
+    /// Whether formulas are shortened
+    #[arg(short = 'O', long, value_enum, default_value_t = Level::Short, value_name = "LEVEL")]
+    optimize: Level,
     #[command(flatten)]
     profile: ProfileArguments,
     /// The kind of program organisation unit to make
-    #[arg(long, value_enum, default_value_t = Pou::FunctionBlock, value_name = "KIND")]
+    #[arg(long, value_enum, default_value_t = Pou::FunctionBlock, value_name = "KIND", conflicts_with_all = NO_CODE)]
     pou: Pou,
     /// How often the task of a configuration runs, such as 20ms or 1s [default: 20ms]
-    #[arg(long, value_name = "DURATION")]
+    #[arg(long, value_name = "DURATION", conflicts_with_all = NO_CODE)]
     interval: Option<Interval>,
     /// The form of messages, which go to standard error
     #[arg(long, value_enum, default_value_t = Format::Human)]
@@ -47,10 +59,62 @@ enum TargetName {
     St,
 }
 
+/// What lies between two stages of the compiler.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Stage {
+    /// The syntax tree
+    Ast,
+    /// The checked chart: names resolved, types known
+    Model,
+    /// The flat Petri net: macro-steps, enclosures and orders dissolved
+    Net,
+    /// The equations of one scan
+    Logic,
+    /// The statements of one scan, with all variables
+    Scan,
+}
+
+/// What leaves no choice about code.
+const NO_CODE: [&str; 2] = ["emit", "dump_after"];
+
+fn pass_names() -> PossibleValuesParser {
+    PossibleValuesParser::new(passes::ORDER.iter().map(|pass| pass.name))
+}
+
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 enum EncodingName {
-    /// One bit a step, set dominant
+    /// A bit a step, reset by the clearing after it, setting wins
     SinglePhase,
+    /// A bit a step, reset by an active successor, resetting wins
+    RTrigger,
+    /// A bit a step, reset by an active successor, setting wins
+    STrigger,
+    /// A bit a step, written where a transition clears
+    Sequent,
+    /// A number for steps that exclude each other, and CASE; a bit for each of the others
+    Switch,
+}
+
+impl EncodingName {
+    fn encoding(self) -> Encoding {
+        match self {
+            EncodingName::SinglePhase => Encoding::SinglePhase,
+            EncodingName::RTrigger => Encoding::RTrigger,
+            EncodingName::STrigger => Encoding::STrigger,
+            EncodingName::Sequent => Encoding::Sequent,
+            EncodingName::Switch => Encoding::Switch,
+        }
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Level {
+    /// Formulas as the textbook has them
+    #[value(name = "0")]
+    Plain,
+    /// Without what is proved to make no difference
+    #[value(name = "1")]
+    Short,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -93,7 +157,7 @@ const DEFAULT_INTERVAL: Interval = Interval(20);
 
 /// Compiles one chart.
 pub fn run(args: Arguments) -> Result<Exit, Failure> {
-    let (Some(chart), Some(target)) = (args.chart, args.target) else {
+    let (Some(chart), Some(product)) = (&args.chart, product(&args)) else {
         return Err(Failure::WrongUse("nothing to compile".to_string(), "see `grafc --help`".to_string()));
     };
     if args.interval.is_some() && args.pou != Pou::Configuration {
@@ -102,30 +166,28 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
             "add `--pou configuration`, or leave it out".to_string(),
         ));
     }
-    let output = args.output.unwrap_or(Place::Standard);
-    refuse_output_over_input(&output, [&chart])?;
+    let encoding = args.encoding.encoding();
+    if let Some(pass) = passes::ORDER.iter().find(|pass| args.dump_after.as_deref() == Some(pass.name))
+        && pass.for_overlap
+        && !encoding.overlaps()
+    {
+        return Err(Failure::WrongUse(
+            format!("`{}` is not run with `{}`", pass.name, option("encoding", args.encoding)),
+            "add `--encoding r-trigger` or `--encoding s-trigger`".to_string(),
+        ));
+    }
+    let output = args.output.clone().unwrap_or(Place::Standard);
+    refuse_output_over_input(&output, [chart])?;
 
-    let interval = args.interval.unwrap_or(DEFAULT_INTERVAL);
-    let options = Options {
-        profile: args.profile.profile(),
-        encoding: match args.encoding {
-            EncodingName::SinglePhase => Encoding::SinglePhase,
-        },
-        target: match target {
-            TargetName::St => Target::St(st::Options {
-                pou: match args.pou {
-                    Pou::FunctionBlock => st::Pou::FunctionBlock,
-                    Pou::Program => st::Pou::Program,
-                    Pou::Configuration => st::Pou::Configuration,
-                },
-                header: header(&chart, target, args.encoding, &args.profile, args.pou, interval),
-                interval_ms: interval.0,
-            }),
-        },
+    let simplify = match args.optimize {
+        Level::Plain => false,
+        Level::Short => true,
     };
+    let lowering = grafc_logic::Options { profile: args.profile.profile(), encoding, simplify };
+    let options = Options { lowering, product };
     let mut report = Report::default();
     let mut text = None;
-    if let Some(file) = report.load(&chart)? {
+    if let Some(file) = report.load(chart)? {
         let (made, said) = pipeline::compile(file, &report.sources.file(file).text, &chart.chart_name(), &options);
         report.diagnostics.append(said);
         text = made;
@@ -137,26 +199,50 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     Ok(exit)
 }
 
+/// What is asked for.
+fn product(args: &Arguments) -> Option<Product> {
+    if let Some(pass) = &args.dump_after {
+        return Some(Product::NetAfter(pass.clone()));
+    }
+    if let Some(stage) = args.emit {
+        return Some(match stage {
+            Stage::Ast => Product::Tree,
+            Stage::Model => Product::Chart,
+            Stage::Net => Product::Net,
+            Stage::Logic => Product::Equations,
+            Stage::Scan => Product::Program,
+        });
+    }
+    args.target.map(|target| match target {
+        TargetName::St => Product::St(st::Options {
+            pou: match args.pou {
+                Pou::FunctionBlock => st::Pou::FunctionBlock,
+                Pou::Program => st::Pou::Program,
+                Pou::Configuration => st::Pou::Configuration,
+            },
+            header: header(args, target),
+            interval_ms: args.interval.unwrap_or(DEFAULT_INTERVAL).0,
+        }),
+    })
+}
+
 /// Which chart, which version and which options made the code. No directories and no dates: equal charts give equal
 /// code wherever and whenever they are compiled.
-fn header(
-    chart: &Place,
-    target: TargetName,
-    encoding: EncodingName,
-    profile: &ProfileArguments,
-    pou: Pou,
-    interval: Interval,
-) -> Vec<String> {
-    let mut options = vec![option("target", target), option("encoding", encoding)];
-    options.extend(profile.options());
-    options.push(option("pou", pou));
-    match pou {
-        Pou::FunctionBlock | Pou::Program => {}
-        Pou::Configuration => options.push(format!("--interval {}ms", interval.0)),
+fn header(args: &Arguments, target: TargetName) -> Vec<String> {
+    let mut options = vec![option("target", target), option("encoding", args.encoding)];
+    match args.optimize {
+        Level::Plain => options.push(option("optimize", args.optimize)),
+        Level::Short => {}
     }
-    let source = match chart {
-        Place::Standard => "standard input".to_string(),
-        Place::File(path) => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),
+    options.extend(args.profile.options());
+    options.push(option("pou", args.pou));
+    match args.pou {
+        Pou::FunctionBlock | Pou::Program => {}
+        Pou::Configuration => options.push(format!("--interval {}ms", args.interval.unwrap_or(DEFAULT_INTERVAL).0)),
+    }
+    let source = match &args.chart {
+        Some(Place::File(path)) => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),
+        Some(Place::Standard) | None => "standard input".to_string(),
     };
     vec![format!("Made by grafc {} from {source}", env!("CARGO_PKG_VERSION")), options.join(" ")]
 }

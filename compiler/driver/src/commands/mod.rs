@@ -7,6 +7,7 @@ pub mod explain;
 pub mod fmt;
 pub mod man;
 pub mod sim;
+pub mod stats;
 
 use crate::files::Place;
 use crate::report::Failure;

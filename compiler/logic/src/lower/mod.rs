@@ -11,9 +11,11 @@ mod edges;
 
 pub(crate) use edges::EdgeOperand;
 
-use crate::formula::{FormulaId, Pool, Type, Value};
+use crate::formula::{Formula, FormulaId, Pool, Type, Value};
 use crate::scan::{Role, Statement, Timer, TimerId, VarId};
+use crate::situation::Situation;
 use crate::symbols::Symbols;
+use crate::tokens::Cover;
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, GrafcetId, MacroId, Mode, StepId, VariableId};
 use grafc_net::Net;
 use index_vec::IndexVec;
@@ -77,6 +79,7 @@ impl Context {
 pub(crate) struct Lowering<'n> {
     pub(crate) net: &'n Net,
     pub(crate) symbols: Symbols,
+    pub(crate) situation: Situation,
     pub(crate) pool: Pool,
     pub(crate) timers: IndexVec<TimerId, Timer>,
     /// Timers of step durations.
@@ -92,6 +95,8 @@ pub(crate) struct Lowering<'n> {
     latches: usize,
     /// The pieces of conditions that were too deep, in the order of their definition.
     pub(crate) parts: Vec<(VarId, FormulaId)>,
+    /// Wires whose variables follow the situation by themselves, so that nothing need be computed to read them.
+    pub(crate) kept_wires: FxHashSet<VariableId>,
     /// Variables that have been written already, and the copies to read instead (see `allocate`).
     pub(crate) redirected: FxHashMap<VariableId, VarId>,
 }
@@ -109,15 +114,19 @@ enum Need {
 }
 
 impl<'n> Lowering<'n> {
-    pub(crate) fn new(net: &'n Net) -> Self {
+    /// With a cover, steps that exclude each other share a state.
+    pub(crate) fn new(net: &'n Net, cover: Option<&Cover>) -> Self {
+        let (mut symbols, mut pool) = (Symbols::new(net), Pool::default());
+        let situation = Situation::new(net, cover, &mut symbols, &mut pool);
         let mut continuous_of: FxHashMap<VariableId, Vec<usize>> = FxHashMap::default();
         for (index, action) in net.continuous.iter().enumerate() {
             continuous_of.entry(action.target).or_default().push(index);
         }
         Lowering {
             net,
-            symbols: Symbols::new(net),
-            pool: Pool::default(),
+            symbols,
+            situation,
+            pool,
             timers: IndexVec::new(),
             step_timers: BTreeMap::new(),
             edges: Vec::new(),
@@ -127,6 +136,7 @@ impl<'n> Lowering<'n> {
             continuous_of,
             latches: 0,
             parts: Vec::new(),
+            kept_wires: FxHashSet::default(),
             redirected: FxHashMap::default(),
         }
     }
@@ -164,7 +174,7 @@ impl<'n> Lowering<'n> {
     fn is_done(&self, cx: &Context, need: Need) -> bool {
         match need {
             Need::Expr(e) => cx.exprs.contains_key(&e),
-            Need::Wire(v) => cx.wires.contains(&v),
+            Need::Wire(v) => cx.wires.contains(&v) || self.kept_wires.contains(&v),
             Need::Macro(m) => cx.macros.contains_key(&m),
             Need::Grafcet(g) => cx.grafcets.contains_key(&g),
         }
@@ -338,9 +348,23 @@ impl<'n> Lowering<'n> {
     }
 
     /// The activity of a step.
-    pub(crate) fn active(&mut self, step: StepId) -> FormulaId {
-        let variable = self.symbols.step(step);
-        self.symbols.read(&mut self.pool, variable)
+    pub(crate) fn active(&self, step: StepId) -> FormulaId {
+        self.situation.active(step)
+    }
+
+    /// A value that stands for itself or, if it is longer than a variable or a test of a state, in a new temporary.
+    pub(crate) fn named(&mut self, name: &str, value: FormulaId, statements: &mut Vec<Statement>) -> FormulaId {
+        let short = match self.pool.get(value) {
+            Formula::Not(a) => self.pool.is_leaf(*a),
+            Formula::Compare(..) => true,
+            _ => self.pool.is_leaf(value),
+        };
+        if short {
+            return value;
+        }
+        let target = self.symbols.fresh(Role::Temporary, name, Type::Bool, None);
+        statements.push(Statement::Assign { target, value, remark: None });
+        self.symbols.read(&mut self.pool, target)
     }
 
     /// Lowers a value inside a branch: the statements that it needs are returned, and what they define is forgotten,

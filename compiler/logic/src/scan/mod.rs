@@ -6,8 +6,8 @@
 //! One call runs
 //! 1. `first`: the initial reaction up to its first micro-step (R10), inside an `If` that guards it from later calls;
 //! 2. `before`, once: timers of step durations are brought up to date, input events are found (R7, kind E);
-//! 3. `micro_step`: once (`again` is none), or until `again` is false or `bound` micro-steps are done, which raises
-//!    LIVELOCK (R1-R9);
+//! 3. `micro_step`: once (`repeat` is none), or until `again` is false or, if there is a limit, so many micro-steps are
+//!    done, which raises LIVELOCK (R1-R9);
 //! 4. `after`, once: outputs (R11).
 //!
 //! Invariants: a statement reads only variables that hold a value; operands come before operators in the pool; the
@@ -20,6 +20,7 @@ pub use verify::verify;
 use crate::formula::{FormulaId, Pool, Type, Value};
 pub use crate::formula::{TimerId, VarId};
 use grafc_diagnostics::Span;
+use grafc_model::chart::StepId;
 use index_vec::IndexVec;
 
 /// The statements of one scan.
@@ -35,6 +36,11 @@ pub struct Program {
     pub timers: IndexVec<TimerId, Timer>,
     /// All formulas.
     pub pool: Pool,
+    /// Whether each step of the chart is active, in order of declaration: a variable of its own, or a comparison of the
+    /// state that holds it.
+    pub steps: IndexVec<StepId, FormulaId>,
+    /// The multi-valued variables that hold several steps each.
+    pub states: Vec<State>,
     /// The initial reaction; these statements hold their own guard.
     pub first: Vec<Statement>,
     /// Once a call, before the evolution.
@@ -52,10 +58,28 @@ pub struct Program {
 pub struct Repeat {
     /// True after a micro-step that needs another.
     pub again: VarId,
+    /// Ends an evolution that finds no stable situation; none where it is proved that each does.
+    pub limit: Option<Limit>,
+}
+
+/// The bound on micro-steps.
+#[derive(Clone, Copy, Debug)]
+pub struct Limit {
     /// Counts the micro-steps of the call; its type holds the bound.
     pub count: VarId,
     /// At most so many micro-steps; at least one.
     pub bound: u32,
+}
+
+/// A variable that says which one of several steps is active.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// The variable; a whole number.
+    pub variable: VarId,
+    /// Its value while none of the steps is active; none if one of them always is, from the first call on.
+    pub idle: Option<i64>,
+    /// Its value for each step, in order of declaration.
+    pub values: Vec<(StepId, i64)>,
 }
 
 /// A variable of the program.
@@ -91,6 +115,8 @@ pub enum Role {
     Constant,
     /// The activity of a step; keeps its value.
     Step,
+    /// Which of several steps is active; keeps its value.
+    State,
     /// A run-time flag; starts false, keeps its value, readable from outside.
     Flag(Flag),
     /// Memory of ours that keeps its value from call to call: edge operands, off-delays, the mark of the first call.
@@ -166,6 +192,13 @@ pub enum Statement {
         /// Its input.
         input: FormulaId,
     },
+    /// The arm of a variable's value.
+    Case {
+        /// The variable, a whole number.
+        of: VarId,
+        /// What is done at each value; no value twice, no body empty, at least one.
+        arms: Vec<Arm>,
+    },
     /// The first branch whose condition is true.
     If {
         /// Conditions and what they guard; none is empty.
@@ -173,4 +206,15 @@ pub enum Statement {
         /// Otherwise.
         otherwise: Vec<Statement>,
     },
+}
+
+/// What is done at one value of a variable.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Arm {
+    /// The value.
+    pub value: i64,
+    /// What the reader should know: the step that the value stands for.
+    pub remark: Option<String>,
+    /// What is done.
+    pub body: Vec<Statement>,
 }

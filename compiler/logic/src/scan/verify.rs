@@ -78,6 +78,18 @@ impl Walk<'_> {
                     self.set.insert(*target);
                 }
                 Statement::CallTimer { input, .. } => self.reads(*input)?,
+                Statement::Case { of, arms } => {
+                    self.reads_variable(*of)?;
+                    let mut values: Vec<i64> = arms.iter().map(|arm| arm.value).collect();
+                    values.sort_unstable();
+                    values.dedup();
+                    if arms.is_empty() || values.len() != arms.len() || arms.iter().any(|arm| arm.body.is_empty()) {
+                        return Err(format!("the arms of {of} are empty or repeat a value"));
+                    }
+                    for arm in arms {
+                        self.statements(&arm.body)?;
+                    }
+                }
                 Statement::If { branches, otherwise } => {
                     for (when, _) in branches {
                         self.reads(*when)?;

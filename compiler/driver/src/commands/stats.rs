@@ -1,0 +1,295 @@
+//! `grafc stats`: what a chart takes in each encoding.
+
+use crate::Exit;
+use crate::command_line::ProfileArguments;
+use crate::files::{Place, print};
+use crate::pipeline;
+use crate::report::{Failure, Format, Report};
+use clap::{Args, ValueEnum};
+use grafc_diagnostics::{Diagnostics, FileId, Severity};
+use grafc_logic::scan::{Program, State};
+use grafc_logic::{Encoding, Measure, Options, compile, measure};
+use grafc_model::chart::{Chart, StepId};
+use grafc_model::reaction::{Evolution, Profile};
+use serde::Serialize;
+use std::collections::BTreeSet;
+
+const AFTER_HELP: &str = "\
+Example:
+  grafc stats valve.gct --evolution scan
+
+What is counted, and how, is in docs/statistics.md.";
+
+/// Lines are no longer than this, save for a name that is.
+const WIDTH: usize = 100;
+
+/// Arguments of `grafc stats`.
+#[derive(Args, Debug)]
+#[command(after_help = AFTER_HELP)]
+pub struct Arguments {
+    /// The chart; `-` is standard input
+    #[arg(value_name = "CHART")]
+    chart: Place,
+    #[command(flatten)]
+    profile: ProfileArguments,
+    /// The form of the figures, and of messages, which go to standard error
+    #[arg(long, value_enum, default_value_t = Form::Human)]
+    format: Form,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Form {
+    /// A table for people
+    Human,
+    /// One JSON object
+    Json,
+}
+
+/// Measures one chart.
+pub fn run(args: Arguments) -> Result<Exit, Failure> {
+    let mut report = Report::default();
+    let mut found = None;
+    if let Some(file) = report.load(&args.chart)? {
+        let text = &report.sources.file(file).text;
+        let (figures, said) = figures(file, text, &args.chart.chart_name(), args.profile.profile());
+        report.diagnostics.append(said);
+        found = figures;
+    }
+    let (exit, text) = match args.format {
+        Form::Human => (report.tell(Format::Human), found.as_ref().map(Figures::table)),
+        Form::Json => (report.tell(Format::Json), found.as_ref().map(Figures::json)),
+    };
+    if let Some(text) = text {
+        print(&text)?;
+    }
+    Ok(exit)
+}
+
+/// What is said of a chart. The names of the fields are those of the JSON object.
+#[derive(Serialize)]
+struct Figures {
+    chart: String,
+    steps: usize,
+    transitions: usize,
+    evolution: &'static str,
+    encodings: Vec<Row>,
+    switch: Decomposition,
+}
+
+/// What one encoding takes.
+#[derive(Serialize)]
+struct Row {
+    encoding: &'static str,
+    state_bits: usize,
+    states: Vec<usize>,
+    auxiliary_bits: usize,
+    auxiliary_numbers: usize,
+    delays: usize,
+    /// None where a call is one micro-step.
+    #[serde(rename = "loop")]
+    repeat: Option<Repeat>,
+    statements: u64,
+    instructions: u64,
+}
+
+/// The stability loop.
+#[derive(Serialize)]
+struct Repeat {
+    /// None where each evolution was proved to end.
+    bound: Option<u32>,
+}
+
+/// The sets of steps that the encoding `switch` holds in one variable each, and what is left.
+#[derive(Default, Serialize)]
+struct Decomposition {
+    states: Vec<Held>,
+    bits: Vec<Bit>,
+}
+
+/// A multi-valued variable.
+#[derive(Serialize)]
+struct Held {
+    name: String,
+    /// Whether none of the steps may be active.
+    idle: bool,
+    steps: Vec<String>,
+}
+
+/// A step that no set holds.
+#[derive(Serialize)]
+struct Bit {
+    step: String,
+}
+
+/// The figures of a chart. There are some exactly if no message is an error. What an encoding warns of is said when the
+/// chart is compiled with it.
+fn figures(file: FileId, text: &str, default_name: &str, profile: Profile) -> (Option<Figures>, Diagnostics) {
+    let (chart, mut said) = pipeline::check(file, text, default_name);
+    let Some(chart) = chart else { return (None, said) };
+    let mut figures = Figures {
+        chart: chart.name.clone(),
+        steps: chart.steps.len(),
+        transitions: chart.transitions.len(),
+        evolution: match profile.evolution {
+            Evolution::Stable => "stable",
+            Evolution::Scan => "scan",
+        },
+        encodings: Vec::new(),
+        switch: Decomposition::default(),
+    };
+    for encoding in Encoding::ALL {
+        let mut found = Diagnostics::new();
+        let program = program(&chart, &Options { profile, encoding, ..Options::default() }, &mut found);
+        let Some(program) = program else {
+            found.retain(|d| d.code.severity() == Severity::Error);
+            said.append(found);
+            return (None, said);
+        };
+        figures.encodings.push(Row::new(encoding, &program));
+        match encoding {
+            Encoding::Switch => figures.switch = Decomposition::new(&chart, &program),
+            Encoding::SinglePhase | Encoding::RTrigger | Encoding::STrigger | Encoding::Sequent => {}
+        }
+    }
+    (Some(figures), said)
+}
+
+/// The scan program of a checked chart, unless a message is an error.
+fn program(chart: &Chart, options: &Options, said: &mut Diagnostics) -> Option<Program> {
+    let mut net = grafc_net::build(chart);
+    grafc_net::passes::run(&mut net, options.encoding.overlaps(), said);
+    if said.has_errors() {
+        return None;
+    }
+    let (program, found) = compile(&net, options);
+    said.append(found);
+    program.filter(|_| !said.has_errors())
+}
+
+impl Row {
+    fn new(encoding: Encoding, program: &Program) -> Row {
+        let Measure { state_bits, states, auxiliary_bits, auxiliary_numbers, timers, statements, instructions } =
+            measure(program);
+        Row {
+            encoding: encoding.name(),
+            state_bits,
+            states,
+            auxiliary_bits,
+            auxiliary_numbers,
+            delays: timers,
+            repeat: program.repeat.map(|repeat| Repeat { bound: repeat.limit.map(|limit| limit.bound) }),
+            statements,
+            instructions,
+        }
+    }
+}
+
+impl Decomposition {
+    fn new(chart: &Chart, program: &Program) -> Decomposition {
+        let label = |s: &StepId| chart.steps.get(*s).map(|step| step.label.clone());
+        let held = |state: &State| Held {
+            name: program.variables[state.variable].name.clone(),
+            idle: state.idle.is_some(),
+            steps: state.values.iter().filter_map(|(s, _)| label(s)).collect(),
+        };
+        let in_states: BTreeSet<StepId> = program.states.iter().flat_map(|s| &s.values).map(|(s, _)| *s).collect();
+        let left = chart.steps.indices().filter(|s| !in_states.contains(s));
+        Decomposition {
+            states: program.states.iter().map(held).collect(),
+            bits: left.filter_map(|s| label(&s)).map(|step| Bit { step }).collect(),
+        }
+    }
+}
+
+/// The heads of the table; the first column is aligned to the left, the others to the right.
+const HEADS: [&str; 9] =
+    ["encoding", "state bits", "states", "aux bits", "aux numbers", "delays", "loop", "statements", "instructions"];
+
+impl Figures {
+    fn json(&self) -> String {
+        // Strings and numbers alone cannot be refused.
+        serde_json::to_string(self).unwrap_or_default() + "\n"
+    }
+
+    fn table(&self) -> String {
+        let mut rows = vec![HEADS.map(str::to_string)];
+        rows.extend(self.encodings.iter().map(Row::cells));
+        let widths: Vec<usize> =
+            (0..HEADS.len()).map(|column| rows.iter().map(|row| row[column].len()).max().unwrap_or_default()).collect();
+        let counted = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
+        let (steps, transitions) = (counted(self.steps, "step"), counted(self.transitions, "transition"));
+        let mut out = format!("{}: {steps}, {transitions}, evolution {}\n\n", self.chart, self.evolution);
+        for row in &rows {
+            for (column, (cell, width)) in row.iter().zip(&widths).enumerate() {
+                match column {
+                    0 => out.push_str(&format!("{cell:<width$}")),
+                    _ => out.push_str(&format!("  {cell:>width$}")),
+                }
+            }
+            out.push('\n');
+        }
+        self.switch.list(&mut out);
+        out
+    }
+}
+
+impl Row {
+    fn cells(&self) -> [String; HEADS.len()] {
+        let repeat = match &self.repeat {
+            None => "none".to_string(),
+            Some(Repeat { bound: Some(bound) }) => bound.to_string(),
+            Some(Repeat { bound: None }) => "ends".to_string(),
+        };
+        [
+            self.encoding.to_string(),
+            self.state_bits.to_string(),
+            self.states.len().to_string(),
+            self.auxiliary_bits.to_string(),
+            self.auxiliary_numbers.to_string(),
+            self.delays.to_string(),
+            repeat,
+            self.statements.to_string(),
+            self.instructions.to_string(),
+        ]
+    }
+}
+
+impl Decomposition {
+    /// The variables with their steps, and the steps that stay bits.
+    fn list(&self, out: &mut String) {
+        const BITS: &str = "bits";
+        out.push_str("\nsteps in switch\n");
+        let names = self.states.iter().map(|state| state.name.len());
+        let indent = 4 + names.chain([BITS.len()]).max().unwrap_or_default();
+        for state in &self.states {
+            let mut words: Vec<&str> = state.steps.iter().map(String::as_str).collect();
+            words.extend(state.idle.then_some("(or none)"));
+            wrap(out, &state.name, indent, &words);
+        }
+        if !self.bits.is_empty() {
+            let words: Vec<&str> = self.bits.iter().map(|bit| bit.step.as_str()).collect();
+            wrap(out, BITS, indent, &words);
+        }
+    }
+}
+
+/// A name, and words beside it in as many lines as they need.
+fn wrap(out: &mut String, name: &str, indent: usize, words: &[&str]) {
+    let mut line = format!("{:<indent$}", format!("  {name}"));
+    let mut bare = true;
+    for word in words {
+        if !bare && line.chars().count() + 1 + word.chars().count() > WIDTH {
+            out.push_str(&line);
+            out.push('\n');
+            line = " ".repeat(indent);
+            bare = true;
+        }
+        if !bare {
+            line.push(' ');
+        }
+        line.push_str(word);
+        bare = false;
+    }
+    out.push_str(line.trim_end());
+    out.push('\n');
+}

@@ -1,0 +1,140 @@
+//! `grafc stats`.
+
+mod common;
+
+use common::{DUBIOUS, FAULTY, Place, VALVE};
+use serde_json::{Value, json};
+
+/// The row of an encoding, as numbers and words.
+fn row<'t>(table: &'t str, encoding: &str) -> Vec<&'t str> {
+    let row = table.lines().find(|line| line.starts_with(encoding)).unwrap_or_else(|| panic!("{table}"));
+    row.split_whitespace().skip(1).collect()
+}
+
+#[test]
+fn a_chart_has_a_row_for_each_encoding() {
+    let place = Place::new(&[("valve.gct", VALVE)]);
+    let table = place.run(&["stats", "valve.gct", "--evolution", "scan"]).is_done().out.clone();
+    assert!(table.starts_with("Valve: 2 steps, 2 transitions, evolution scan\n\nencoding  "), "{table}");
+    // clr_1 := X1 AND a; clr_2 := X2 AND b; X1 := clr_2 OR X1 AND NOT clr_1; X2 alike; V := X2: 3 + 3 + 4 + 4 + 2.
+    assert_eq!(row(&table, "single-phase"), ["2", "0", "2", "0", "0", "none", "5", "16"]);
+    let names: Vec<&str> = table.lines().skip(3).take(5).filter_map(|line| line.split(' ').next()).collect();
+    assert_eq!(names, ["single-phase", "r-trigger", "s-trigger", "sequent", "switch"]);
+    assert_eq!(row(&table, "switch")[..2], ["0", "1"]);
+    let bits: usize = row(&table, "r-trigger")[0].parse().unwrap();
+    assert!(bits > 2, "a ring of two steps gets a further one: {table}");
+}
+
+#[test]
+fn where_evolutions_are_repeated_the_bound_is_shown() {
+    let place = Place::new(&[("valve.gct", VALVE)]);
+    // Both inputs at once never let it rest, so there has to be a bound.
+    let run = |arguments: &[&str]| row(&place.run(arguments).is_done().out, "single-phase")[5].to_string();
+    assert_eq!(run(&["stats", "valve.gct"]), "200");
+    assert_eq!(run(&["stats", "valve.gct", "--bound", "7"]), "7");
+}
+
+#[test]
+fn json_is_one_object_with_keys_that_stay() {
+    let place = Place::new(&[("valve.gct", VALVE)]);
+    let run = place.run(&["stats", "valve.gct", "--format", "json"]);
+    let figures: Value = serde_json::from_str(&run.is_done().out).unwrap();
+    assert!(run.out.ends_with("}\n") && run.out.lines().count() == 1, "{}", run.out);
+    assert_eq!(keys(&figures), ["chart", "encodings", "evolution", "steps", "switch", "transitions"]);
+    assert_eq!((&figures["chart"], &figures["evolution"]), (&json!("Valve"), &json!("stable")));
+    assert_eq!((&figures["steps"], &figures["transitions"]), (&json!(2), &json!(2)));
+    // As in one evolution a scan, and again := clr_1 OR clr_2.
+    let single_phase = json!({
+        "encoding": "single-phase", "state_bits": 2, "states": [], "auxiliary_bits": 3, "auxiliary_numbers": 0,
+        "delays": 0, "loop": { "bound": 200 }, "statements": 6, "instructions": 19,
+    });
+    assert_eq!(figures["encodings"][0], single_phase);
+    assert_eq!(figures["switch"]["states"][0]["steps"], json!(["1", "2"]));
+    assert_eq!(keys(&figures["switch"]["states"][0]), ["idle", "name", "steps"]);
+    assert_eq!(figures["switch"]["bits"], json!([]));
+
+    let scan = place.run(&["stats", "valve.gct", "--format", "json", "--evolution", "scan"]);
+    let figures: Value = serde_json::from_str(&scan.is_done().out).unwrap();
+    assert_eq!(figures["encodings"][0]["loop"], Value::Null);
+}
+
+fn keys(value: &Value) -> Vec<&str> {
+    let mut keys: Vec<&str> = value.as_object().unwrap().keys().map(String::as_str).collect();
+    keys.sort_unstable();
+    keys
+}
+
+/// Every clearing of the source brings a further token, and two steps that wait for them may be active at once.
+const SOURCE: &str = "\
+chart Source
+input  a, b, c : bool
+output V : bool
+grafcet G1 {
+  initial step 1
+  step 2 { V }
+  transition 1 -> 2 : a
+  transition 2 -> 1 : b
+}
+grafcet G2 {
+  step 11
+  step 12
+  transition -> 11 : ↑a
+  transition 11 -> 12 : b
+  transition 12 -> : c
+}
+";
+
+#[test]
+fn switch_says_which_steps_share_a_variable() {
+    let place = Place::new(&[("source.gct", SOURCE)]);
+    let table = place.run(&["stats", "source.gct"]).is_done().out.clone();
+    let listed: Vec<Vec<&str>> =
+        table.lines().skip_while(|line| *line != "steps in switch").skip(1).map(|l| l.split(' ').collect()).collect();
+    let listed: Vec<String> = listed
+        .into_iter()
+        .map(|words| words.into_iter().filter(|w| !w.is_empty()).collect::<Vec<_>>().join(" "))
+        .collect();
+    assert!(listed.len() == 2 && listed[0].starts_with("at_") && listed[0].contains(" 1 2"), "{table}");
+    assert_eq!(listed[1], "bits 11 12");
+    let figures = place.run(&["stats", "source.gct", "--format", "json"]);
+    let figures: Value = serde_json::from_str(&figures.is_done().out).unwrap();
+    assert_eq!(figures["switch"]["bits"], json!([{ "step": "11" }, { "step": "12" }]));
+}
+
+#[test]
+fn lines_stay_within_a_hundred_columns() {
+    let mut chart = "input a : bool\ninitial step 1\n".to_string();
+    for s in 2..=400 {
+        chart.push_str(&format!("step {s}\ntransition {} -> {s} : ↑a\n", s - 1));
+    }
+    chart.push_str("transition 400 -> 1 : ↑a\n");
+    let place = Place::new(&[("ring.gct", &chart)]);
+    let table = place.run(&["stats", "ring.gct"]).is_done().out.clone();
+    let longest = table.lines().map(|line| line.chars().count()).max();
+    assert!(longest.is_some_and(|n| n <= 100), "{table}");
+    assert!(table.lines().all(|line| line == line.trim_end()), "{table}");
+    let steps: Vec<&str> = table.split_once("at_").unwrap().1.split_whitespace().skip(1).take(400).collect();
+    let wanted: Vec<String> = (1..=400).map(|s| s.to_string()).collect();
+    assert_eq!(steps, wanted, "each step once and in order");
+}
+
+#[test]
+fn a_chart_with_errors_has_no_figures() {
+    let place = Place::new(&[("faulty.gct", FAULTY), ("dubious.gct", DUBIOUS)]);
+    let run = place.run(&["stats", "faulty.gct"]);
+    assert_eq!(run.ends(1, "E0201").out, "");
+    let run = place.run(&["stats", "dubious.gct"]);
+    run.ends(0, "W0403").ends(0, "1 warning");
+    assert!(run.out.contains("\nsingle-phase "), "{}", run.out);
+    let run = place.run(&["stats", "faulty.gct", "--format", "json"]);
+    assert_eq!(run.ends(1, "\"code\":\"E0201\"").out, "");
+}
+
+#[test]
+fn wrong_use_ends_with_2_and_a_missing_file_with_3() {
+    let place = Place::new(&[("a.gct", VALVE)]);
+    place.run(&["stats"]).ends(2, "CHART");
+    place.run(&["stats", "a.gct", "--format", "sarif"]).ends(2, "possible values: human, json");
+    place.run(&["stats", "missing.gct"]).ends(3, "cannot read `missing.gct`");
+    assert!(place.run_with(&["stats", "-"], VALVE).is_done().out.starts_with("Valve: 2 steps"));
+}

@@ -1,0 +1,176 @@
+//! A micro-step where each step has a bit: clearings, next situation, stored actions, and only then the bits are
+//! written.
+
+use super::{Encoding, Task, sequent};
+use crate::events::{Clearings, StepEvents};
+use crate::formula::{Formula, FormulaId, Type};
+use crate::input_event::InputEvent;
+use crate::lower::{Context, Lowering};
+use crate::scan::{Role, Statement, VarId};
+use crate::settle;
+use crate::situation::Holder;
+use crate::stored;
+use grafc_model::chart::StepId;
+use index_vec::IndexVec;
+
+pub(super) fn micro_step(
+    lowering: &mut Lowering,
+    cx: &mut Context,
+    task: &Task,
+    input_event: &mut InputEvent,
+) -> Vec<Statement> {
+    let mut out = Vec::new();
+    stored::heading(&mut out, "memory of edges", edges(lowering, task.again));
+    if task.encoding == Encoding::Sequent
+        && let Some(statements) = sequent::in_place(lowering, task)
+    {
+        out.extend(statements);
+        return out;
+    }
+    let overlaps = task.encoding.overlaps();
+    let (frozen, mut transitions) = settle::frozen(lowering);
+    // The textbook's triggers write conditions out; elsewhere each clearing is named and latched.
+    let (mut clearings, latched) = Clearings::new(lowering, task.conditions, &frozen, !overlaps, task.simplify);
+    transitions.extend(latched);
+    stored::heading(&mut out, "transitions that clear", transitions);
+
+    let ahead = ahead(lowering, task);
+    let next = next_situation(lowering, task, &mut clearings, &ahead);
+    stored::heading(&mut out, "next situation", next);
+    if let Some(again) = task.again {
+        let terms =
+            if overlaps { differences(lowering, &clearings) } else { clearings.changes(lowering, task, |_| false) };
+        out.extend(tell(lowering, again, terms));
+    }
+
+    let step_events = StepEvents::new(lowering, &clearings, task.components);
+    let actions = stored::actions(lowering, cx, task, &clearings, step_events, input_event);
+    stored::heading(&mut out, "stored actions", actions);
+
+    let mut situation = Vec::new();
+    for s in lowering.net.places.indices() {
+        let Holder::Bit(target) = lowering.situation.holder(s) else { continue };
+        if let Some(value) = clearings.next[s] {
+            if value != lowering.active(s) {
+                situation.push(Statement::Assign { target, value, remark: None });
+            }
+        } else if task.encoding != Encoding::Sequent
+            && let Some(place) = clearings.place(lowering, s, overlaps)
+        {
+            // In place: clearings were latched, and a step reads no activity but its own.
+            let value = task.encoding.next(&mut lowering.pool, &place);
+            situation.push(Statement::Assign { target, value, remark: None });
+        }
+    }
+    if task.encoding == Encoding::Sequent && !ahead.iter().any(|needed| *needed) {
+        situation = sequent::moves(lowering, task, &clearings, |lowering, s| lowering.situation.bit(s));
+    }
+    stored::heading(&mut out, "situation", situation);
+    out
+}
+
+/// Steps whose next activity is computed before it is written: because others need it or act on it, or because every
+/// step reads its neighbours.
+fn ahead(lowering: &Lowering, task: &Task) -> IndexVec<StepId, bool> {
+    let mut ahead = settle::acted_on(lowering.net);
+    let all = match task.encoding {
+        Encoding::RTrigger | Encoding::STrigger => true,
+        // On copies, or not at all.
+        Encoding::Sequent => ahead.iter().any(|needed| *needed),
+        Encoding::SinglePhase | Encoding::Switch => false,
+    };
+    if all {
+        ahead.iter_mut().for_each(|needed| *needed = true);
+    }
+    ahead
+}
+
+/// Computes the next activity of these steps, from the top of the hierarchy down.
+fn next_situation(
+    lowering: &mut Lowering,
+    task: &Task,
+    clearings: &mut Clearings,
+    ahead: &IndexVec<StepId, bool>,
+) -> Vec<Statement> {
+    let net = lowering.net;
+    let mut statements = Vec::new();
+    if !ahead.iter().any(|needed| *needed) {
+        return statements;
+    }
+    let mut variables: IndexVec<StepId, Option<VarId>> = net.places.iter().map(|_| None).collect();
+    for s in net.places.indices().filter(|s| ahead[*s]) {
+        let name = format!("next_{}", net.places[s].label);
+        variables[s] = Some(lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None));
+    }
+    if task.encoding == Encoding::Sequent {
+        for (s, target) in variables.iter_enumerated().filter_map(|(s, v)| v.map(|v| (s, v))) {
+            statements.push(Statement::Assign { target, value: lowering.active(s), remark: None });
+        }
+        statements.extend(sequent::moves(lowering, task, clearings, |_, s| variables[s]));
+    }
+    for g in &net.hierarchy {
+        let grafcet = &net.grafcets[*g];
+        let within = grafcet.steps.first().and_then(|s| net.places[*s].within);
+        let within = within.and_then(|e| clearings.next[e]);
+        let known = &clearings.next;
+        let mut next = |lowering: &mut Lowering, s: StepId| known[s].unwrap_or_else(|| lowering.active(s));
+        let in_force = settle::orders(lowering, task.components, *g, within, &mut next, &mut statements);
+        for s in &grafcet.steps {
+            let Some(target) = variables[*s] else { continue };
+            let read = lowering.symbols.read(&mut lowering.pool, target);
+            let own = if task.encoding == Encoding::Sequent {
+                read
+            } else {
+                match clearings.place(lowering, *s, task.encoding.overlaps()) {
+                    Some(place) => task.encoding.next(&mut lowering.pool, &place),
+                    None => lowering.active(*s),
+                }
+            };
+            let value = settle::settled(lowering, *s, own, within, in_force.as_ref());
+            clearings.next[*s] = Some(if value == lowering.active(*s) {
+                // Nothing ever changes it.
+                value
+            } else {
+                if value != read {
+                    statements.push(Statement::Assign { target, value, remark: None });
+                }
+                read
+            });
+        }
+    }
+    statements
+}
+
+/// Whether any step changes, one by one.
+fn differences(lowering: &mut Lowering, clearings: &Clearings) -> Vec<FormulaId> {
+    let mut terms = Vec::new();
+    for s in lowering.net.places.indices() {
+        if let Some(next) = clearings.next[s] {
+            let active = lowering.active(s);
+            terms.push(lowering.pool.xor(next, active));
+        }
+    }
+    terms
+}
+
+/// Whether an edge operand has changed, before the memory forgets it: `again` begins with that.
+pub(super) fn edges(lowering: &mut Lowering, again: Option<VarId>) -> Vec<Statement> {
+    let mut statements = Vec::new();
+    if let Some(target) = again.filter(|_| !lowering.edges.is_empty()) {
+        let value = lowering.edges_changed();
+        statements.push(Statement::Assign { target, value, remark: None });
+    }
+    statements.extend(lowering.remember_operands());
+    statements
+}
+
+/// Another micro-step is needed where one of the terms holds (R8); edges have spoken before.
+fn tell(lowering: &mut Lowering, again: VarId, mut terms: Vec<FormulaId>) -> Option<Statement> {
+    if !lowering.edges.is_empty() {
+        let edges = lowering.symbols.read(&mut lowering.pool, again);
+        terms.insert(0, edges);
+    }
+    let value = lowering.pool.or(terms);
+    let unchanged = matches!(lowering.pool.get(value), Formula::Variable(v) if *v == again);
+    (!unchanged).then_some(Statement::Assign { target: again, value, remark: None })
+}

@@ -1,0 +1,114 @@
+//! Sequents (Shalyto's method 4): for each transition `IF` it clears, the steps before it are reset and those after it
+//! set.
+//!
+//! A step that is left and entered at once stays active (rule 5), so where that can happen all resets come before all
+//! sets. Where it cannot, because every step lies in a component, a transition is one `IF`; and where nothing else looks
+//! at clearings, the `IF` tests steps and condition itself, in such an order that a step is written only after all
+//! transitions have read it. Where the order goes round in a circle, one step is copied and the copy read.
+
+use super::Task;
+use super::in_order::{Block, in_order};
+use crate::allocate::choose;
+use crate::events::{Clearings, clears, drawn};
+use crate::lower::Lowering;
+use crate::scan::{Statement, VarId};
+use crate::settle;
+use grafc_model::chart::{StepId, TransitionId};
+use std::collections::BTreeMap;
+
+/// Resets and sets, on whatever variable holds a step's next activity.
+pub(super) fn moves(
+    lowering: &mut Lowering,
+    task: &Task,
+    clearings: &Clearings,
+    target: impl Fn(&Lowering, StepId) -> Option<VarId>,
+) -> Vec<Statement> {
+    let net = lowering.net;
+    let both_at_once = |s: &StepId| {
+        !task.components.covers(*s) && !(clearings.flow.into[*s].is_empty() && clearings.flow.loops[*s].is_empty())
+    };
+    let (mut resets, mut sets) = (Vec::new(), Vec::new());
+    for (t, transition) in net.transitions.iter_enumerated() {
+        let write = |lowering: &mut Lowering, s: &StepId, active: bool| {
+            let value = lowering.pool.truth(active);
+            target(lowering, *s).map(|target| Statement::Assign { target, value, remark: None })
+        };
+        let leaves = |s: &&StepId| !transition.post.contains(s);
+        let mut early = Vec::new();
+        let mut late = Vec::new();
+        for s in transition.pre.iter().filter(leaves) {
+            let list = if both_at_once(s) { &mut early } else { &mut late };
+            list.extend(write(lowering, s, false));
+        }
+        for s in &transition.post {
+            late.extend(write(lowering, s, true));
+        }
+        for (list, body) in [(&mut resets, early), (&mut sets, late)] {
+            if !body.is_empty() {
+                list.extend(choose(lowering, vec![(clearings.cleared[t], body)]));
+            }
+        }
+    }
+    resets.extend(sets);
+    resets
+}
+
+/// Transitions as one chain of `IF`s without anything latched; none if something else has to know what clears.
+pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Option<Vec<Statement>> {
+    let net = lowering.net;
+    let covered = net.places.indices().all(|s| task.components.covers(s));
+    let alone = net.stored.is_empty() && !settle::acted_on(net).iter().any(|acted_on| *acted_on);
+    if !covered || !alone {
+        return None;
+    }
+    let (frozen, statements) = settle::frozen(lowering);
+    // Of the transitions after a step of a component at most one clears, so they are alternatives. A transition after
+    // several steps belongs to the first.
+    let mut after: BTreeMap<StepId, Vec<TransitionId>> = BTreeMap::new();
+    for (t, transition) in net.transitions.iter_enumerated() {
+        let back = |s: &StepId| transition.post.contains(s);
+        let nothing_moves = transition.pre.len() == transition.post.len() && transition.pre.iter().all(back);
+        if let Some(first) = transition.pre.first().filter(|_| !nothing_moves) {
+            after.entry(*first).or_default().push(t);
+        }
+    }
+    let mut blocks = Vec::new();
+    for transitions in after.into_values() {
+        let mut branches = Vec::new();
+        for t in transitions {
+            let factors = clears(lowering, t, task.conditions[t], &frozen, task.simplify);
+            branches.push((lowering.pool.and(factors), moved(lowering, task, t)));
+        }
+        let statements = choose(lowering, branches);
+        blocks.push(Block::new(lowering, statements, |v| lowering.situation.step_of(v).is_some()));
+    }
+    let mut out = Vec::new();
+    crate::stored::heading(&mut out, "transitions", statements);
+    if out.is_empty() {
+        out.push(Statement::Heading("transitions".to_owned()));
+    }
+    if let Some(target) = task.again.filter(|_| lowering.edges.is_empty()) {
+        out.push(Statement::Assign { target, value: lowering.pool.truth(false), remark: None });
+    }
+    in_order(lowering, blocks, &mut out);
+    Some(out)
+}
+
+/// What a clearing does.
+fn moved(lowering: &mut Lowering, task: &Task, t: TransitionId) -> Vec<Statement> {
+    let transition = &lowering.net.transitions[t];
+    let mut body = Vec::new();
+    let leaving = transition.pre.iter().filter(|s| !transition.post.contains(s)).map(|s| (s, false));
+    let coming = transition.post.iter().filter(|s| !transition.pre.contains(s)).map(|s| (s, true));
+    for (s, active) in leaving.chain(coming) {
+        let value = lowering.pool.truth(active);
+        body.extend(lowering.situation.bit(*s).map(|target| Statement::Assign { target, value, remark: None }));
+    }
+    if let Some(target) = task.again {
+        body.push(Statement::Assign { target, value: lowering.pool.truth(true), remark: None });
+    }
+    if let Some(Statement::Assign { remark, .. }) = body.first_mut() {
+        *remark = Some(drawn(lowering.net, t));
+    }
+    body
+}

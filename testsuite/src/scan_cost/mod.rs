@@ -1,0 +1,144 @@
+//! What a scan costs: one ring of steps in several spellings, each compiled by MATIEC and `gcc -O2` and timed.
+//!
+//! The ring has an input a transition and an output a step, so that a spelling can hide nothing: all that a scan does is
+//! to look for the one transition that may clear, and to move one output. What grafc writes stands beside what an
+//! engineer would write ([`texts`]), and each ratio is one to the spelling by hand that holds the situation in the same way.
+//!
+//! Two figures: a scan in which nothing happens, which is nearly every scan of a plant, and one in which the active step
+//! is left. Each program times itself, less the loop around the calls ([`driver`]); programs take turns, and a figure is
+//! the median of the repetitions.
+
+mod driver;
+mod texts;
+mod tools;
+
+use std::path::Path;
+use texts::Spelling;
+pub use tools::Library;
+
+/// The steps of MATIEC's own SFC that `gcc` takes a minute and more for.
+const MANY_STEPS_OF_SFC: usize = 100;
+
+/// What to measure.
+pub struct Job {
+    /// The steps of the ring.
+    pub steps: usize,
+    /// How often each program is asked.
+    pub repetitions: usize,
+    /// Whether MATIEC's own SFC is measured even where its compilation takes minutes.
+    pub sfc: bool,
+    /// More texts, each with a name: function blocks with the inputs and outputs of the ring.
+    pub others: Vec<(String, String)>,
+}
+
+/// The figures of one spelling, in ns a scan.
+pub struct Figures {
+    /// Its name.
+    pub name: String,
+    /// The spelling by hand that it is compared with.
+    pub against: Option<&'static str>,
+    /// Nothing happens.
+    pub idle: Figure,
+    /// The active step is left.
+    pub clearing: Figure,
+}
+
+/// One figure of a spelling.
+pub struct Figure {
+    /// The median.
+    pub nanoseconds: f64,
+    /// The median of the ratios to the spelling by hand, repetition by repetition; none for that itself.
+    pub ratio: Option<f64>,
+}
+
+/// Measures one ring in all spellings. Texts, C and programs are left in the folder; what is there already and has not
+/// changed is not built again.
+pub fn measure(library: &Library, folder: &Path, job: &Job) -> Result<Vec<Figures>, String> {
+    let mut spellings: Vec<Spelling> = texts::all(job.steps)?;
+    spellings.retain(|spelling| {
+        let sfc = !spelling.is_sfc || job.sfc || job.steps <= MANY_STEPS_OF_SFC;
+        job.steps <= spelling.most_steps && sfc
+    });
+    spellings.extend(job.others.iter().map(|(name, text)| Spelling::other(name, text)));
+
+    let mut programs = Vec::new();
+    for (index, spelling) in spellings.iter().enumerate() {
+        let place = folder.join(format!("{}_{index}", job.steps));
+        let built = library.build(&place, &spelling.text, job.steps);
+        programs.push(built.map_err(|said| format!("{}, {} steps: {said}", spelling.name, job.steps))?);
+    }
+    let mut samples: Vec<Vec<driver::Sample>> = programs.iter().map(|_| Vec::new()).collect();
+    for _ in 0..job.repetitions {
+        for (program, samples) in programs.iter().zip(&mut samples) {
+            samples.push(driver::read(&tools::play(program)?)?);
+        }
+    }
+
+    let figure = |index: usize, of: fn(&driver::Sample) -> f64| {
+        let against = spellings[index].against.and_then(|name| spellings.iter().position(|s| s.name == name));
+        let ratios = against
+            .map(|other| samples[index].iter().zip(&samples[other]).map(|(own, other)| of(own) / of(other)).collect());
+        Figure { nanoseconds: median(samples[index].iter().map(of).collect()), ratio: ratios.map(median) }
+    };
+    Ok(spellings
+        .iter()
+        .enumerate()
+        .map(|(index, spelling)| Figures {
+            name: spelling.name.clone(),
+            against: spelling.against,
+            idle: figure(index, |sample| sample.idle),
+            clearing: figure(index, |sample| sample.clearing),
+        })
+        .collect())
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    match values.len() {
+        0 => f64::NAN,
+        n if n % 2 == 1 => values[n / 2],
+        n => f64::midpoint(values[n / 2 - 1], values[n / 2]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::matiec::Tools;
+
+    fn library_or_skip() -> Option<Library> {
+        Tools::find_or_skip().map(|_| Library::find().expect("the library of the tools"))
+    }
+
+    #[test]
+    fn the_median_is_the_middle_one() {
+        assert_eq!(median(vec![9.0, 1.0, 2.0]), 2.0);
+        assert_eq!(median(vec![9.0, 1.0, 2.0, 4.0]), 3.0);
+    }
+
+    /// The driver itself checks that the outputs follow the inputs once around the ring and more.
+    #[test]
+    fn every_spelling_goes_around_the_ring() {
+        let Some(library) = library_or_skip() else { return };
+        let folder = tempfile::tempdir().expect("a folder");
+        let job = Job { steps: 4, repetitions: 1, sfc: false, others: Vec::new() };
+        let figures = measure(&library, folder.path(), &job).expect("all are built and run");
+        assert_eq!(figures.len(), 9);
+        assert_eq!(figures[0].name, texts::CASE);
+        assert!(figures[0].idle.ratio.is_none());
+        for figures in &figures[1..] {
+            assert_eq!(figures.idle.ratio.is_none(), figures.name == texts::EQUATIONS, "{}", figures.name);
+        }
+    }
+
+    #[test]
+    fn a_spelling_that_stays_behind_is_refused() {
+        let Some(library) = library_or_skip() else { return };
+        let folder = tempfile::tempdir().expect("a folder");
+        // Step 0 is never left.
+        let text = texts::case_by_hand(4).replace("IF x_0 THEN", "IF x_0 AND FALSE THEN");
+        let job = Job { steps: 4, repetitions: 1, sfc: false, others: vec![("stuck".to_owned(), text)] };
+        let said = measure(&library, folder.path(), &job).err().expect("a refusal");
+        assert!(said.contains("after 1 clearings"), "{said}");
+    }
+}
