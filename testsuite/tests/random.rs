@@ -11,13 +11,13 @@ use grafc_testsuite::differential::{
 };
 use grafc_testsuite::random::{Drawn, Kind, checked, trace};
 
-const ROWS: usize = 30;
+const ROWS: usize = 25;
 
 #[test]
 fn the_scan_program_agrees_with_the_simulator() {
     let mut coverage = Coverage::default();
     let mut rejected = 0;
-    for seed in 0..150 {
+    for seed in 0..100 {
         let drawn = checked(seed, Kind::Flat);
         rejected += drawn.rejected;
         let (chart, profile) = (&drawn.chart, profile(seed));
@@ -29,32 +29,32 @@ fn the_scan_program_agrees_with_the_simulator() {
     assert!(rejected <= 15, "{rejected} of the texts drawn had errors");
     // The charts must be about something.
     for (what, least) in [
-        ("ran: situation changed 5 times or more", 60),
-        ("ran: outputs changed", 100),
-        ("edge of an input", 60),
-        ("edge of an activity", 20),
-        ("edge of an expression", 20),
-        ("on-delay", 40),
-        ("on-delay with off-delay", 20),
-        ("off-delay", 20),
-        ("duration of a step", 40),
-        ("division", 20),
-        ("macro-step", 15),
-        ("source transition", 15),
-        ("sink transition", 10),
-        ("synchronisation", 40),
-        ("parallel branches", 40),
-        ("self-loop", 10),
-        ("several initial steps", 60),
-        ("action on event", 30),
-        ("action on clearing", 30),
-        ("action on activation", 40),
-        ("action on deactivation", 20),
-        ("continuous variable read", 30),
-        ("assignment condition", 60),
-        ("LIVELOCK", 3),
-        ("ALLOC_CONFLICT", 3),
-        ("DIV0", 3),
+        ("ran: situation changed 5 times or more", 40),
+        ("ran: outputs changed", 66),
+        ("edge of an input", 40),
+        ("edge of an activity", 13),
+        ("edge of an expression", 13),
+        ("on-delay", 26),
+        ("on-delay with off-delay", 13),
+        ("off-delay", 13),
+        ("duration of a step", 26),
+        ("division", 13),
+        ("macro-step", 10),
+        ("source transition", 10),
+        ("sink transition", 6),
+        ("synchronisation", 26),
+        ("parallel branches", 26),
+        ("self-loop", 6),
+        ("several initial steps", 40),
+        ("action on event", 20),
+        ("action on clearing", 20),
+        ("action on activation", 26),
+        ("action on deactivation", 13),
+        ("continuous variable read", 20),
+        ("assignment condition", 40),
+        ("LIVELOCK", 2),
+        ("ALLOC_CONFLICT", 2),
+        ("DIV0", 2),
     ] {
         assert!(coverage.of(what) >= least, "only {} charts: {what}\n{coverage}", coverage.of(what));
     }
@@ -78,7 +78,7 @@ fn agrees(drawn: &Drawn, profile: Profile, stimuli: &[Stimulus], expected: &[Res
 fn the_scan_program_agrees_on_hierarchical_charts() {
     let mut coverage = Coverage::default();
     let mut rejected = 0;
-    for seed in 0..200 {
+    for seed in 0..150 {
         let drawn = checked(seed, Kind::Hierarchical);
         rejected += drawn.rejected;
         let stimuli = trace(seed, &drawn.chart, ROWS);
@@ -86,7 +86,7 @@ fn the_scan_program_agrees_on_hierarchical_charts() {
         agrees(&drawn, profile(seed), &stimuli, &run);
         coverage.count(&drawn.chart, profile(seed), &run);
     }
-    assert!(rejected <= 40, "{rejected} of the texts drawn had errors");
+    assert!(rejected <= 30, "{rejected} of the texts drawn had errors");
     for what in ["enclosure", "forcing of steps", "freezing", "forcing to the initial situation", "FORCE_CONFLICT"] {
         assert!(coverage.of(what) >= 3, "only {} charts: {what}\n{coverage}", coverage.of(what));
     }
@@ -96,7 +96,7 @@ fn the_scan_program_agrees_on_hierarchical_charts() {
 #[test]
 fn overlapping_steps_reach_the_same_stable_situations() {
     let mut without_warning = 0;
-    for seed in 0..150 {
+    for seed in 0..100 {
         let drawn = checked(seed, Kind::Plain);
         let profile = Profile::default();
         let stimuli = trace(seed, &drawn.chart, ROWS);
@@ -112,7 +112,7 @@ fn overlapping_steps_reach_the_same_stable_situations() {
             assert_eq!(row, None, "seed {}, {}\n{}", drawn.seed, encoding.name(), drawn.text);
         }
     }
-    assert!(without_warning >= 100, "only {without_warning} of 300 runs had no warning");
+    assert!(without_warning >= 80, "only {without_warning} of 200 runs had no warning");
 }
 
 #[test]

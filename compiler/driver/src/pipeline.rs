@@ -106,7 +106,14 @@ pub fn check(file: FileId, text: &str, default_name: &str) -> (Option<Chart>, Di
         return (None, said);
     }
     said.append(found);
-    (chart.filter(|_| !said.has_errors()), said)
+    let chart = chart.filter(|_| !said.has_errors());
+    if let Some(chart) = &chart {
+        let mut net = grafc_net::build(chart);
+        grafc_net::passes::run(&mut net, false, &mut said);
+        said.append(grafc_logic::warn(&net));
+        said.sort_by_place();
+    }
+    (chart, said)
 }
 
 /// As far as the flat net; `look` sees it after each pass. There is one exactly if no message is an error.

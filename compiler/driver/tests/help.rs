@@ -5,7 +5,7 @@ mod common;
 use common::Place;
 use grafc_diagnostics::Code;
 
-const COMMANDS: [&str; 6] = ["check", "sim", "fmt", "explain", "completions", "man"];
+const COMMANDS: [&str; 7] = ["check", "sim", "fmt", "stats", "explain", "completions", "man"];
 
 #[test]
 fn help_of_every_command_shows_an_example() {

@@ -35,12 +35,26 @@ fn where_evolutions_are_repeated_the_bound_is_shown() {
 }
 
 #[test]
+fn what_is_proved_of_evolutions_is_said() {
+    // Once around takes an edge each, so nothing ever follows in the same reaction.
+    let once = "input a : bool\ninitial step 1\nstep 2\ntransition 1 -> 2 : ↑a\ntransition 2 -> 1 : ↑a\n";
+    // A contradiction on an input: 2 -> 1 cannot follow 1 -> 2, but 1 -> 2 may be followed by nothing.
+    let ends = "input a : bool\ninitial step 1\nstep 2\ntransition 1 -> 2 : a\ntransition 2 -> 1 : not a\n";
+    let place = Place::new(&[("once.gct", once), ("ends.gct", ends), ("valve.gct", VALVE)]);
+    let run = |chart: &str| place.run(&["stats", chart]).is_done().out.clone();
+    assert!(run("once.gct").contains("one micro-step is always enough"), "{}", run("once.gct"));
+    assert_eq!(row(&run("once.gct"), "single-phase")[5], "none");
+    assert!(run("ends.gct").contains("one micro-step is always enough"), "{}", run("ends.gct"));
+    assert!(run("valve.gct").contains("no bound is known: in a circle may clear `1 -> 2`"), "{}", run("valve.gct"));
+}
+
+#[test]
 fn json_is_one_object_with_keys_that_stay() {
     let place = Place::new(&[("valve.gct", VALVE)]);
     let run = place.run(&["stats", "valve.gct", "--format", "json"]);
     let figures: Value = serde_json::from_str(&run.is_done().out).unwrap();
     assert!(run.out.ends_with("}\n") && run.out.lines().count() == 1, "{}", run.out);
-    assert_eq!(keys(&figures), ["chart", "encodings", "evolution", "steps", "switch", "transitions"]);
+    assert_eq!(keys(&figures), ["chart", "encodings", "evolution", "steps", "switch", "transients", "transitions"]);
     assert_eq!((&figures["chart"], &figures["evolution"]), (&json!("Valve"), &json!("stable")));
     assert_eq!((&figures["steps"], &figures["transitions"]), (&json!(2), &json!(2)));
     // As in one evolution a scan, and again := clr_1 OR clr_2.
@@ -88,17 +102,19 @@ grafcet G2 {
 fn switch_says_which_steps_share_a_variable() {
     let place = Place::new(&[("source.gct", SOURCE)]);
     let table = place.run(&["stats", "source.gct"]).is_done().out.clone();
-    let listed: Vec<Vec<&str>> =
-        table.lines().skip_while(|line| *line != "steps in switch").skip(1).map(|l| l.split(' ').collect()).collect();
-    let listed: Vec<String> = listed
-        .into_iter()
-        .map(|words| words.into_iter().filter(|w| !w.is_empty()).collect::<Vec<_>>().join(" "))
-        .collect();
-    assert!(listed.len() == 2 && listed[0].starts_with("at_") && listed[0].contains(" 1 2"), "{table}");
-    assert_eq!(listed[1], "bits 11 12");
+    let after = |heading: &str| -> Vec<Vec<&str>> {
+        let lines = table.lines().skip_while(|line| *line != heading).skip(1).take_while(|line| !line.is_empty());
+        lines.map(|line| line.split_whitespace().collect()).collect()
+    };
+    let states = after("steps in switch");
+    assert!(states.len() == 1 && states[0][0].starts_with("at_") && states[0][1..] == ["1", "2"], "{table}");
+    let bits = after("steps that stay bits");
+    assert_eq!(bits.iter().map(|line| line[0]).collect::<Vec<_>>(), ["11", "12"], "{table}");
+    assert!(bits[0].join(" ").contains("`-> 11`"), "the source transition is to blame: {table}");
     let figures = place.run(&["stats", "source.gct", "--format", "json"]);
     let figures: Value = serde_json::from_str(&figures.is_done().out).unwrap();
-    assert_eq!(figures["switch"]["bits"], json!([{ "step": "11" }, { "step": "12" }]));
+    assert_eq!(figures["switch"]["bits"][1]["step"], json!("12"));
+    assert!(figures["switch"]["bits"][0]["because"].as_str().is_some_and(|why| why.contains("`-> 11`")), "{figures}");
 }
 
 #[test]

@@ -11,6 +11,7 @@ use crate::scan::{Flag, Limit, Program, Repeat, Role, Statement};
 use crate::simplify;
 use crate::stored::heading;
 use crate::tokens::{self, Components};
+use crate::transient::{self, Known};
 use grafc_diagnostics::Diagnostics;
 use grafc_model::chart::{Event, Mode, TransitionId, VariableKind};
 use grafc_model::reaction::{Evolution, Profile};
@@ -42,6 +43,8 @@ pub fn compile(net: &Net, options: &Options) -> (Option<Program>, Diagnostics) {
     let mut cx = Context::new(Moment::MicroStep);
     let mut roots = Roots::new(&mut lowering, &mut cx);
     let analysed = tokens::analyse(net, &lowering.pool, &lowering.edges, &roots.conditions);
+    let transients = (options.simplify && !options.encoding.overlaps())
+        .then(|| transient::analyse(net, &Known::new(&lowering, &roots.conditions, &analysed.components)));
     let mut followers = None;
     if options.encoding == Encoding::Switch {
         // Now that it is known which steps share a state, once more with these.
@@ -71,13 +74,18 @@ pub fn compile(net: &Net, options: &Options) -> (Option<Program>, Diagnostics) {
     // What a pass has added does not count.
     let auxiliary = net.places.iter().filter(|place| place.auxiliary).count();
     let (steps, transitions) = (net.places.len() - auxiliary, net.transitions.len() - auxiliary);
-    let repeat = (options.profile.evolution == Evolution::Stable).then(|| {
+    let bound = options.profile.bound_for(steps, transitions).clamp(1, i32::MAX as u32);
+    let ends = transients.as_ref().is_some_and(|t| t.ends_within(bound));
+    let once = ends && transients.as_ref().is_some_and(|t| t.single);
+    let repeat = (options.profile.evolution == Evolution::Stable && !once).then(|| {
         let again = lowering.symbols.fresh(Role::Temporary, "again", Type::Bool, None);
-        let bound = options.profile.bound_for(steps, transitions).clamp(1, i32::MAX as u32);
-        let wide_enough = if bound <= i16::MAX as u32 { Type::Int } else { Type::Dint };
-        let count = lowering.symbols.fresh(Role::Temporary, "micro_steps", wide_enough, None);
-        lowering.symbols.flag(Flag::Livelock);
-        Repeat { again, limit: Some(Limit { count, bound }) }
+        let limit = (!ends).then(|| {
+            let wide_enough = if bound <= i16::MAX as u32 { Type::Int } else { Type::Dint };
+            let count = lowering.symbols.fresh(Role::Temporary, "micro_steps", wide_enough, None);
+            lowering.symbols.flag(Flag::Livelock);
+            Limit { count, bound }
+        });
+        Repeat { again, limit }
     });
 
     let mut micro_step = Vec::new();

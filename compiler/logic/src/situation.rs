@@ -9,7 +9,7 @@ use grafc_model::chart::{GrafcetId, StepId};
 use grafc_net::Net;
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What holds a step.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -167,30 +167,21 @@ fn several_sets(net: &Net, cover: Option<&Cover>) -> Vec<bool> {
     (0..net.grafcets.len()).map(|g| counts.get(&g).is_some_and(|n| *n > 1)).collect()
 }
 
-/// Gives each step of a set its value and returns the idle one. Steps keep their numbers, `3` as well as `Y3`, if these
-/// tell them apart; else they are counted from 1. Nothing is active at 0, or at -1 if some step is number 0.
+/// Gives each step of a set its value and returns the idle one. Steps keep their numbers: all of them if they are called
+/// alike (`Y3`), else those that are nothing but a number; others get numbers that are free. Nothing is active at 0, or
+/// at -1 if some step is number 0.
 fn number(net: &Net, steps: &[StepId], values: &mut IndexVec<StepId, i64>) -> i64 {
-    let own: Option<Vec<(&str, i64)>> = steps.iter().map(|s| numbered(&net.places[*s].label)).collect();
-    let usable = own.filter(|own| {
-        let mut numbers: Vec<i64> = own.iter().map(|(_, n)| *n).collect();
-        numbers.sort_unstable();
-        numbers.dedup();
-        numbers.len() == own.len() && own.iter().all(|(word, _)| *word == own[0].0)
-    });
-    match usable {
-        Some(own) => {
-            for (s, (_, n)) in steps.iter().zip(&own) {
-                values[*s] = *n;
-            }
-            if own.iter().any(|(_, n)| *n == 0) { -1 } else { 0 }
-        }
-        None => {
-            for (s, n) in steps.iter().zip(1..) {
-                values[*s] = n;
-            }
-            0
-        }
+    let own: Vec<Option<(&str, i64)>> = steps.iter().map(|s| numbered(&net.places[*s].label)).collect();
+    let word = own.first().copied().flatten().map(|(word, _)| word);
+    let alike = own.iter().all(|n| n.is_some_and(|(w, _)| Some(w) == word));
+    let kept: Vec<Option<i64>> =
+        own.iter().map(|n| n.filter(|(word, _)| alike || word.is_empty()).map(|(_, number)| number)).collect();
+    let taken: BTreeSet<i64> = kept.iter().copied().flatten().collect();
+    let mut free = (1..).filter(|n| !taken.contains(n));
+    for (s, kept) in steps.iter().zip(kept) {
+        values[*s] = kept.or_else(|| free.next()).unwrap_or_default();
     }
+    if taken.contains(&0) { -1 } else { 0 }
 }
 
 /// A label as a word and the number behind it, which may not be written in another way: `Y3`, not `Y03`.

@@ -63,7 +63,8 @@ fn four_steps_need_little() {
 
 #[test]
 fn the_counter_of_micro_steps_holds_the_bound() {
-    let text = "input a : bool  initial step 1  step 2  transition 1 -> 2 : a";
+    // Where both inputs are true it never rests, so there has to be a bound.
+    let text = "input a, b : bool  initial step 1  step 2  transition 1 -> 2 : a  transition 2 -> 1 : b";
     let of = |bound| {
         let program = compiled(text, Profile { bound: Some(bound), ..Profile::default() }).0.expect("a program");
         let repeat = program.repeat.expect("a loop");
@@ -76,6 +77,17 @@ fn the_counter_of_micro_steps_holds_the_bound() {
     assert_eq!(of(32_768), (32_768, Type::Dint));
     assert_eq!(of(u32::MAX), (2_147_483_647, Type::Dint));
     assert_eq!(of(0), (1, Type::Int), "a reaction is at least one micro-step");
+}
+
+#[test]
+fn what_is_proved_to_end_is_not_counted() {
+    let repeat = |text: &str| program(text).repeat.map(|repeat| repeat.limit.is_some());
+    let steps = "input a, b : bool  initial step 1  step 2  step 3";
+    // 2 -> 3 may follow 1 -> 2 at once, and then nothing more can.
+    assert_eq!(repeat(&format!("{steps}  transition 1 -> 2 : a  transition 2 -> 3 : b")), Some(false));
+    // After an edge of an input nothing waits that needs no edge.
+    assert_eq!(repeat(&format!("{steps}  transition 1 -> 2 : ↑a  transition 2 -> 3 : ↑b")), None);
+    assert_eq!(repeat(&format!("{steps}  transition 1 -> 2 : a  transition 2 -> 1 : b")), Some(true));
 }
 
 #[test]

@@ -137,8 +137,8 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         // Step 0 is never left.
         let text = texts::case_by_hand(4).replace("IF x_0 THEN", "IF x_0 AND FALSE THEN");
-        let job = Job { steps: 4, repetitions: 1, sfc: false, others: vec![("stuck".to_owned(), text)] };
-        let said = measure(&library, folder.path(), &job).err().expect("a refusal");
+        let program = library.build(folder.path(), &text, 4).expect("it is built");
+        let said = tools::play(&program).expect_err("it does not go around the ring");
         assert!(said.contains("after 1 clearings"), "{said}");
     }
 }

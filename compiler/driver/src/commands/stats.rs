@@ -8,11 +8,10 @@ use crate::report::{Failure, Format, Report};
 use clap::{Args, ValueEnum};
 use grafc_diagnostics::{Diagnostics, FileId, Severity};
 use grafc_logic::scan::{Program, State};
-use grafc_logic::{Encoding, Measure, Options, compile, measure};
-use grafc_model::chart::{Chart, StepId};
+use grafc_logic::{Encoding, Measure, Options, arrow, compile, measure};
+use grafc_model::chart::{Chart, StepId, TransitionId};
 use grafc_model::reaction::{Evolution, Profile};
 use serde::Serialize;
-use std::collections::BTreeSet;
 
 const AFTER_HELP: &str = "\
 Example:
@@ -72,8 +71,22 @@ struct Figures {
     steps: usize,
     transitions: usize,
     evolution: &'static str,
+    transients: Transients,
     encodings: Vec<Row>,
     switch: Decomposition,
+}
+
+/// How many micro-steps a reaction to stability can need; by arrows as the chart draws them.
+#[derive(Default, Serialize)]
+struct Transients {
+    /// The last of which finds nothing changed; none where no bound is known.
+    longest: Option<u32>,
+    /// Whether one is always enough.
+    single: bool,
+    /// Transitions that clear one after the other in a longest reaction.
+    chain: Vec<String>,
+    /// Where no bound is known, transitions that may make each other clear in a circle.
+    cycle: Vec<String>,
 }
 
 /// What one encoding takes.
@@ -119,6 +132,8 @@ struct Held {
 #[derive(Serialize)]
 struct Bit {
     step: String,
+    /// Why.
+    because: String,
 }
 
 /// The figures of a chart. There are some exactly if no message is an error. What an encoding warns of is said when the
@@ -134,8 +149,19 @@ fn figures(file: FileId, text: &str, default_name: &str, profile: Profile) -> (O
             Evolution::Stable => "stable",
             Evolution::Scan => "scan",
         },
+        transients: Transients::default(),
         encodings: Vec::new(),
         switch: Decomposition::default(),
+    };
+    let mut net = grafc_net::build(&chart);
+    grafc_net::passes::run(&mut net, false, &mut said);
+    let proved = grafc_logic::analyse(&net);
+    let arrows = |list: &[TransitionId]| list.iter().map(|t| arrow(&net, *t)).collect();
+    figures.transients = Transients {
+        longest: proved.transients.longest,
+        single: proved.transients.single,
+        chain: arrows(&proved.transients.chain),
+        cycle: arrows(&proved.transients.cycle),
     };
     for encoding in Encoding::ALL {
         let mut found = Diagnostics::new();
@@ -147,7 +173,7 @@ fn figures(file: FileId, text: &str, default_name: &str, profile: Profile) -> (O
         };
         figures.encodings.push(Row::new(encoding, &program));
         match encoding {
-            Encoding::Switch => figures.switch = Decomposition::new(&chart, &program),
+            Encoding::Switch => figures.switch = Decomposition::new(&chart, &program, &proved),
             Encoding::SinglePhase | Encoding::RTrigger | Encoding::STrigger | Encoding::Sequent => {}
         }
     }
@@ -185,18 +211,17 @@ impl Row {
 }
 
 impl Decomposition {
-    fn new(chart: &Chart, program: &Program) -> Decomposition {
+    fn new(chart: &Chart, program: &Program, proved: &grafc_logic::Report) -> Decomposition {
         let label = |s: &StepId| chart.steps.get(*s).map(|step| step.label.clone());
         let held = |state: &State| Held {
             name: program.variables[state.variable].name.clone(),
             idle: state.idle.is_some(),
             steps: state.values.iter().filter_map(|(s, _)| label(s)).collect(),
         };
-        let in_states: BTreeSet<StepId> = program.states.iter().flat_map(|s| &s.values).map(|(s, _)| *s).collect();
-        let left = chart.steps.indices().filter(|s| !in_states.contains(s));
+        let bit = |(s, because): &(StepId, String)| Some(Bit { step: label(s)?, because: because.clone() });
         Decomposition {
             states: program.states.iter().map(held).collect(),
-            bits: left.filter_map(|s| label(&s)).map(|step| Bit { step }).collect(),
+            bits: proved.bits.iter().filter_map(bit).collect(),
         }
     }
 }
@@ -228,6 +253,7 @@ impl Figures {
             }
             out.push('\n');
         }
+        self.transients.list(&mut out);
         self.switch.list(&mut out);
         out
     }
@@ -257,19 +283,45 @@ impl Row {
 impl Decomposition {
     /// The variables with their steps, and the steps that stay bits.
     fn list(&self, out: &mut String) {
-        const BITS: &str = "bits";
         out.push_str("\nsteps in switch\n");
         let names = self.states.iter().map(|state| state.name.len());
-        let indent = 4 + names.chain([BITS.len()]).max().unwrap_or_default();
+        let indent = 4 + names.max().unwrap_or_default();
         for state in &self.states {
             let mut words: Vec<&str> = state.steps.iter().map(String::as_str).collect();
             words.extend(state.idle.then_some("(or none)"));
             wrap(out, &state.name, indent, &words);
         }
-        if !self.bits.is_empty() {
-            let words: Vec<&str> = self.bits.iter().map(|bit| bit.step.as_str()).collect();
-            wrap(out, BITS, indent, &words);
+        if self.bits.is_empty() {
+            return;
         }
+        out.push_str("\nsteps that stay bits\n");
+        let indent = 4 + self.bits.iter().map(|bit| bit.step.len()).max().unwrap_or_default();
+        for bit in &self.bits {
+            wrap(out, &bit.step, indent, &bit.because.split(' ').collect::<Vec<_>>());
+        }
+    }
+}
+
+impl Transients {
+    /// How an evolution to stability ends, and what shows it.
+    fn list(&self, out: &mut String) {
+        /// No more transitions than this are shown.
+        const SHOWN: usize = 8;
+        let (text, arrows) = match self.longest {
+            _ if self.single => ("one micro-step is always enough".to_owned(), &[][..]),
+            Some(longest) if self.chain.is_empty() => (format!("ends after at most {longest} micro-steps"), &[][..]),
+            Some(longest) => (format!("ends after at most {longest} micro-steps, as after"), self.chain.as_slice()),
+            None if self.cycle.is_empty() => ("no bound is known".to_owned(), &[][..]),
+            None => ("no bound is known: in a circle may clear".to_owned(), self.cycle.as_slice()),
+        };
+        // An arrow is not broken between two lines.
+        let mut words: Vec<String> = text.split(' ').map(str::to_owned).collect();
+        for (place, arrow) in arrows.iter().take(SHOWN).enumerate() {
+            words.push(format!("`{arrow}`{}", if place + 1 < arrows.len() { "," } else { "" }));
+        }
+        words.extend((arrows.len() > SHOWN).then(|| "…".to_owned()));
+        out.push_str("\nevolution to stability\n");
+        wrap(out, "", 2, &words.iter().map(String::as_str).collect::<Vec<_>>());
     }
 }
 

@@ -431,12 +431,13 @@ impl Switch<'_> {
         let mut nested: FxHashMap<StepId, Vec<Statement>> = FxHashMap::default();
         let mut top: BTreeMap<GrafcetId, Vec<Statement>> = BTreeMap::new();
         for g in net.hierarchy.iter().rev() {
-            for index in &self.layout.sets_of[*g] {
+            // What is nested comes from the last to the first, and is put in order when its arm is written.
+            for index in self.layout.sets_of[*g].iter().rev() {
                 let set = &lowering.situation.sets[*index];
                 let mut arms = Arms::default();
                 for s in &set.steps {
                     let mut body = choose(lowering, branches.remove(s).unwrap_or_default());
-                    body.extend(nested.remove(s).unwrap_or_default());
+                    body.extend(nested.remove(s).unwrap_or_default().into_iter().rev());
                     arms.add(lowering, *s, body);
                 }
                 let case = arms.case(set.variable);
@@ -446,7 +447,7 @@ impl Switch<'_> {
                 }
             }
         }
-        top.into_values().flatten().collect()
+        top.into_values().flat_map(|cases| cases.into_iter().rev()).collect()
     }
 
     /// Enclosures and orders, grafcet by grafcet from the top down (R5).

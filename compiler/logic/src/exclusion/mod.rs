@@ -62,12 +62,11 @@ impl EdgeFacts {
 
     /// Whether two conditions are never true in one micro-step.
     pub(crate) fn exclude(&self, pool: &Pool, a: FormulaId, b: FormulaId) -> bool {
-        self.in_plain_sight(pool, a, b) || self.share(pool, a, b) && Proof::new(self, pool, None).is_contradiction(a, b)
+        self.in_plain_sight(pool, a, b) || self.share(pool, a, b) && Proof::new(self, pool, None).refuted(a, b)
     }
 
     /// Whether `a`, true in some micro-step, and `b`, true in a later one of the same reaction, exclude each other, where
     /// only the variables that are `stable` keep their values. An edge of a stable operand is over by then.
-    #[allow(dead_code)]
     pub(crate) fn exclude_later(
         &self,
         pool: &Pool,
@@ -75,7 +74,7 @@ impl EdgeFacts {
         b: FormulaId,
         stable: &dyn Fn(VarId) -> bool,
     ) -> bool {
-        Proof::new(self, pool, Some(stable)).is_contradiction(a, b)
+        Proof::new(self, pool, Some(stable)).refuted(a, b)
     }
 
     /// Whether a factor of one condition contradicts a factor of the other.

@@ -52,7 +52,7 @@ impl<'p> Proof<'p> {
 
     /// Whether `a` and `b` are never true together, `b` later than `a` if some variables are told to be stable. False if
     /// that takes too much work.
-    pub(super) fn is_contradiction(mut self, a: FormulaId, b: FormulaId) -> bool {
+    pub(super) fn refuted(mut self, a: FormulaId, b: FormulaId) -> bool {
         self.refutes(a, b).unwrap_or(false)
     }
 

@@ -1,0 +1,53 @@
+//! What has been proved of a net, for people.
+
+use crate::lower::{Context, Lowering, Moment};
+use crate::tokens::{self, Reason};
+use crate::transient::{self, Known, Transients};
+use grafc_model::chart::{StepId, TransitionId};
+use grafc_net::Net;
+use index_vec::IndexVec;
+
+/// What is known of a flat net.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// How many micro-steps a reaction can need.
+    pub transients: Transients,
+    /// The steps that share a state with none, and why.
+    pub bits: Vec<(StepId, String)>,
+}
+
+/// Analyses a flat net.
+pub fn analyse(net: &Net) -> Report {
+    let mut lowering = Lowering::new(net, None);
+    let mut cx = Context::new(Moment::MicroStep);
+    let conditions: IndexVec<TransitionId, _> =
+        net.transitions.iter().map(|t| lowering.expr(&mut cx, t.condition)).collect();
+    let analysed = tokens::analyse(net, &lowering.pool, &lowering.edges, &conditions);
+    let transients = transient::analyse(net, &Known::new(&lowering, &conditions, &analysed.components));
+    let bits = analysed.cover.reasons.iter().map(|(s, reason)| (*s, because(net, *reason))).collect();
+    Report { transients, bits }
+}
+
+/// A transition as the chart draws it: `1, 2 -> 3`.
+pub fn arrow(net: &Net, t: TransitionId) -> String {
+    let labels = |steps: &[StepId]| steps.iter().map(|s| net.places[*s].label.as_str()).collect::<Vec<_>>().join(", ");
+    format!("{} -> {}", labels(&net.transitions[t].pre), labels(&net.transitions[t].post)).trim().to_owned()
+}
+
+fn because(net: &Net, reason: Reason) -> String {
+    let t = |t: TransitionId| arrow(net, t);
+    let s = |s: StepId| net.places[s].label.as_str();
+    match reason {
+        Reason::Together(a, b) => format!("`{}` and `{}` may clear together", t(a), t(b)),
+        Reason::Many(count) => format!("{count} transitions leave it, too many to compare"),
+        Reason::Source(a) => format!("the source transition `{}` leads to it", t(a)),
+        Reason::From(a) => format!("`{}` leads to it from steps that are bits", t(a)),
+        Reason::Origin(a) => format!("`{}` leads to it from steps that it cannot share a state with", t(a)),
+        Reason::Before(a, x, y) => format!("it would go with {} and {}, both before `{}`", s(x), s(y), t(a)),
+        Reason::After(a, x, y) => format!("it would go with {} and {}, both after `{}`", s(x), s(y), t(a)),
+        Reason::Initial(x, y) => format!("it would go with {} and {}, both initial", s(x), s(y)),
+        Reason::Links(x, y) => format!("it would go with {} and {}, both with an activation link", s(x), s(y)),
+        Reason::Forced(x, y) => format!("it would go with {} and {}, which one order forces together", s(x), s(y)),
+        Reason::GivenUp => "the search for a state to share was given up".to_owned(),
+    }
+}
