@@ -24,9 +24,8 @@ pub(super) fn moves(
     target: impl Fn(&Lowering, StepId) -> Option<VarId>,
 ) -> Vec<Statement> {
     let net = lowering.net;
-    let both_at_once = |s: &StepId| {
-        !task.components.covers(*s) && !(clearings.flow.into[*s].is_empty() && clearings.flow.loops[*s].is_empty())
-    };
+    let entered = |s: &StepId| !clearings.flow.into[*s].is_empty() || !clearings.flow.loops[*s].is_empty();
+    let both_at_once = |s: &StepId| entered(s) && !task.components.covers(*s);
     let (mut resets, mut sets) = (Vec::new(), Vec::new());
     for (t, transition) in net.transitions.iter_enumerated() {
         let write = |lowering: &mut Lowering, s: &StepId, active: bool| {

@@ -274,13 +274,12 @@ impl Numbered {
             let Event::Clearing(t) = action.event else { continue };
             let Some(set) = home(lowering, t) else { continue };
             numbered.transitions.insert(t);
-            if !numbered.variable.contains_key(&set) {
+            numbered.variable.entry(set).or_insert_with(|| {
                 let base = lowering.symbols.table[lowering.situation.sets[set].variable].name.clone();
                 let base = base.strip_prefix("at_").unwrap_or(&base);
                 let comment = Some("number of the transition that clears, else 0".to_owned());
-                let variable = lowering.symbols.fresh(Role::Memory, format!("clears_{base}"), Type::Dint, comment);
-                numbered.variable.insert(set, variable);
-            }
+                lowering.symbols.fresh(Role::Memory, format!("clears_{base}"), Type::Dint, comment)
+            });
         }
         numbered
     }

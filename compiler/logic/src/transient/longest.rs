@@ -5,7 +5,8 @@ use grafc_model::chart::TransitionId;
 use petgraph::algo::kosaraju_scc;
 use petgraph::graph::{DiGraph, NodeIndex};
 use petgraph::visit::EdgeRef;
-use std::collections::{BTreeSet, VecDeque};
+use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// The last micro-step in which each change can happen, by number, with the cause that comes last; none if it never
 /// can.
@@ -94,12 +95,12 @@ fn cycle(
         return Vec::new();
     };
     let members: BTreeSet<NodeIndex> = part.iter().copied().collect();
-    let mut from: std::collections::BTreeMap<NodeIndex, NodeIndex> = std::collections::BTreeMap::new();
+    let mut from: BTreeMap<NodeIndex, NodeIndex> = BTreeMap::new();
     let mut open = VecDeque::from([first]);
     while let Some(node) = open.pop_front().filter(|_| !from.contains_key(&first)) {
         for next in graph.neighbors(node).filter(|n| members.contains(n)) {
-            if !from.contains_key(&next) {
-                from.insert(next, node);
+            if let Entry::Vacant(entry) = from.entry(next) {
+                entry.insert(node);
                 open.push_back(next);
             }
         }
