@@ -1,7 +1,7 @@
 //! Measures what a scan of a ring costs, in the spellings of grafc and in those by hand, under MATIEC and `gcc -O2`.
 //!
 //! ```text
-//! cargo run --release -p grafc-testsuite --bin scan_cost -- [--sizes 10,100,1000] [--repetitions 11] [--sfc]
+//! cargo run --release -p grafc-testsuite --bin scan_cost -- [--sizes 10,100,1000] [--repetitions 21] [--sfc]
 //!     [--folder DIR] [--with FILE]…
 //! ```
 //!
@@ -29,7 +29,7 @@ struct Options {
 
 fn options() -> Result<Options, String> {
     let mut options =
-        Options { sizes: vec![10, 100, 1000], repetitions: 11, sfc: false, folder: None, others: Vec::new() };
+        Options { sizes: vec![10, 100, 1000], repetitions: 21, sfc: false, folder: None, others: Vec::new() };
     let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
         if word == "--sfc" {

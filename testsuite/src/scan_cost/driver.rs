@@ -9,7 +9,7 @@
 use std::fmt::Write as _;
 
 /// Slices of a millisecond or two in which a program times one thing.
-const SLICES: u32 = 20;
+const SLICES: u32 = 8;
 
 const HEAD: &str = "\
 #include <stdio.h>

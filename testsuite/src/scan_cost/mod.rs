@@ -2,10 +2,10 @@
 //!
 //! The ring has an input a transition and an output a step, so that a spelling can hide nothing: all that a scan does is
 //! to look for the one transition that may clear, and to move one output. What grafc writes stands beside what an
-//! engineer would write ([`texts`]), and each ratio is one to the spelling by hand that holds the situation in the same way.
+//! engineer would write (`texts`), and each ratio is one to the spelling by hand that holds the situation in the same way.
 //!
 //! Two figures: a scan in which nothing happens, which is nearly every scan of a plant, and one in which the active step
-//! is left. Each program times itself, less the loop around the calls ([`driver`]); programs take turns, and a figure is
+//! is left. Each program times itself, less the loop around the calls (`driver`); programs take turns, and a figure is
 //! the median of the repetitions.
 
 mod driver;
