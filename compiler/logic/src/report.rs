@@ -28,9 +28,17 @@ pub fn analyse(net: &Net) -> Report {
     Report { transients, bits }
 }
 
-/// A transition as the chart draws it: `1, 2 -> 3`.
+/// Of more steps on one side of a transition, only the first ones are named.
+const STEPS_NAMED: usize = 6;
+
+/// A transition as the chart draws it: `1, 2 -> 3`. A long list of steps is cut short: many transitions may have the same
+/// thousands of steps on one side.
 pub fn arrow(net: &Net, t: TransitionId) -> String {
-    let labels = |steps: &[StepId]| steps.iter().map(|s| net.places[*s].label.as_str()).collect::<Vec<_>>().join(", ");
+    let labels = |steps: &[StepId]| {
+        let named = steps.iter().take(STEPS_NAMED).map(|s| net.places[*s].label.as_str());
+        let rest = steps.len().checked_sub(STEPS_NAMED).filter(|rest| *rest > 0).map(|rest| format!("… ({rest} more)"));
+        named.map(str::to_owned).chain(rest).collect::<Vec<_>>().join(", ")
+    };
     format!("{} -> {}", labels(&net.transitions[t].pre), labels(&net.transitions[t].post)).trim().to_owned()
 }
 
