@@ -318,8 +318,18 @@ mod tests {
         let at = variable(&mut program, Role::State, Type::Int);
         let next = variable(&mut program, Role::Memory, Type::Int);
         let y = variable(&mut program, Role::Output, Type::Bool);
-        program.states.push(State { variable: at, idle: Some(0), values: vec![(StepId::new(0), 3)] });
-        program.states.push(State { variable: at, idle: None, values: vec![(StepId::new(1), 1), (StepId::new(2), 2)] });
+        program.states.push(State {
+            variable: at,
+            idle: Some(0),
+            values: vec![(StepId::new(0), 3)],
+            copies: Vec::new(),
+        });
+        program.states.push(State {
+            variable: at,
+            idle: None,
+            values: vec![(StepId::new(1), 1), (StepId::new(2), 2)],
+            copies: Vec::new(),
+        });
         let (yes, three) = (program.pool.truth(true), program.pool.constant(Value::Int(3), Type::Int));
         let arm = |value, body| Arm { value, remark: None, body };
         let moves = Statement::If { branches: vec![(a, vec![assign(next, three)])], otherwise: Vec::new() };

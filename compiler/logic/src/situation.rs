@@ -36,6 +36,8 @@ pub(crate) struct Set {
     pub(crate) idle: i64,
     /// Whether one of them always is.
     pub(crate) always_marked: bool,
+    /// Variables that keep for a while which one was active.
+    pub(crate) before: Vec<VarId>,
 }
 
 /// The situation of a program.
@@ -44,6 +46,7 @@ pub(crate) struct Situation {
     holder: IndexVec<StepId, Holder>,
     active: IndexVec<StepId, FormulaId>,
     step_of_bit: FxHashMap<VarId, StepId>,
+    set_of_state: FxHashMap<VarId, usize>,
     pub(crate) sets: Vec<Set>,
 }
 
@@ -54,6 +57,7 @@ impl Situation {
             holder: IndexVec::with_capacity(net.places.len()),
             active: IndexVec::with_capacity(net.places.len()),
             step_of_bit: FxHashMap::default(),
+            set_of_state: FxHashMap::default(),
             sets: Vec::new(),
         };
         let mut values: IndexVec<StepId, i64> = net.places.iter().map(|_| 0).collect();
@@ -82,7 +86,16 @@ impl Situation {
             });
             // Where transitions write the states themselves there is no next one.
             let next = if in_place { variable } else { symbols.fresh(Role::Memory, format!("next_{base}"), ty, None) };
-            this.sets.push(Set { steps, grafcet, variable, next, idle, always_marked: cover_set.always_marked });
+            this.set_of_state.insert(variable, this.sets.len());
+            this.sets.push(Set {
+                steps,
+                grafcet,
+                variable,
+                next,
+                idle,
+                always_marked: cover_set.always_marked,
+                before: Vec::new(),
+            });
         }
         for (s, place) in net.places.iter_enumerated() {
             let set = cover.and_then(|cover| cover.of_step[s]);
@@ -122,6 +135,13 @@ impl Situation {
         self.step_of_bit.get(&v).copied()
     }
 
+    /// Notes that a variable keeps the value of another; of no account unless that is a state.
+    pub(crate) fn kept_in(&mut self, variable: VarId, copy: VarId) {
+        if let Some(set) = self.set_of_state.get(&variable) {
+            self.sets[*set].before.push(copy);
+        }
+    }
+
     /// Whether a step is active.
     pub(crate) fn active(&self, s: StepId) -> FormulaId {
         self.active[s]
@@ -144,6 +164,7 @@ impl Situation {
                 variable: set.variable,
                 idle: (!set.always_marked).then_some(set.idle),
                 values: set.steps.iter().map(|s| (*s, value(s))).collect(),
+                copies: [set.next].into_iter().filter(|v| *v != set.variable).chain(set.before.clone()).collect(),
             })
             .collect()
     }

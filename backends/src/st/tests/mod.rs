@@ -66,7 +66,7 @@ impl Build {
             let active = self.is(variable, *value);
             held.push((self.program.steps.push(active), *value));
         }
-        self.program.states.push(State { variable, idle, values: held });
+        self.program.states.push(State { variable, idle, values: held, copies: vec![next] });
         (variable, next)
     }
 

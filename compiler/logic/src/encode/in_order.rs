@@ -101,6 +101,7 @@ pub(super) fn in_order(lowering: &mut Lowering, blocks: Vec<Block>, out: &mut Ve
             let variable = &lowering.symbols.table[v];
             let (name, ty) = (format!("was_{}", variable.name), variable.ty);
             let copy = lowering.symbols.fresh(Role::Temporary, name, ty, None);
+            lowering.situation.kept_in(v, copy);
             let value = lowering.symbols.read(&mut lowering.pool, v);
             out.push(Statement::Assign { target: copy, value, remark: None });
             fresh.push((v, copy));

@@ -11,7 +11,8 @@
 //! 4. `after`, once: outputs (R11).
 //!
 //! Invariants: a statement reads only variables that hold a value; operands come before operators in the pool; the
-//! value of every `Assign` has the type of its target, and storing it wraps around.
+//! value of every `Assign` has the type of its target, and storing it wraps around; a state and its copies take no
+//! values but those of the state.
 
 mod verify;
 
@@ -80,6 +81,8 @@ pub struct State {
     pub idle: Option<i64>,
     /// Its value for each step, in order of declaration.
     pub values: Vec<(StepId, i64)>,
+    /// Further variables that hold one of these values: what it will be, what it was.
+    pub copies: Vec<VarId>,
 }
 
 /// A variable of the program.

@@ -1,13 +1,14 @@
 //! Checks the invariants of [`super`]. A violation is a fault of grafc, never of the chart.
 
-use super::{Program, Role, Statement, VarId};
-use crate::formula::{Formula, FormulaId, Type};
-use rustc_hash::FxHashSet;
+use super::{Program, Role, State, Statement, VarId};
+use crate::formula::{Formula, FormulaId, Type, Value};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Says which invariant of the program does not hold, if one does not.
 pub fn verify(program: &Program) -> Result<(), String> {
     operands(program)?;
-    let mut walk = Walk { program, set: FxHashSet::default(), checked: FxHashSet::default() };
+    let (set, checked) = (FxHashSet::default(), FxHashSet::default());
+    let mut walk = Walk { program, set, checked, state_of: states(program), values: state_values(program) };
     walk.statements(&program.first)?;
     walk.statements(&program.before)?;
     walk.statements(&program.micro_step)?;
@@ -15,6 +16,22 @@ pub fn verify(program: &Program) -> Result<(), String> {
         walk.reads_variable(repeat.again)?;
     }
     walk.statements(&program.after)
+}
+
+/// The state that each state variable and each copy of one belongs to.
+fn states(program: &Program) -> FxHashMap<VarId, usize> {
+    let of = |(index, state): (usize, &State)| {
+        [state.variable].into_iter().chain(state.copies.clone()).map(move |v| (v, index)).collect::<Vec<_>>()
+    };
+    program.states.iter().enumerate().flat_map(of).collect()
+}
+
+/// The values of each state.
+fn state_values(program: &Program) -> FxHashSet<(usize, i64)> {
+    let of = |(index, state): (usize, &State)| {
+        state.idle.into_iter().chain(state.values.iter().map(|(_, value)| *value)).map(move |n| (index, n)).collect()
+    };
+    program.states.iter().enumerate().flat_map(|state| -> Vec<(usize, i64)> { of(state) }).collect()
 }
 
 /// Operators have operands of the types that they need, and arithmetic stands alone.
@@ -57,6 +74,8 @@ struct Walk<'p> {
     set: FxHashSet<VarId>,
     /// Formulas all of whose variables were found to hold a value.
     checked: FxHashSet<FormulaId>,
+    state_of: FxHashMap<VarId, usize>,
+    values: FxHashSet<(usize, i64)>,
 }
 
 impl Walk<'_> {
@@ -70,6 +89,7 @@ impl Walk<'_> {
                     if to != from {
                         return Err(format!("{target} of type {to:?} is given a {from:?}"));
                     }
+                    self.keeps_to_its_state(*target, *value)?;
                     self.set.insert(*target);
                 }
                 Statement::Divide { target, dividend, divisor, .. } => {
@@ -102,6 +122,17 @@ impl Walk<'_> {
             }
         }
         Ok(())
+    }
+
+    /// A state or a copy of one takes only values of the state.
+    fn keeps_to_its_state(&self, target: VarId, value: FormulaId) -> Result<(), String> {
+        let Some(index) = self.state_of.get(&target) else { return Ok(()) };
+        let fits = match self.program.pool.get(value) {
+            Formula::Variable(v) => self.state_of.get(v) == Some(index),
+            Formula::Constant(Value::Int(n)) => self.values.contains(&(*index, *n)),
+            _ => false,
+        };
+        if fits { Ok(()) } else { Err(format!("{target} takes the value {value}, which is none of its state")) }
     }
 
     fn reads(&mut self, root: FormulaId) -> Result<(), String> {

@@ -1,0 +1,83 @@
+//! The on-delay: TON of IEC 61131-3, over a clock that wraps around.
+
+/// An on-delay in the sense of TON (IEC 61131-3): it measures for how long its
+/// input has been true without interruption.
+///
+/// The clock `now` counts milliseconds and wraps around every 49.7 days. So a
+/// timer must be called at least once in that time, but it may run for longer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Timer {
+    /// How long the input had been true at the last call, in milliseconds.
+    elapsed: i64,
+    /// The time of the last call in which the input was true.
+    last: u32,
+    /// The input of the last call.
+    running: bool,
+}
+
+impl Timer {
+    /// A timer whose input is false.
+    #[inline]
+    pub const fn new() -> Self {
+        Self {
+            elapsed: 0,
+            // It is not read before the timer starts.
+            last: 0,
+            running: false,
+        }
+    }
+
+    /// Brings the timer up to date. All that is asked of it afterwards holds for
+    /// this very `now`.
+    #[inline]
+    pub fn call(&mut self, input: bool, now: u32) {
+        if !input {
+            self.elapsed = 0;
+        } else if self.running {
+            // The difference is right across the end of the clock's range too.
+            let passed = i64::from(now.wrapping_sub(self.last));
+            self.elapsed = self.elapsed.saturating_add(passed);
+            self.last = now;
+        } else {
+            self.elapsed = 0;
+            self.last = now;
+        }
+        self.running = input;
+    }
+
+    /// Whether the input has been true for `preset` milliseconds. The interval is
+    /// closed (rule X5): this is so from the very instant start + preset.
+    #[inline]
+    pub const fn has_run(&self, preset: i64) -> bool {
+        self.running && self.elapsed >= preset
+    }
+
+    /// How long the input has been true, in milliseconds; 0 while it is false.
+    #[inline]
+    pub const fn elapsed(&self) -> i64 {
+        self.elapsed
+    }
+
+    /// What is to be saved of the timer: whether it runs, and for how long it has.
+    #[inline]
+    pub const fn state(&self) -> (bool, i64) {
+        (self.running, self.elapsed)
+    }
+
+    /// The timer that was saved as `state`, going on at `now`. The time in between
+    /// does not count. A timer that does not run has no elapsed time, and a
+    /// negative one is taken as 0.
+    pub const fn resumed(state: (bool, i64), now: u32) -> Self {
+        let (running, elapsed) = state;
+        let mut timer = Self::new();
+        if running {
+            timer.running = true;
+            timer.last = now;
+            if elapsed > 0 {
+                timer.elapsed = elapsed;
+            }
+        }
+        timer
+    }
+}
