@@ -4,7 +4,10 @@
 //! by the tables of [`keywords`]; [`comment`] makes every text of the user's harmless inside a comment.
 
 pub mod comment;
+mod formulas;
 pub mod keywords;
+mod limits;
 pub mod namer;
 pub mod st;
 mod transliterate;
+mod writer;

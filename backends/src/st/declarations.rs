@@ -2,8 +2,8 @@
 
 use super::literals::{is_zero, literal, type_name};
 use super::names::{Names, remark};
-use super::writer::Writer;
 use crate::comment::clean;
+use crate::writer::Writer;
 use grafc_logic::scan::{Program, Role, State, VarId, Variable};
 use rustc_hash::FxHashMap;
 

@@ -1,11 +1,9 @@
 //! Formulas as expressions: parentheses wherever two operators meet, long ones a term a line.
-//!
-//! The widths of all formulas are known beforehand, so that each is written once, flat or broken. Recursion is as deep
-//! as a formula, which [`super::limits`] bounds.
 
 use super::literals::{literal, type_name};
 use super::names::Names;
-use super::writer::Writer;
+use crate::formulas::{Formulas, Notation, Parts, Shape};
+use crate::writer::Writer;
 use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::Program;
 use std::borrow::Cow;
@@ -15,32 +13,17 @@ const LONGEST_CHAIN: usize = 200;
 
 /// How formulas of one program are spelt.
 pub(super) struct Expressions<'p> {
+    formulas: Formulas<StructuredText<'p>>,
+}
+
+struct StructuredText<'p> {
     program: &'p Program,
     names: &'p Names,
-    /// The columns that each formula takes on one line.
-    widths: Vec<usize>,
-}
-
-/// What a formula looks like.
-struct Shape<'p> {
-    level: Level,
-    parts: Parts<'p>,
-}
-
-enum Parts<'p> {
-    /// A text that holds together.
-    Atom(Cow<'p, str>),
-    /// A word before an operand.
-    Prefix(&'static str, FormulaId),
-    /// A function of one operand.
-    Call(String, FormulaId),
-    /// Operands with a word between them.
-    Infix(&'static str, Cow<'p, [FormulaId]>),
 }
 
 /// What parentheses depend on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Level {
+pub(super) enum Level {
     Atom,
     /// A constant with a sign.
     Signed,
@@ -53,28 +36,23 @@ enum Level {
 impl<'p> Expressions<'p> {
     /// Measures all formulas.
     pub fn new(program: &'p Program, names: &'p Names) -> Self {
-        let mut this = Expressions { program, names, widths: Vec::with_capacity(program.pool.len()) };
-        for id in program.pool.ids() {
-            let width = this.measure(id);
-            this.widths.push(width);
-        }
-        this
+        Expressions { formulas: Formulas::new(StructuredText { program, names }, program.pool.ids()) }
     }
 
     /// The columns that a formula takes on one line.
     pub fn width(&self, id: FormulaId) -> usize {
-        self.widths[id.index()]
+        self.formulas.width(id)
     }
 
     /// The columns that a formula takes as a value.
     pub fn value_width(&self, id: FormulaId) -> usize {
-        self.width(id).saturating_add(if self.shape(id).level == Level::Comparison { 2 } else { 0 })
+        self.width(id).saturating_add(if self.level(id) == Level::Comparison { 2 } else { 0 })
     }
 
     /// Writes a formula as the value of something on the current line: `a := (b = c)` is easier on the eye than
     /// `a := b = c`.
     pub fn value(&self, out: &mut Writer, id: FormulaId) {
-        let wrap = self.shape(id).level == Level::Comparison;
+        let wrap = self.level(id) == Level::Comparison;
         out.text(if wrap { "(" } else { "" });
         self.flat(out, id);
         out.text(if wrap { ")" } else { "" });
@@ -82,37 +60,15 @@ impl<'p> Expressions<'p> {
 
     /// Writes a formula on the current line.
     pub fn flat(&self, out: &mut Writer, id: FormulaId) {
-        let shape = self.shape(id);
-        match &shape.parts {
-            Parts::Atom(text) => out.text(text),
-            Parts::Prefix(word, operand) => {
-                out.text(word);
-                self.flat_operand(out, &shape, 1, *operand);
-            }
-            Parts::Call(function, operand) => {
-                out.text(function);
-                out.text("(");
-                self.flat(out, *operand);
-                out.text(")");
-            }
-            Parts::Infix(operator, operands) => {
-                for (place, operand) in operands.iter().enumerate() {
-                    if place > 0 {
-                        out.text(" ");
-                        out.text(operator);
-                        out.text(" ");
-                    }
-                    self.flat_operand(out, &shape, place, *operand);
-                }
-            }
-        }
+        self.formulas.flat(out, id);
     }
 
-    fn flat_operand(&self, out: &mut Writer, parent: &Shape, place: usize, id: FormulaId) {
-        let wrap = self.needs_parentheses(parent, place, id);
-        out.text(if wrap { "(" } else { "" });
-        self.flat(out, id);
-        out.text(if wrap { ")" } else { "" });
+    fn level(&self, id: FormulaId) -> Level {
+        self.shape(id).level
+    }
+
+    fn shape(&self, id: FormulaId) -> Shape<'_, Level> {
+        self.formulas.notation.shape(id)
     }
 
     /// Writes a formula on lines of its own, `tail` behind the last.
@@ -120,12 +76,12 @@ impl<'p> Expressions<'p> {
         let shape = self.shape(id);
         match &shape.parts {
             Parts::Infix(operator, operands) if out.indent() + self.width(id) + tail.len() > out.width() => {
-                self.chain(out, &shape, operator, operands, tail);
+                self.chain(out, shape.level, operator, operands, tail);
             }
             Parts::Prefix(word, operand) if out.indent() + self.width(id) + tail.len() > out.width() => {
-                self.term(out, &shape, 1, word, *operand, tail);
+                self.term(out, shape.level, 1, word, *operand, tail);
             }
-            Parts::Atom(_) | Parts::Prefix(..) | Parts::Call(..) | Parts::Infix(..) => {
+            Parts::Atom(_) | Parts::Prefix(..) | Parts::Call(..) | Parts::Method(..) | Parts::Infix(..) => {
                 out.start();
                 self.flat(out, id);
                 out.text(tail);
@@ -135,13 +91,13 @@ impl<'p> Expressions<'p> {
     }
 
     /// A term a line, each line but the first led by the operator; very many terms in groups.
-    fn chain(&self, out: &mut Writer, shape: &Shape, operator: &str, operands: &[FormulaId], tail: &str) {
+    fn chain(&self, out: &mut Writer, level: Level, operator: &str, operands: &[FormulaId], tail: &str) {
         let lead = format!("{operator} ");
         let tail_of = |last: bool| if last { tail } else { "" };
         if operands.len() <= LONGEST_CHAIN {
             for (place, operand) in operands.iter().enumerate() {
                 let lead = if place == 0 { "" } else { &lead };
-                self.term(out, shape, place, lead, *operand, tail_of(place + 1 == operands.len()));
+                self.term(out, level, place, lead, *operand, tail_of(place + 1 == operands.len()));
             }
             return;
         }
@@ -153,14 +109,14 @@ impl<'p> Expressions<'p> {
         for (place, group) in operands.chunks(size).enumerate() {
             let lead = if place == 0 { "" } else { &lead };
             out.open(&format!("{lead}("));
-            self.chain(out, shape, operator, group, "");
+            self.chain(out, level, operator, group, "");
             out.close(&format!("){}", tail_of(place + 1 == count)));
         }
     }
 
     /// One operand on lines of its own.
-    fn term(&self, out: &mut Writer, parent: &Shape, place: usize, lead: &str, id: FormulaId, tail: &str) {
-        let wrap = self.needs_parentheses(parent, place, id);
+    fn term(&self, out: &mut Writer, parent: Level, place: usize, lead: &str, id: FormulaId, tail: &str) {
+        let wrap = self.formulas.needs_parentheses(parent, place, id);
         if out.indent() + lead.len() + self.width(id) + 2 + tail.len() > out.width() {
             if wrap {
                 out.open(&format!("{lead}("));
@@ -169,18 +125,22 @@ impl<'p> Expressions<'p> {
             }
             let shape = self.shape(id);
             if let Parts::Prefix(word, operand) = shape.parts {
-                return self.term(out, &shape, 1, &format!("{lead}{word}"), operand, tail);
+                return self.term(out, shape.level, 1, &format!("{lead}{word}"), operand, tail);
             }
         }
         out.start();
         out.text(lead);
-        self.flat_operand(out, parent, place, id);
+        self.formulas.operand(out, parent, place, id);
         out.text(tail);
         out.end();
     }
+}
 
-    fn needs_parentheses(&self, parent: &Shape, place: usize, id: FormulaId) -> bool {
-        match (self.shape(id).level, parent.level) {
+impl Notation for StructuredText<'_> {
+    type Level = Level;
+
+    fn needs_parentheses(&self, parent: Level, place: usize, operand: Level) -> bool {
+        match (operand, parent) {
             (Level::Atom, _) => false,
             (Level::Signed, Level::Arithmetic) => place > 0,
             (Level::Signed, _) => false,
@@ -190,23 +150,7 @@ impl<'p> Expressions<'p> {
         }
     }
 
-    fn measure(&self, id: FormulaId) -> usize {
-        let shape = self.shape(id);
-        let operand = |place: usize, id: FormulaId| {
-            self.widths[id.index()].saturating_add(if self.needs_parentheses(&shape, place, id) { 2 } else { 0 })
-        };
-        match &shape.parts {
-            Parts::Atom(text) => text.len(),
-            Parts::Prefix(word, id) => operand(1, *id).saturating_add(word.len()),
-            Parts::Call(function, id) => self.widths[id.index()].saturating_add(function.len() + 2),
-            Parts::Infix(operator, operands) => {
-                let gaps = (operands.len().saturating_sub(1)) * (operator.len() + 2);
-                operands.iter().enumerate().fold(gaps, |sum, (place, id)| sum.saturating_add(operand(place, *id)))
-            }
-        }
-    }
-
-    fn shape(&self, id: FormulaId) -> Shape<'p> {
+    fn shape(&self, id: FormulaId) -> Shape<'_, Level> {
         let pool = &self.program.pool;
         let pair = |a: FormulaId, b: FormulaId| Cow::Owned(vec![a, b]);
         let (level, parts) = match pool.get(id) {
@@ -248,7 +192,9 @@ impl<'p> Expressions<'p> {
         };
         Shape { level, parts }
     }
+}
 
+impl StructuredText<'_> {
     /// Whether a formula is a single word.
     fn is_plain(&self, id: FormulaId) -> bool {
         match self.program.pool.get(id) {

@@ -3,7 +3,7 @@
 use super::declarations::{Entry, block, entry, is_published};
 use super::literals::time;
 use super::names::Names;
-use super::writer::Writer;
+use crate::writer::Writer;
 use grafc_logic::scan::{Program, Role, VarId, Variable};
 
 /// Writes a program with one instance of the block.

@@ -7,21 +7,20 @@
 mod declarations;
 mod expressions;
 mod frame;
-mod limits;
 mod literals;
 mod names;
 mod statements;
 #[cfg(test)]
 mod tests;
-mod writer;
 
 use crate::comment::clean;
+use crate::limits;
+use crate::writer::{self, Writer};
 use expressions::Expressions;
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::scan::{Program, VarId};
 use index_vec::IndexVec;
 use names::Names;
-use writer::Writer;
 
 /// What is written around the function block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -59,7 +58,7 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
     limits::check(program)?;
     let names = Names::new(program);
     let expressions = Expressions::new(program, &names);
-    let mut out = Writer::default();
+    let mut out = Writer::new(&writer::IEC);
     out.block_comment(options.header.iter().map(|line| clean(line)));
     function_block(&mut out, program, &names, &expressions);
     match options.pou {

@@ -1,11 +1,11 @@
 //! The body of the function block.
 
 use super::expressions::Expressions;
-use super::limits::is_empty;
 use super::literals::{literal, time, zero};
 use super::names::Names;
-use super::writer::Writer;
 use crate::comment::clean;
+use crate::limits::is_empty;
+use crate::writer::Writer;
 use grafc_logic::formula::{Formula, FormulaId, Type, Value};
 use grafc_logic::scan::{Arm, Flag, Program, Repeat, Role, Statement, TimerId, VarId};
 

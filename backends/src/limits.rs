@@ -13,7 +13,7 @@ const LARGEST_FORMULA: u32 = 1_000_000;
 const DEEPEST_BLOCK: u32 = 100;
 
 /// Checks a whole program.
-pub(super) fn check(program: &Program) -> Result<(), Diagnostics> {
+pub(crate) fn check(program: &Program) -> Result<(), Diagnostics> {
     let mut check = Check { program, sizes: sizes(program), diagnostics: Diagnostics::new() };
     for block in [&program.first, &program.before, &program.micro_step, &program.after] {
         check.block(block, 0);
@@ -56,7 +56,7 @@ impl Check<'_> {
         let span = at.and_then(|id| self.program.variables[id].span).unwrap_or_default();
         self.diagnostics.push(
             Diagnostic::new(Code::E0901, span, format!("internal error: {what}"))
-                .note("Structured Text cannot be written from this scan program"),
+                .note("no code can be written from this scan program"),
         );
     }
 
@@ -113,6 +113,6 @@ impl Check<'_> {
 }
 
 /// Whether a block does nothing: compilers refuse an empty one.
-pub(super) fn is_empty(statements: &[Statement]) -> bool {
+pub(crate) fn is_empty(statements: &[Statement]) -> bool {
     statements.iter().all(|statement| matches!(statement, Statement::Heading(_)))
 }

@@ -11,11 +11,29 @@ const ROOM_FOR_COMMENT: usize = 10;
 /// Remarks of neighbouring lines start in one column, unless they leave less room than this.
 const LEAST_ROOM_FOR_REMARK: usize = 40;
 /// One level of indentation.
-pub(super) const STEP: usize = 4;
+pub(crate) const STEP: usize = 4;
+
+/// What stands around comments.
+#[derive(Debug)]
+pub(crate) struct Comments {
+    /// Before the first line.
+    first: &'static str,
+    /// Before each further line.
+    next: &'static str,
+    /// Behind the last line.
+    end: &'static str,
+}
+
+/// Comments of IEC 61131-3.
+pub(crate) const IEC: Comments = Comments { first: "(* ", next: "   ", end: " *)" };
+
+/// Comments of Rust.
+pub(crate) const RUST: Comments = Comments { first: "// ", next: "// ", end: "" };
 
 /// A growing text.
-pub(super) struct Writer {
+pub(crate) struct Writer {
     out: String,
+    comments: &'static Comments,
     indent: usize,
     /// A blank line is due before the next line.
     blank: bool,
@@ -23,13 +41,12 @@ pub(super) struct Writer {
     fresh: bool,
 }
 
-impl Default for Writer {
-    fn default() -> Self {
-        Writer { out: String::new(), indent: 0, blank: false, fresh: true }
-    }
-}
-
 impl Writer {
+    /// No text yet.
+    pub fn new(comments: &'static Comments) -> Self {
+        Writer { out: String::new(), comments, indent: 0, blank: false, fresh: true }
+    }
+
     /// The text.
     pub fn finish(self) -> String {
         self.out
@@ -124,10 +141,10 @@ impl Writer {
         let mut first = true;
         while let Some(line) = lines.next() {
             self.start();
-            self.text(if first { "(* " } else { "   " });
+            self.text(if first { self.comments.first } else { self.comments.next });
             self.text(&line);
             if lines.peek().is_none() {
-                self.text(" *)");
+                self.text(self.comments.end);
             }
             self.end();
             first = false;
@@ -137,8 +154,8 @@ impl Writer {
     /// A comment at the end of a line whose text takes `length` columns, at `column` or further right.
     pub fn trailing_comment(&mut self, length: usize, column: usize, text: &str) {
         self.out.extend(std::iter::repeat_n(' ', column.max(length).saturating_sub(length) + 2));
-        self.text("(* ");
+        self.text(self.comments.first);
         self.text(text);
-        self.text(" *)");
+        self.text(self.comments.end);
     }
 }

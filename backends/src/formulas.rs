@@ -1,0 +1,128 @@
+//! Formulas as expressions of some language, on one line: what all notations share.
+//!
+//! A [`Notation`] says what a formula looks like and where parentheses stand. The widths of all formulas are known
+//! beforehand, so that each is written once, flat or broken. Recursion is as deep as a formula, which [`crate::limits`]
+//! bounds.
+
+use crate::writer::Writer;
+use grafc_logic::formula::FormulaId;
+use std::borrow::Cow;
+
+/// How a language spells formulas.
+pub(crate) trait Notation {
+    /// What parentheses depend on.
+    type Level: Copy;
+
+    /// What a formula looks like.
+    fn shape(&self, id: FormulaId) -> Shape<'_, Self::Level>;
+
+    /// Whether an operand of that level needs parentheses at that place of its parent.
+    fn needs_parentheses(&self, parent: Self::Level, place: usize, operand: Self::Level) -> bool;
+}
+
+/// What a formula looks like.
+pub(crate) struct Shape<'p, Level> {
+    pub level: Level,
+    pub parts: Parts<'p>,
+}
+
+pub(crate) enum Parts<'p> {
+    /// A text that holds together.
+    Atom(Cow<'p, str>),
+    /// A word before an operand, which is at place 1.
+    Prefix(&'static str, FormulaId),
+    /// A function of one operand.
+    Call(String, FormulaId),
+    /// A method of the first operand; the word holds the dot and the opening parenthesis.
+    Method(FormulaId, String, FormulaId),
+    /// Operands with a word between them.
+    Infix(&'static str, Cow<'p, [FormulaId]>),
+}
+
+/// The formulas of one program in a notation.
+pub(crate) struct Formulas<N> {
+    pub notation: N,
+    /// The columns that each formula takes on one line.
+    widths: Vec<usize>,
+}
+
+impl<N: Notation> Formulas<N> {
+    /// Measures all formulas; operands come before operators.
+    pub fn new(notation: N, ids: impl Iterator<Item = FormulaId>) -> Self {
+        let mut this = Formulas { notation, widths: Vec::new() };
+        for id in ids {
+            let width = this.measure(id);
+            this.widths.push(width);
+        }
+        this
+    }
+
+    /// The columns that a formula takes on one line.
+    pub fn width(&self, id: FormulaId) -> usize {
+        self.widths[id.index()]
+    }
+
+    /// Whether a formula stands in parentheses.
+    pub fn needs_parentheses(&self, parent: N::Level, place: usize, id: FormulaId) -> bool {
+        self.notation.needs_parentheses(parent, place, self.notation.shape(id).level)
+    }
+
+    fn measure(&self, id: FormulaId) -> usize {
+        let shape = self.notation.shape(id);
+        let operand = |place: usize, id: FormulaId| {
+            self.width(id).saturating_add(if self.needs_parentheses(shape.level, place, id) { 2 } else { 0 })
+        };
+        match &shape.parts {
+            Parts::Atom(text) => text.len(),
+            Parts::Prefix(word, id) => operand(1, *id).saturating_add(word.len()),
+            Parts::Call(function, id) => self.width(*id).saturating_add(function.len() + 2),
+            Parts::Method(a, word, b) => operand(0, *a).saturating_add(self.width(*b)).saturating_add(word.len() + 1),
+            Parts::Infix(operator, operands) => {
+                let gaps = (operands.len().saturating_sub(1)) * (operator.len() + 2);
+                operands.iter().enumerate().fold(gaps, |sum, (place, id)| sum.saturating_add(operand(place, *id)))
+            }
+        }
+    }
+
+    /// Writes a formula on the current line.
+    pub fn flat(&self, out: &mut Writer, id: FormulaId) {
+        let shape = self.notation.shape(id);
+        match &shape.parts {
+            Parts::Atom(text) => out.text(text),
+            Parts::Prefix(word, operand) => {
+                out.text(word);
+                self.operand(out, shape.level, 1, *operand);
+            }
+            Parts::Call(function, operand) => {
+                out.text(function);
+                out.text("(");
+                self.flat(out, *operand);
+                out.text(")");
+            }
+            Parts::Method(a, word, b) => {
+                self.operand(out, shape.level, 0, *a);
+                out.text(word);
+                self.flat(out, *b);
+                out.text(")");
+            }
+            Parts::Infix(operator, operands) => {
+                for (place, operand) in operands.iter().enumerate() {
+                    if place > 0 {
+                        out.text(" ");
+                        out.text(operator);
+                        out.text(" ");
+                    }
+                    self.operand(out, shape.level, place, *operand);
+                }
+            }
+        }
+    }
+
+    /// Writes an operand on the current line, in parentheses if need be.
+    pub fn operand(&self, out: &mut Writer, parent: N::Level, place: usize, id: FormulaId) {
+        let wrap = self.needs_parentheses(parent, place, id);
+        out.text(if wrap { "(" } else { "" });
+        self.flat(out, id);
+        out.text(if wrap { ")" } else { "" });
+    }
+}
