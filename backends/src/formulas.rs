@@ -31,12 +31,19 @@ pub(crate) enum Parts<'p> {
     Atom(Cow<'p, str>),
     /// A word before an operand, which is at place 1.
     Prefix(&'static str, FormulaId),
-    /// A function of one operand.
-    Call(String, FormulaId),
-    /// A method of the first operand; the word holds the dot and the opening parenthesis.
-    Method(FormulaId, String, FormulaId),
+    /// Texts and operands, as in a call.
+    Pieces(Vec<Piece<'p>>),
     /// Operands with a word between them.
     Infix(&'static str, Cow<'p, [FormulaId]>),
+}
+
+pub(crate) enum Piece<'p> {
+    /// A text between operands.
+    Text(Cow<'p, str>),
+    /// An operand that the texts around it enclose.
+    Enclosed(FormulaId),
+    /// An operand at a place, in parentheses if need be.
+    Operand(usize, FormulaId),
 }
 
 /// The formulas of one program in a notation.
@@ -75,8 +82,13 @@ impl<N: Notation> Formulas<N> {
         match &shape.parts {
             Parts::Atom(text) => text.len(),
             Parts::Prefix(word, id) => operand(1, *id).saturating_add(word.len()),
-            Parts::Call(function, id) => self.width(*id).saturating_add(function.len() + 2),
-            Parts::Method(a, word, b) => operand(0, *a).saturating_add(self.width(*b)).saturating_add(word.len() + 1),
+            Parts::Pieces(pieces) => pieces.iter().fold(0, |sum: usize, piece| {
+                sum.saturating_add(match piece {
+                    Piece::Text(text) => text.len(),
+                    Piece::Enclosed(id) => self.width(*id),
+                    Piece::Operand(place, id) => operand(*place, *id),
+                })
+            }),
             Parts::Infix(operator, operands) => {
                 let gaps = (operands.len().saturating_sub(1)) * (operator.len() + 2);
                 operands.iter().enumerate().fold(gaps, |sum, (place, id)| sum.saturating_add(operand(place, *id)))
@@ -93,17 +105,14 @@ impl<N: Notation> Formulas<N> {
                 out.text(word);
                 self.operand(out, shape.level, 1, *operand);
             }
-            Parts::Call(function, operand) => {
-                out.text(function);
-                out.text("(");
-                self.flat(out, *operand);
-                out.text(")");
-            }
-            Parts::Method(a, word, b) => {
-                self.operand(out, shape.level, 0, *a);
-                out.text(word);
-                self.flat(out, *b);
-                out.text(")");
+            Parts::Pieces(pieces) => {
+                for piece in pieces {
+                    match piece {
+                        Piece::Text(text) => out.text(text),
+                        Piece::Enclosed(id) => self.flat(out, *id),
+                        Piece::Operand(place, id) => self.operand(out, shape.level, *place, *id),
+                    }
+                }
             }
             Parts::Infix(operator, operands) => {
                 for (place, operand) in operands.iter().enumerate() {

@@ -10,6 +10,10 @@ use rustc_hash::FxHashSet;
 pub enum Family {
     /// The textual languages of IEC 61131-3, all editions and dialects.
     Iec,
+    /// Fields, local variables and functions of Rust.
+    RustValues,
+    /// Types, variants and constants of Rust.
+    RustTypes,
 }
 
 /// The reserved words of a family.
@@ -29,7 +33,13 @@ impl Reserved {
                 heads: split(&[TYPES, FUNCTIONS, "BCD CTD CTU CTUD TO"]),
                 tails: split(&[TYPES, "BCD TO TRUNC"]),
             },
+            Family::RustValues => Reserved::words(&[RUST_KEYWORDS, RUST_VALUES]),
+            Family::RustTypes => Reserved::words(&[RUST_KEYWORDS, RUST_TYPES]),
         }
+    }
+
+    fn words(tables: &[&'static str]) -> Self {
+        Reserved { words: split(tables), heads: FxHashSet::default(), tails: FxHashSet::default() }
     }
 
     /// Whether a word, in upper case, is reserved.
@@ -124,13 +134,34 @@ const C_MACROS: &str = "
     XATTR_NAME_MAX XATTR_SIZE_MAX
 ";
 
+/// Keywords of Rust, strict and reserved, of all editions.
+const RUST_KEYWORDS: &str = "
+    ABSTRACT AS ASYNC AWAIT BECOME BOX BREAK CONST CONTINUE CRATE DO DYN ELSE ENUM EXTERN FALSE FINAL FN FOR GEN IF IMPL IN
+    LET LOOP MACRO MATCH MOD MOVE MUT OVERRIDE PRIV PUB REF RETURN SELF STATIC STRUCT SUPER TRAIT TRUE TRY TYPE TYPEOF
+    UNION UNSAFE UNSIZED USE VIRTUAL WHERE WHILE YIELD
+";
+
+/// What generated Rust calls its own fields and parameters, and what it calls by a plain name.
+const RUST_VALUES: &str = "
+    ACTIVE BYTES CORE DIVIDE FLAGS FROM INPUT INPUTS NOW OUT OUTPUTS REMAINDER RUNTIME SITUATION STEP TIMER VARIABLES
+";
+
+/// What generated Rust calls its own types, and the prelude.
+const RUST_TYPES: &str = "
+    ALL ASREF ASMUT BOOL CHART CLONE COPY DEBUG DEFAULT DOUBLEENDEDITERATOR DROP EQ ERR EXACTSIZEITERATOR EXTEND F32 F64
+    FINGERPRINT FLAGS FNMUT FNONCE FROM FROMITERATOR FUTURE I16 I32 I64 INPUTS INTO INTOFUTURE INTOITERATOR ITERATOR NONE
+    NUMBER OK OPTION ORD OUTPUTS PARTIALEQ PARTIALORD RESTORER RESULT SAVED SAVED_LEN SAVER SEND SIZED SOME STEP STR STRING
+    SYNC TIMER TOOWNED TOSTRING TRYFROM TRYINTO U16 U32 U64 U8 UNPIN USIZE VARIABLES VEC
+";
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn words_are_upper_case_identifiers() {
-        for word in Reserved::of(Family::Iec).words {
+        let families = [Family::Iec, Family::RustValues, Family::RustTypes];
+        for word in families.into_iter().flat_map(|family| Reserved::of(family).words) {
             assert!(word.chars().all(|c| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_'), "{word}");
         }
     }

@@ -8,6 +8,7 @@ mod formulas;
 pub mod keywords;
 mod limits;
 pub mod namer;
+pub mod rust;
 pub mod st;
 mod transliterate;
 mod writer;

@@ -10,6 +10,7 @@ pub const MAX_LENGTH: usize = 63;
 /// Gives names that are unique without regard to case and not reserved; the same wishes in the same order get the same
 /// names.
 pub struct Namer {
+    family: Family,
     reserved: Reserved,
     taken: FxHashSet<String>,
     /// The next suffix to try for a stem.
@@ -19,7 +20,7 @@ pub struct Namer {
 impl Namer {
     /// A namer that has given no name yet.
     pub fn new(family: Family) -> Self {
-        Namer { reserved: Reserved::of(family), taken: FxHashSet::default(), next: FxHashMap::default() }
+        Namer { family, reserved: Reserved::of(family), taken: FxHashSet::default(), next: FxHashMap::default() }
     }
 
     /// A name as near to the wanted one as can be.
@@ -31,7 +32,9 @@ impl Namer {
         let key = stem.to_ascii_uppercase();
         let mut number = self.next.get(&key).copied().unwrap_or(1);
         loop {
-            let suffix = format!("_{number}");
+            // Rust wants no underscore between a letter and something else in the name of a type.
+            let joined = self.family == Family::RustTypes && !stem.ends_with(|c: char| c.is_ascii_digit());
+            let suffix = format!("{}{number}", if joined { "" } else { "_" });
             let kept = stem[..stem.len().min(MAX_LENGTH - suffix.len())].trim_end_matches('_');
             let name = format!("{kept}{suffix}");
             number += 1;

@@ -110,6 +110,24 @@ impl Writer {
         self.enter();
     }
 
+    /// Everything is some levels deeper: the text of a block that is written apart.
+    pub fn deepen(&mut self, levels: usize) {
+        self.indent += levels * STEP;
+    }
+
+    /// A block that was written apart.
+    pub fn append(&mut self, block: Writer) {
+        if block.out.is_empty() {
+            return;
+        }
+        if self.blank && !self.fresh {
+            self.out.push('\n');
+        }
+        self.out.push_str(&block.out);
+        self.blank = false;
+        self.fresh = false;
+    }
+
     /// What follows is one level deeper.
     pub fn enter(&mut self) {
         self.indent += STEP;

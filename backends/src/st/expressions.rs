@@ -2,7 +2,7 @@
 
 use super::literals::{literal, type_name};
 use super::names::Names;
-use crate::formulas::{Formulas, Notation, Parts, Shape};
+use crate::formulas::{Formulas, Notation, Parts, Piece, Shape};
 use crate::writer::Writer;
 use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::Program;
@@ -81,7 +81,7 @@ impl<'p> Expressions<'p> {
             Parts::Prefix(word, operand) if out.indent() + self.width(id) + tail.len() > out.width() => {
                 self.term(out, shape.level, 1, word, *operand, tail);
             }
-            Parts::Atom(_) | Parts::Prefix(..) | Parts::Call(..) | Parts::Method(..) | Parts::Infix(..) => {
+            Parts::Atom(_) | Parts::Prefix(..) | Parts::Pieces(..) | Parts::Infix(..) => {
                 out.start();
                 self.flat(out, id);
                 out.text(tail);
@@ -186,8 +186,9 @@ impl Notation for StructuredText<'_> {
             Formula::Arithmetic(op, a, b) => (Level::Arithmetic, Parts::Infix(arithmetic(*op), pair(*a, *b))),
             Formula::Negate(a) => (Level::Arithmetic, Parts::Prefix(negation(pool.ty(id)), *a)),
             Formula::Widen(a) => {
-                let function = format!("{}_TO_{}", type_name(pool.ty(*a)), type_name(pool.ty(id)));
-                (Level::Atom, Parts::Call(function, *a))
+                let function = format!("{}_TO_{}(", type_name(pool.ty(*a)), type_name(pool.ty(id)));
+                let pieces = vec![Piece::Text(function.into()), Piece::Enclosed(*a), Piece::Text(")".into())];
+                (Level::Atom, Parts::Pieces(pieces))
             }
         };
         Shape { level, parts }

@@ -8,7 +8,7 @@
 //! stage that found an error, no other begins, save that a text with syntax errors is checked as far as it was read.
 //! What lies between two stages can be had as text.
 
-use grafc_backends::st;
+use grafc_backends::{rust, st};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
 use grafc_logic::Encoding;
 use grafc_logic::scan::Program;
@@ -34,6 +34,8 @@ pub struct Options {
 pub enum Product {
     /// IEC 61131-3 Structured Text.
     St(st::Options),
+    /// Rust.
+    Rust(rust::Options),
     /// The syntax tree.
     Tree,
     /// The checked chart.
@@ -79,17 +81,8 @@ pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) 
             let (program, said) = lower(file, text, default_name, lowering);
             (program.as_ref().map(grafc_logic::dump), said)
         }
-        Product::St(options) => {
-            let (program, mut said) = lower(file, text, default_name, lowering);
-            match program.map(|program| st::emit(&program, options)) {
-                Some(Ok(code)) => (Some(code), said),
-                Some(Err(found)) => {
-                    said.append(found);
-                    (None, said)
-                }
-                None => (None, said),
-            }
-        }
+        Product::St(options) => emit(file, text, default_name, lowering, |program| st::emit(program, options)),
+        Product::Rust(options) => emit(file, text, default_name, lowering, |program| rust::emit(program, options)),
     };
     (made.filter(|_| !said.has_errors()), said)
 }
@@ -143,6 +136,25 @@ fn lower(
     let (program, found) = grafc_logic::compile(&net, options);
     said.append(found);
     (program.filter(|_| !said.has_errors()), said)
+}
+
+/// As far as code.
+fn emit(
+    file: FileId,
+    text: &str,
+    default_name: &str,
+    options: &grafc_logic::Options,
+    backend: impl FnOnce(&Program) -> Result<String, Diagnostics>,
+) -> (Option<String>, Diagnostics) {
+    let (program, mut said) = lower(file, text, default_name, options);
+    match program.as_ref().map(backend) {
+        Some(Ok(code)) => (Some(code), said),
+        Some(Err(found)) => {
+            said.append(found);
+            (None, said)
+        }
+        None => (None, said),
+    }
 }
 
 /// A chart and a trace of its inputs to a trace of its outputs.

@@ -20,7 +20,7 @@ pub fn dump(program: &Program) -> String {
     let variables = program.variables.iter_enumerated().map(|(id, variable)| dump.variable(id, variable));
     section(&mut out, "variables", variables);
     section(&mut out, "timers", program.timers.indices().map(|id| dump.timer(id)));
-    section(&mut out, "steps", program.steps.iter().map(|active| dump.formula(*active)));
+    section(&mut out, "steps", program.steps.iter().map(|step| dump.formula(step.active)));
     section(&mut out, "states", program.states.iter().map(|state| dump.state(state)));
     section(&mut out, "first", dump.lines(&program.first));
     section(&mut out, "before", dump.lines(&program.before));

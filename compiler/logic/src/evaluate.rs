@@ -94,7 +94,7 @@ impl<'p> Evaluator<'p> {
     /// The active steps, in order of declaration.
     pub fn situation(&mut self) -> Vec<StepId> {
         let program = self.program;
-        program.steps.iter_enumerated().filter(|(_, active)| self.truth(**active)).map(|(s, _)| s).collect()
+        program.steps.iter_enumerated().filter(|(_, step)| self.truth(step.active)).map(|(s, _)| s).collect()
     }
 
     /// The values of variables that stored actions write, and of all others, in order of declaration.

@@ -2,7 +2,7 @@
 
 use crate::encode;
 use crate::formula::{Comparison, FormulaId, Pool, Type, Value};
-use crate::scan::{Role, State, VarId, Variable};
+use crate::scan::{Role, State, Step, VarId, Variable};
 use crate::symbols::Symbols;
 use crate::tokens::Cover;
 use grafc_model::chart::{GrafcetId, StepId};
@@ -147,9 +147,15 @@ impl Situation {
         self.active[s]
     }
 
-    /// The activities of the chart's own steps.
-    pub(crate) fn of_chart(&self, net: &Net) -> IndexVec<StepId, FormulaId> {
-        net.places.iter_enumerated().filter(|(_, p)| !p.auxiliary).map(|(s, _)| self.active[s]).collect()
+    /// The chart's own steps.
+    pub(crate) fn of_chart(&self, net: &Net) -> IndexVec<StepId, Step> {
+        let own = net.places.iter_enumerated().filter(|(_, place)| !place.auxiliary);
+        own.map(|(s, place)| Step {
+            label: place.label.clone(),
+            comment: place.comment.clone(),
+            active: self.active[s],
+        })
+        .collect()
     }
 
     /// The states as the program lists them.

@@ -67,8 +67,8 @@ pub(super) fn write(
         };
         let _ = writeln!(out, "    printf(\" {format}\", {value});");
     }
-    for active in &program.steps {
-        let _ = writeln!(out, "    printf(\" %d\", (int)({}));", is_active(program, names, *active)?);
+    for active in program.steps.iter().map(|step| step.active) {
+        let _ = writeln!(out, "    printf(\" %d\", (int)({}));", is_active(program, names, active)?);
     }
     for (id, _) in flags(program) {
         let _ = writeln!(out, "    printf(\" %d\", (int)({} != 0));", field(names, id));

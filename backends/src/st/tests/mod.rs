@@ -5,7 +5,7 @@ mod writer;
 
 use grafc_logic::formula::{Arithmetic, Comparison, FormulaId, Pool, Type, Value};
 use grafc_logic::scan::{
-    Arm, Flag, Limit, Preset, Program, Repeat, Role, State, Statement, Timer, TimerId, VarId, Variable,
+    Arm, Flag, Limit, Preset, Program, Repeat, Role, State, Statement, Step, Timer, TimerId, VarId, Variable,
 };
 use index_vec::IndexVec;
 
@@ -64,7 +64,8 @@ impl Build {
         let mut held = Vec::new();
         for value in values {
             let active = self.is(variable, *value);
-            held.push((self.program.steps.push(active), *value));
+            let step = Step { label: value.to_string(), comment: None, active };
+            held.push((self.program.steps.push(step), *value));
         }
         self.program.states.push(State { variable, idle, values: held, copies: vec![next] });
         (variable, next)

@@ -8,7 +8,7 @@ use crate::pipeline::{self, Options, Product};
 use crate::report::{Failure, Format, Report};
 use clap::builder::PossibleValuesParser;
 use clap::{ArgGroup, Args, ValueEnum};
-use grafc_backends::st;
+use grafc_backends::{rust, st};
 use grafc_logic::Encoding;
 use grafc_net::passes;
 use std::str::FromStr;
@@ -42,12 +42,15 @@ pub struct Arguments {
     optimize: Level,
     #[command(flatten)]
     profile: ProfileArguments,
-    /// The kind of program organisation unit to make
-    #[arg(long, value_enum, default_value_t = Pou::FunctionBlock, value_name = "KIND", conflicts_with_all = NO_CODE)]
-    pou: Pou,
-    /// How often the task of a configuration runs, such as 20ms or 1s [default: 20ms]
+    /// For `st`: the kind of program organisation unit to make [default: function-block]
+    #[arg(long, value_enum, value_name = "KIND", conflicts_with_all = NO_CODE)]
+    pou: Option<Pou>,
+    /// For `st`: how often the task of a configuration runs, such as 20ms or 1s [default: 20ms]
     #[arg(long, value_name = "DURATION", conflicts_with_all = NO_CODE)]
     interval: Option<Interval>,
+    /// For `rust`: where the code has from what it needs at run time [default: inline]
+    #[arg(long, value_enum, value_name = "RUNTIME", conflicts_with_all = NO_CODE)]
+    runtime: Option<RuntimeName>,
     /// The form of messages, which go to standard error
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -57,6 +60,8 @@ pub struct Arguments {
 enum TargetName {
     /// IEC 61131-3 Structured Text
     St,
+    /// A Rust module, without std and allocation
+    Rust,
 }
 
 /// What lies between two stages of the compiler.
@@ -127,6 +132,14 @@ enum Pou {
     Configuration,
 }
 
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum RuntimeName {
+    /// From itself: the module stands alone
+    Inline,
+    /// From the crate `grafc-runtime`, whose trait `Chart` it implements
+    Crate,
+}
+
 /// A cycle time in milliseconds.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct Interval(u32);
@@ -160,7 +173,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let (Some(chart), Some(product)) = (&args.chart, product(&args)) else {
         return Err(Failure::WrongUse("nothing to compile".to_string(), "see `grafc --help`".to_string()));
     };
-    if args.interval.is_some() && args.pou != Pou::Configuration {
+    refuse_options_of_other_targets(&args)?;
+    if args.interval.is_some() && args.pou != Some(Pou::Configuration) {
         return Err(Failure::WrongUse(
             "`--interval` is the interval of a configuration's task".to_string(),
             "add `--pou configuration`, or leave it out".to_string(),
@@ -199,6 +213,24 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     Ok(exit)
 }
 
+/// An option that only another target knows would be without effect.
+fn refuse_options_of_other_targets(args: &Arguments) -> Result<(), Failure> {
+    let st = [("pou", args.pou.is_some()), ("interval", args.interval.is_some())];
+    let rust = [("runtime", args.runtime.is_some())];
+    let (foreign, own): (&[(&str, bool)], _) = match args.target {
+        Some(TargetName::St) => (&rust, "rust"),
+        Some(TargetName::Rust) => (&st, "st"),
+        None => return Ok(()),
+    };
+    match foreign.iter().find(|(_, given)| *given) {
+        Some((name, _)) => Err(Failure::WrongUse(
+            format!("`--{name}` is an option of `--target {own}`"),
+            "leave it out".to_string(),
+        )),
+        None => Ok(()),
+    }
+}
+
 /// What is asked for.
 fn product(args: &Arguments) -> Option<Product> {
     if let Some(pass) = &args.dump_after {
@@ -216,12 +248,20 @@ fn product(args: &Arguments) -> Option<Product> {
     args.target.map(|target| match target {
         TargetName::St => Product::St(st::Options {
             pou: match args.pou {
-                Pou::FunctionBlock => st::Pou::FunctionBlock,
-                Pou::Program => st::Pou::Program,
-                Pou::Configuration => st::Pou::Configuration,
+                Some(Pou::FunctionBlock) | None => st::Pou::FunctionBlock,
+                Some(Pou::Program) => st::Pou::Program,
+                Some(Pou::Configuration) => st::Pou::Configuration,
             },
             header: header(args, target),
             interval_ms: args.interval.unwrap_or(DEFAULT_INTERVAL).0,
+        }),
+        TargetName::Rust => Product::Rust(rust::Options {
+            runtime: match args.runtime {
+                Some(RuntimeName::Inline) | None => rust::Runtime::Inline,
+                Some(RuntimeName::Crate) => rust::Runtime::Crate,
+            },
+            header: header(args, target),
+            module: None,
         }),
     })
 }
@@ -235,10 +275,18 @@ fn header(args: &Arguments, target: TargetName) -> Vec<String> {
         Level::Short => {}
     }
     options.extend(args.profile.options());
-    options.push(option("pou", args.pou));
-    match args.pou {
-        Pou::FunctionBlock | Pou::Program => {}
-        Pou::Configuration => options.push(format!("--interval {}ms", args.interval.unwrap_or(DEFAULT_INTERVAL).0)),
+    match target {
+        TargetName::St => {
+            let pou = args.pou.unwrap_or(Pou::FunctionBlock);
+            options.push(option("pou", pou));
+            match pou {
+                Pou::FunctionBlock | Pou::Program => {}
+                Pou::Configuration => {
+                    options.push(format!("--interval {}ms", args.interval.unwrap_or(DEFAULT_INTERVAL).0));
+                }
+            }
+        }
+        TargetName::Rust => options.push(option("runtime", args.runtime.unwrap_or(RuntimeName::Inline))),
     }
     let source = match &args.chart {
         Some(Place::File(path)) => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),

@@ -21,7 +21,7 @@ pub use verify::verify;
 use crate::formula::{FormulaId, Pool, Type, Value};
 pub use crate::formula::{TimerId, VarId};
 use grafc_diagnostics::Span;
-use grafc_model::chart::StepId;
+pub use grafc_model::chart::StepId;
 use index_vec::IndexVec;
 
 /// The statements of one scan.
@@ -37,9 +37,8 @@ pub struct Program {
     pub timers: IndexVec<TimerId, Timer>,
     /// All formulas.
     pub pool: Pool,
-    /// Whether each step of the chart is active, in order of declaration: a variable of its own, or a comparison of the
-    /// state that holds it.
-    pub steps: IndexVec<StepId, FormulaId>,
+    /// The steps of the chart, in order of declaration.
+    pub steps: IndexVec<StepId, Step>,
     /// The multi-valued variables that hold several steps each.
     pub states: Vec<State>,
     /// The initial reaction; these statements hold their own guard.
@@ -52,6 +51,17 @@ pub struct Program {
     pub repeat: Option<Repeat>,
     /// Once a call, after the evolution.
     pub after: Vec<Statement>,
+}
+
+/// A step of the chart.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// The label.
+    pub label: String,
+    /// The attached comment.
+    pub comment: Option<String>,
+    /// Whether the step is active: a variable of its own, or a comparison of the state that holds it.
+    pub active: FormulaId,
 }
 
 /// The stability loop (R9).

@@ -1,0 +1,271 @@
+//! The chart: its memory, and what can be done with it.
+
+use super::expressions::{Expressions, WIDTH};
+use super::interface::{fields, has_variables, of, values};
+use super::literals::{literal, type_name};
+use super::names::{Names, bit_of, state_of};
+use super::places::{Places, flag_name};
+use super::{doc, saved, scan, steps};
+use crate::writer::Writer;
+use grafc_logic::scan::{Flag, Program, Role, VarId};
+
+/// The bits of a word of the packed situation.
+pub(super) const WORD: usize = 32;
+
+/// All flags.
+const FLAGS: [Flag; 4] = [Flag::Livelock, Flag::AllocConflict, Flag::ForceConflict, Flag::Div0];
+
+/// Writes the chart's struct and its functions; says what a scan uses.
+pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places) -> scan::Used {
+    let chart = Chart { program, names, places };
+    chart.structure(out);
+    out.blank();
+    out.line(&format!("impl Default for {} {{", names.chart));
+    out.enter();
+    out.open("fn default() -> Self {");
+    out.line("Self::new()");
+    out.close("}");
+    out.close("}");
+    out.blank();
+    out.open(&format!("impl {} {{", names.chart));
+    chart.new(out);
+    let used = chart.scan(out);
+    chart.accessors(out);
+    chart.is_active(out);
+    chart.set(out);
+    saved::write(out, program, names, places);
+    out.close("}");
+    used
+}
+
+/// How many words hold the packed situation; none where steps are held otherwise.
+pub(super) fn words(program: &Program) -> usize {
+    if program.states.is_empty() { program.steps.len().div_ceil(WORD) } else { 0 }
+}
+
+/// The fields that are not packed, in groups.
+pub(super) fn memory(program: &Program, places: &Places) -> Vec<(&'static str, Vec<VarId>)> {
+    let all = |wanted: fn(Role) -> bool| -> Vec<VarId> {
+        let ids = program.variables.iter_enumerated().filter(|(_, v)| wanted(v.role)).map(|(id, _)| id);
+        ids.filter(|id| places.packed(*id).is_none()).collect()
+    };
+    vec![
+        ("which step is active", all(|role| role == Role::State)),
+        ("steps", all(|role| role == Role::Step)),
+        ("memory from scan to scan", all(|role| role == Role::Memory)),
+    ]
+}
+
+struct Chart<'p> {
+    program: &'p Program,
+    names: &'p Names,
+    places: &'p Places<'p>,
+}
+
+impl Chart<'_> {
+    fn structure(&self, out: &mut Writer) {
+        out.blank();
+        match &self.program.comment {
+            Some(comment) => {
+                doc(out, &crate::comment::clean(comment));
+                out.line("///");
+                out.line("/// Its state between two scans; see [`Self::scan`].");
+            }
+            None => out.line("/// The chart, with its state between two scans; see [`Self::scan`]."),
+        }
+        out.line("#[derive(Clone, Debug, PartialEq)]");
+        out.open(&format!("pub struct {} {{", self.names.chart));
+        if words(self.program) > 0 {
+            out.comment("which steps are active, a bit each");
+            out.line(&format!("situation: [u32; {}],", words(self.program)));
+        }
+        for (about, group) in memory(self.program, self.places) {
+            if group.is_empty() {
+                continue;
+            }
+            out.comment(about);
+            for id in group {
+                if let Some(comment) = &self.program.variables[id].comment {
+                    doc(out, &crate::comment::clean(comment));
+                }
+                out.line(&format!("{}: {},", self.names.variables[id], self.type_of(id)));
+            }
+        }
+        if !self.program.timers.is_empty() {
+            out.comment("delays");
+            for timer in &self.names.timers {
+                out.line(&format!("{timer}: Timer,"));
+            }
+        }
+        out.comment("what can be seen from outside");
+        if has_variables(self.program) {
+            out.line("variables: Variables,");
+        }
+        out.line("outputs: Outputs,");
+        out.line("flags: Flags,");
+        out.close("}");
+    }
+
+    fn type_of(&self, id: VarId) -> String {
+        match self.places.state(id) {
+            Some(state) => state.ty.clone(),
+            None => type_name(self.program.variables[id].ty).to_owned(),
+        }
+    }
+
+    /// A variable's value before the first scan: of a state any, for nothing reads it before the first scan sets it.
+    fn initial(&self, id: VarId) -> String {
+        match self.places.state(id) {
+            Some(state) => format!("{}::{}", state.ty, state.variants.first().map_or("", |(_, name)| name)),
+            None => literal(self.program.variables[id].initial, self.program.variables[id].ty),
+        }
+    }
+
+    fn new(&self, out: &mut Writer) {
+        out.line("/// The chart before its first scan.");
+        out.open("pub const fn new() -> Self {");
+        out.open("Self {");
+        if words(self.program) > 0 {
+            out.line(&format!("situation: [0; {}],", words(self.program)));
+        }
+        for id in memory(self.program, self.places).into_iter().flat_map(|(_, group)| group) {
+            out.line(&format!("{}: {},", self.names.variables[id], self.initial(id)));
+        }
+        for timer in &self.names.timers {
+            out.line(&format!("{timer}: Timer::new(),"));
+        }
+        if has_variables(self.program) {
+            fields(out, "variables: Variables", &values(self.program, self.names, Role::Internal), ",");
+        }
+        fields(out, "outputs: Outputs", &values(self.program, self.names, Role::Output), ",");
+        out.open("flags: Flags {");
+        for flag in FLAGS.map(flag_name) {
+            out.line(&format!("{flag}: false,"));
+        }
+        out.close("},");
+        out.close("}");
+        out.close("}");
+    }
+
+    fn scan(&self, out: &mut Writer) -> scan::Used {
+        let expressions = Expressions::new(self.program, self.places);
+        let mut body = Writer::new(&crate::writer::RUST);
+        body.deepen(out.indent() / crate::writer::STEP + 1);
+        let used = scan::write(&mut body, self.program, self.names, self.places, &expressions);
+        out.blank();
+        out.line("/// One scan: from the inputs to the outputs.");
+        out.line("///");
+        out.line("/// `now` is the time in milliseconds of a clock that never goes back. It may start anywhere");
+        out.line("/// and wraps around after `u32::MAX`; there must be a scan at least every 49 days.");
+        let parameter = |name: &str, used: bool| if used { name.to_owned() } else { format!("_{name}") };
+        let (inputs, now) = (parameter("inputs", used.inputs), parameter("now", used.now));
+        out.open(&format!("pub fn scan(&mut self, {inputs}: &Inputs, {now}: u32) -> &Outputs {{"));
+        if used.steps {
+            out.line("use Step::*;");
+            out.blank();
+        }
+        out.append(body);
+        out.blank();
+        out.line("&self.outputs");
+        out.close("}");
+        used
+    }
+
+    fn accessors(&self, out: &mut Writer) {
+        out.blank();
+        function(out, "The outputs of the last scan.", "pub const fn outputs(&self) -> &Outputs", &["&self.outputs"]);
+        if has_variables(self.program) {
+            let head = "pub const fn variables(&self) -> &Variables";
+            function(out, "The internal variables after the last scan.", head, &["&self.variables"]);
+        }
+        function(
+            out,
+            "What has gone wrong since the start, or since the flags were cleared.",
+            "pub const fn flags(&self) -> Flags",
+            &["self.flags"],
+        );
+        let lowered = FLAGS.map(|flag| format!("self.flags.{} = false;", flag_name(flag)));
+        function(
+            out,
+            "Lowers all flags.",
+            "pub const fn clear_flags(&mut self)",
+            &lowered.each_ref().map(String::as_str),
+        );
+        function(
+            out,
+            "Back to the state before the first scan; the next one is the initial reaction.",
+            "pub const fn reset(&mut self)",
+            &["*self = Self::new();"],
+        );
+        function(
+            out,
+            "The situation: the active steps, in order of declaration.",
+            "pub fn active_steps(&self) -> impl Iterator<Item = Step> + '_",
+            &["Step::ALL.into_iter().filter(|step| self.is_active(*step))"],
+        );
+    }
+
+    fn is_active(&self, out: &mut Writer) {
+        let head = "pub const fn is_active(&self, step: Step) -> bool";
+        if words(self.program) > 0 {
+            let line = format!("self.situation[step as usize / {WORD}] >> (step as usize % {WORD}) & 1 != 0");
+            return function(out, "Whether a step is active.", head, &[&line]);
+        }
+        out.line("/// Whether a step is active; none is before the first scan.");
+        out.open("pub fn is_active(&self, step: Step) -> bool {");
+        if let Some(started) = self.started() {
+            out.open(&format!("if !{} {{", self.places.read(started)));
+            out.line("return false;");
+            out.close("}");
+        }
+        out.open("match step {");
+        for s in self.program.steps.indices() {
+            let value = match (bit_of(self.program, s), state_of(self.program, s)) {
+                (Some(bit), _) => self.places.read(bit).to_owned(),
+                (None, Some((state, value))) => {
+                    let variant = self.places.variant(state, value).unwrap_or_default();
+                    format!("{} == {variant}", self.places.read(state))
+                }
+                (None, None) => "false".to_owned(),
+            };
+            steps::arm(out, &format!("Step::{}", self.names.steps[s]), &value);
+        }
+        out.close("}");
+        out.close("}");
+        out.blank();
+    }
+
+    /// The mark of the first scan.
+    fn started(&self) -> Option<VarId> {
+        of(self.program, Role::Memory).find(|(id, _)| self.program.variables[*id].name == "started").map(|(id, _)| id)
+    }
+
+    fn set(&self, out: &mut Writer) {
+        if words(self.program) == 0 {
+            return;
+        }
+        out.line("const fn set(&mut self, step: Step, active: bool) {");
+        out.enter();
+        out.line(&format!("let mask = 1 << (step as usize % {WORD});"));
+        out.open("if active {");
+        out.line(&format!("self.situation[step as usize / {WORD}] |= mask;"));
+        out.leave();
+        out.open("} else {");
+        out.line(&format!("self.situation[step as usize / {WORD}] &= !mask;"));
+        out.close("}");
+        out.close("}");
+        out.blank();
+    }
+}
+
+/// Writes a function of few lines.
+fn function(out: &mut Writer, about: &str, head: &str, body: &[&str]) {
+    out.line(&format!("/// {about}"));
+    debug_assert!(out.indent() + head.len() + 2 <= WIDTH);
+    out.open(&format!("{head} {{"));
+    for line in body {
+        out.line(line);
+    }
+    out.close("}");
+    out.blank();
+}

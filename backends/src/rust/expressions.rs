@@ -1,0 +1,265 @@
+//! Formulas as expressions of Rust, laid out as rustfmt does it.
+
+use super::literals::{literal, type_name};
+use super::places::Places;
+use crate::formulas::{Formulas, Notation, Parts, Piece, Shape};
+use crate::writer::{STEP, Writer};
+use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
+use grafc_logic::scan::Program;
+use std::borrow::Cow;
+
+/// rustfmt makes lines no longer.
+pub(super) const WIDTH: usize = 100;
+/// The arguments of a call, and a chain of methods, are broken when they are longer.
+pub(super) const SMALL: usize = 60;
+
+/// How formulas of one program are spelt.
+pub(super) struct Expressions<'p> {
+    formulas: Formulas<Rust<'p>>,
+}
+
+struct Rust<'p> {
+    program: &'p Program,
+    places: &'p Places<'p>,
+}
+
+/// What parentheses depend on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Level {
+    Atom,
+    /// With a sign or `!` before it.
+    Prefix,
+    Arithmetic,
+    Comparison,
+    Junction,
+}
+
+impl<'p> Expressions<'p> {
+    /// Measures all formulas.
+    pub fn new(program: &'p Program, places: &'p Places<'p>) -> Self {
+        Expressions { formulas: Formulas::new(Rust { program, places }, program.pool.ids()) }
+    }
+
+    /// The columns that a formula takes on one line.
+    pub fn width(&self, id: FormulaId) -> usize {
+        self.formulas.width(id)
+    }
+
+    /// Writes a formula on the current line.
+    pub fn flat(&self, out: &mut Writer, id: FormulaId) {
+        self.formulas.flat(out, id);
+    }
+
+    /// Writes `head = formula;`, broken as rustfmt breaks it: behind the sign if the formula then has room in one line,
+    /// else before its operators.
+    pub fn statement(&self, out: &mut Writer, head: &str, id: FormulaId) {
+        let (indent, width) = (out.indent(), self.width(id));
+        if (indent + head.len() + 4).saturating_add(width) > WIDTH && (indent + STEP + 1).saturating_add(width) <= WIDTH
+        {
+            out.line(&format!("{head} ="));
+            out.enter();
+            out.start();
+            self.flat(out, id);
+            out.text(";");
+            out.end();
+            out.leave();
+            return;
+        }
+        out.start();
+        out.text(&format!("{head} = "));
+        self.broken(out, id, head.len() + 3, 1);
+        out.text(";");
+        out.end();
+    }
+
+    /// Writes `head condition {`, the brace on a line of its own if the condition takes several.
+    pub fn condition(&self, out: &mut Writer, head: &str, id: FormulaId) {
+        out.start();
+        out.text(head);
+        out.text(" ");
+        if (out.indent() + head.len() + 3).saturating_add(self.width(id)) <= WIDTH {
+            self.flat(out, id);
+            out.text(" {");
+            out.end();
+            return;
+        }
+        self.broken(out, id, head.len() + 1, 2);
+        out.end();
+        out.line("{");
+    }
+
+    /// Writes a formula from a column of the current line on, a term a line if it would not fit with `tail` more columns.
+    fn broken(&self, out: &mut Writer, id: FormulaId, column: usize, tail: usize) {
+        let fits = (out.indent() + column + tail).saturating_add(self.width(id)) <= WIDTH;
+        let shape = self.formulas.notation.shape(id);
+        match &shape.parts {
+            Parts::Infix(operator, operands) if !fits => {
+                out.enter();
+                for (place, operand) in operands.iter().enumerate() {
+                    let mut at = if place == 0 { column.saturating_sub(STEP) } else { 0 };
+                    if place > 0 {
+                        out.end();
+                        out.start();
+                        out.text(operator);
+                        out.text(" ");
+                        at = operator.len() + 1;
+                    }
+                    let last = place + 1 == operands.len();
+                    let wrap = self.formulas.needs_parentheses(shape.level, place, *operand);
+                    out.text(if wrap { "(" } else { "" });
+                    let (at, tail) = if wrap { (at + 1, 1) } else { (at, 0) };
+                    self.broken(out, *operand, at, tail + usize::from(last));
+                    out.text(if wrap { ")" } else { "" });
+                }
+                out.leave();
+            }
+            Parts::Prefix(word, operand) if !fits => {
+                out.text(word);
+                let wrap = self.formulas.needs_parentheses(shape.level, 1, *operand);
+                out.text(if wrap { "(" } else { "" });
+                self.broken(out, *operand, column + word.len() + usize::from(wrap), tail + usize::from(wrap));
+                out.text(if wrap { ")" } else { "" });
+            }
+            Parts::Atom(_) | Parts::Prefix(..) | Parts::Pieces(_) | Parts::Infix(..) => self.flat(out, id),
+        }
+    }
+}
+
+impl Notation for Rust<'_> {
+    type Level = Level;
+
+    fn needs_parentheses(&self, parent: Level, place: usize, operand: Level) -> bool {
+        match (operand, parent) {
+            (Level::Atom, _) => false,
+            (Level::Prefix, Level::Junction | Level::Comparison | Level::Prefix) => false,
+            (Level::Prefix, Level::Arithmetic) => place > 0,
+            (Level::Arithmetic, Level::Comparison) | (Level::Comparison, Level::Junction) => false,
+            (Level::Prefix | Level::Arithmetic | Level::Comparison | Level::Junction, _) => true,
+        }
+    }
+
+    fn shape(&self, id: FormulaId) -> Shape<'_, Level> {
+        let pool = &self.program.pool;
+        let pair = |a: FormulaId, b: FormulaId| Cow::Owned(vec![a, b]);
+        let atom = |text: String| (Level::Atom, Parts::Atom(text.into()));
+        let (level, parts) = match pool.get(id) {
+            Formula::Constant(value) => {
+                let text = literal(*value, pool.ty(id));
+                let level = if text.starts_with('-') { Level::Prefix } else { Level::Atom };
+                (level, Parts::Atom(text.into()))
+            }
+            Formula::Variable(variable) => (Level::Atom, Parts::Atom(self.places.read(*variable).into())),
+            Formula::TimerDone(timer) => {
+                atom(format!("{}.has_run({})", self.places.timer(*timer), self.places.preset(*timer)))
+            }
+            Formula::TimerElapsed(timer) => atom(format!("{}.elapsed()", self.places.timer(*timer))),
+            Formula::Not(a) => match pool.get(*a) {
+                Formula::Xor(b, c) if self.is_plain(*b) && self.is_plain(*c) => {
+                    (Level::Comparison, Parts::Infix("==", pair(*b, *c)))
+                }
+                Formula::Compare(Comparison::Equal, b, c) => self.comparison(Comparison::NotEqual, *b, *c),
+                _ => (Level::Prefix, Parts::Prefix("!", *a)),
+            },
+            Formula::And(list) => (Level::Junction, Parts::Infix("&&", Cow::Borrowed(list))),
+            Formula::Or(list) => (Level::Junction, Parts::Infix("||", Cow::Borrowed(list))),
+            Formula::Xor(a, b) => (Level::Comparison, Parts::Infix("!=", pair(*a, *b))),
+            Formula::Compare(op, a, b) => self.comparison(*op, *a, *b),
+            Formula::Arithmetic(Arithmetic::Multiply, a, b)
+                if pool.ty(*b) == Type::Time && pool.ty(*a) != Type::Time =>
+            {
+                self.arithmetic(Arithmetic::Multiply, pool.ty(id), *b, *a)
+            }
+            Formula::Arithmetic(op, a, b) => self.arithmetic(*op, pool.ty(id), *a, *b),
+            Formula::Negate(a) => match pool.ty(id) {
+                Type::Real | Type::Lreal => (Level::Prefix, Parts::Prefix("-", *a)),
+                Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Time => {
+                    let pieces = vec![Piece::Operand(0, *a), Piece::Text(".wrapping_neg()".into())];
+                    (Level::Atom, Parts::Pieces(pieces))
+                }
+            },
+            Formula::Widen(a) => {
+                let function = format!("{}::from(", type_name(pool.ty(id)));
+                let pieces = vec![Piece::Text(function.into()), Piece::Enclosed(*a), Piece::Text(")".into())];
+                (Level::Atom, Parts::Pieces(pieces))
+            }
+        };
+        Shape { level, parts }
+    }
+}
+
+impl Rust<'_> {
+    /// A state is compared with a variant of its enum.
+    fn comparison(&self, op: Comparison, a: FormulaId, b: FormulaId) -> (Level, Parts<'_>) {
+        let pool = &self.program.pool;
+        let sign = match op {
+            Comparison::Equal => "==",
+            Comparison::NotEqual => "!=",
+            Comparison::Less => "<",
+            Comparison::LessEqual => "<=",
+            Comparison::Greater => ">",
+            Comparison::GreaterEqual => ">=",
+        };
+        if a == b
+            && matches!(pool.ty(a), Type::Real | Type::Lreal)
+            && matches!(op, Comparison::Equal | Comparison::NotEqual)
+        {
+            // Only what is no number differs from itself.
+            let not = if op == Comparison::Equal { "!" } else { "" };
+            let level = if op == Comparison::Equal { Level::Prefix } else { Level::Atom };
+            let pieces = vec![Piece::Text(not.into()), Piece::Operand(0, a), Piece::Text(".is_nan()".into())];
+            return (level, Parts::Pieces(pieces));
+        }
+        if let (Formula::Variable(v), Formula::Constant(Value::Int(n))) = (pool.get(a), pool.get(b))
+            && let Some(variant) = self.places.variant(*v, *n)
+        {
+            let text = format!(" {sign} {variant}");
+            return (Level::Comparison, Parts::Pieces(vec![Piece::Enclosed(a), Piece::Text(text.into())]));
+        }
+        (Level::Comparison, Parts::Infix(sign, Cow::Owned(vec![a, b])))
+    }
+
+    /// Whole numbers and times wrap around at their width.
+    fn arithmetic(&self, op: Arithmetic, ty: Type, a: FormulaId, b: FormulaId) -> (Level, Parts<'_>) {
+        let pool = &self.program.pool;
+        let (sign, method) = match op {
+            Arithmetic::Add => ("+", "wrapping_add"),
+            Arithmetic::Subtract => ("-", "wrapping_sub"),
+            Arithmetic::Multiply => ("*", "wrapping_mul"),
+            // By constants alone that are neither 0 nor -1.
+            Arithmetic::Divide => ("/", ""),
+            Arithmetic::Modulo => ("%", ""),
+        };
+        if matches!(ty, Type::Real | Type::Lreal) || method.is_empty() {
+            return (Level::Arithmetic, Parts::Infix(sign, Cow::Owned(vec![a, b])));
+        }
+        let converted = ty == Type::Time && pool.ty(b) != Type::Time && pool.as_constant(b).is_none();
+        let (open, close) = if converted { ("i64::from(", "))") } else { ("", ")") };
+        let text = |text: String| Piece::Text(text.into());
+        // A constant has no type of its own, and a long chain would be broken.
+        let width = |id: FormulaId| self.places.width_of_operand(self.program, id);
+        let chain = width(a) + method.len() + 3 + open.len() + width(b) + close.len();
+        let pieces = if pool.as_constant(a).is_some() || chain > SMALL {
+            let head = text(format!("{}::{method}(", type_name(ty)));
+            vec![head, Piece::Enclosed(a), text(format!(", {open}")), Piece::Enclosed(b), text(close.to_owned())]
+        } else {
+            let middle = text(format!(".{method}({open}"));
+            vec![Piece::Operand(0, a), middle, Piece::Enclosed(b), text(close.to_owned())]
+        };
+        (Level::Atom, Parts::Pieces(pieces))
+    }
+
+    /// Whether a formula is a single word.
+    fn is_plain(&self, id: FormulaId) -> bool {
+        match self.program.pool.get(id) {
+            Formula::Constant(_) | Formula::Variable(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) => true,
+            Formula::Not(_)
+            | Formula::And(_)
+            | Formula::Or(_)
+            | Formula::Xor(..)
+            | Formula::Compare(..)
+            | Formula::Arithmetic(..)
+            | Formula::Negate(_)
+            | Formula::Widen(_) => false,
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! What a program around the chart sees of its variables: constants, inputs, outputs, internal variables.
+
+use super::doc;
+use super::literals::{literal, type_name, zero};
+use super::names::{Names, remark};
+use crate::writer::Writer;
+use grafc_logic::formula::Type;
+use grafc_logic::scan::{Program, Role, VarId, Variable};
+
+/// Writes the constants of the chart.
+pub(super) fn constants(out: &mut Writer, program: &Program, names: &Names) {
+    for (id, variable) in of(program, Role::Constant) {
+        out.blank();
+        document(out, &names.variables[id], variable);
+        let value = literal(variable.initial, variable.ty);
+        out.line(&format!("pub const {}: {} = {value};", names.variables[id], type_name(variable.ty)));
+    }
+}
+
+/// Writes the three structs of variables; the internal ones only where there are any.
+pub(super) fn structs(out: &mut Writer, program: &Program, names: &Names) {
+    let derived = "#[derive(Clone, Copy, Debug, PartialEq)]";
+    // Inputs may have values of their own before they are first read.
+    let plain = of(program, Role::Input).all(|(_, v)| literal(v.initial, v.ty) == zero(v.ty));
+    let of_inputs = if plain { "#[derive(Clone, Copy, Debug, Default, PartialEq)]" } else { derived };
+    structure(out, program, names, Role::Input, "Inputs", "What is read from the plant for a scan.", of_inputs);
+    if !plain {
+        out.blank();
+        out.open("impl Default for Inputs {");
+        out.open("fn default() -> Self {");
+        fields(out, "Self", &values(program, names, Role::Input), "");
+        out.close("}");
+        out.close("}");
+    }
+    structure(out, program, names, Role::Output, "Outputs", "What a scan gives to the plant.", derived);
+    if has_variables(program) {
+        let about = "The internal variables of the chart.";
+        structure(out, program, names, Role::Internal, "Variables", about, derived);
+    }
+}
+
+/// Whether the chart has internal variables that keep a value.
+pub(super) fn has_variables(program: &Program) -> bool {
+    of(program, Role::Internal).next().is_some()
+}
+
+/// The variables of a role.
+pub(super) fn of(program: &Program, role: Role) -> impl Iterator<Item = (VarId, &Variable)> {
+    program.variables.iter_enumerated().filter(move |(_, variable)| variable.role == role)
+}
+
+/// Each variable of a role with its value before the first scan.
+pub(super) fn values(program: &Program, names: &Names, role: Role) -> Vec<(String, String)> {
+    of(program, role).map(|(id, v)| (names.variables[id].clone(), literal(v.initial, v.ty))).collect()
+}
+
+fn structure(out: &mut Writer, program: &Program, names: &Names, role: Role, name: &str, about: &str, derived: &str) {
+    out.blank();
+    out.line(&format!("/// {about}"));
+    out.line(derived);
+    if of(program, role).next().is_none() {
+        return out.line(&format!("pub struct {name} {{}}"));
+    }
+    out.open(&format!("pub struct {name} {{"));
+    for (id, variable) in of(program, role) {
+        document(out, &names.variables[id], variable);
+        out.line(&format!("pub {}: {},", names.variables[id], type_name(variable.ty)));
+    }
+    out.close("}");
+}
+
+/// The comment of a variable; of a time, that it counts milliseconds; its address.
+fn document(out: &mut Writer, name: &str, variable: &Variable) {
+    let unit = if variable.ty == Type::Time { Some("in milliseconds") } else { None };
+    let address = variable.address.as_deref().map(|address| format!("at {address}"));
+    let parts = remark(&variable.name, name, variable.comment.as_deref()).into_iter().chain(unit.map(str::to_owned));
+    let text = parts.chain(address).collect::<Vec<_>>().join(", ");
+    doc(out, if text.is_empty() { &variable.name } else { &text });
+}
+
+/// Writes a struct expression, on one line where rustfmt would, with `tail` behind it.
+pub(super) fn fields(out: &mut Writer, head: &str, values: &[(String, String)], tail: &str) {
+    let flat = values.iter().map(|(name, value)| format!("{name}: {value}")).collect::<Vec<_>>().join(", ");
+    if values.is_empty() {
+        return out.line(&format!("{head} {{}}{tail}"));
+    }
+    if flat.len() <= LONGEST_FLAT_STRUCT {
+        return out.line(&format!("{head} {{ {flat} }}{tail}"));
+    }
+    out.open(&format!("{head} {{"));
+    for (name, value) in values {
+        out.line(&format!("{name}: {value},"));
+    }
+    out.close(&format!("}}{tail}"));
+}
+
+/// rustfmt writes shorter struct expressions on one line.
+const LONGEST_FLAT_STRUCT: usize = 18;

@@ -1,0 +1,148 @@
+//! Rust: one module for a chart, without `std`, allocation or `unsafe`, laid out as rustfmt does it.
+//!
+//! ```text
+//! constants · Inputs · Outputs · Variables     what a program around the chart sees      interface
+//! Step, and an enum for each state             the situation                             steps
+//! struct Chart { … }                           its memory and what can be done with it   chart, saved
+//!     fn scan(&mut self, inputs, now)          the statements of the scan program        scan, locals, expressions
+//! mod runtime { … }                            what it needs at run time                 runtime
+//! ```
+//!
+//! `names` and `places` say what everything is called and where it lies; [`size_of`] how large the chart is in memory.
+
+mod chart;
+mod expressions;
+mod interface;
+mod literals;
+mod locals;
+mod names;
+mod places;
+mod runtime;
+mod saved;
+mod scan;
+mod size;
+mod steps;
+
+use crate::comment::clean;
+use crate::limits;
+use crate::writer::{self, Writer};
+use grafc_diagnostics::Diagnostics;
+use grafc_logic::scan::Program;
+use names::Names;
+use places::Places;
+pub use size::size_of;
+
+/// Where generated code has what it needs at run time from.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Runtime {
+    /// From a module of its own: the code stands alone.
+    #[default]
+    Inline,
+    /// From the crate `grafc-runtime`; then the chart also implements its trait `Chart`.
+    Crate,
+}
+
+/// What the caller may choose.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Options {
+    /// Where the run-time support comes from.
+    pub runtime: Runtime,
+    /// The first lines of the file, as a comment: which chart, which version, which options.
+    pub header: Vec<String>,
+    /// The name of a module to put everything into: for a file that is included, which cannot begin with attributes of
+    /// its own. Without it the file is the module.
+    pub module: Option<String>,
+}
+
+/// Lints that depend on what the author of a chart writes, and on which parts of the code a program uses.
+const LINTS: &str = "\
+#![allow(dead_code, reason = \"a program need not use all of it\")]
+#![allow(unused_comparisons, reason = \"conditions are those of the chart\")]
+#![allow(
+    clippy::absurd_extreme_comparisons,
+    clippy::eq_op,
+    clippy::float_cmp,
+    clippy::if_same_then_else,
+    clippy::manual_range_contains,
+    clippy::neg_cmp_op_on_partial_ord,
+    clippy::nonminimal_bool,
+    clippy::overly_complex_bool_expr,
+    reason = \"conditions are those of the chart\"
+)]";
+
+/// Writes a program as a module of Rust.
+///
+/// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
+pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
+    limits::check(program)?;
+    let names = Names::new(program);
+    let places = Places::new(program, &names);
+    let mut out = Writer::new(&writer::RUST);
+    if let Some(module) = &options.module {
+        out.open(&format!("pub mod {} {{", names::module(module)));
+    }
+    head(&mut out, program, options);
+    // What the chart uses is known only when it has been written.
+    let mut body = Writer::new(&writer::RUST);
+    body.deepen(out.indent() / writer::STEP);
+    interface::constants(&mut body, program, &names);
+    interface::structs(&mut body, program, &names);
+    steps::steps(&mut body, program, &names);
+    steps::states(&mut body, program, &names);
+    let used = chart::write(&mut body, program, &names, &places);
+    let needs =
+        runtime::Needs { timers: !program.timers.is_empty(), division: used.division, remainder: used.remainder };
+    runtime::imports(&mut out, options.runtime, needs);
+    out.blank();
+    out.append(body);
+    match options.runtime {
+        Runtime::Inline => runtime::module(&mut out, needs),
+        Runtime::Crate => runtime::implementation(&mut out, &names),
+    }
+    if options.module.is_some() {
+        out.close("}");
+    }
+    Ok(out.finish())
+}
+
+/// The names that [`emit`] gives to the variables of a program, without what they are part of, and to its chart.
+pub fn names(program: &Program) -> (String, Vec<String>) {
+    let names = Names::new(program);
+    (names.chart, names.variables.into_iter().collect())
+}
+
+fn head(out: &mut Writer, program: &Program, options: &Options) {
+    let comment = program.comment.as_deref().map(clean).filter(|text| !text.is_empty());
+    let title = comment.map_or(clean(&program.name), |comment| format!("{}: {comment}", clean(&program.name)));
+    out.line(&format!("//! {}", escaped(&title)));
+    if !options.header.is_empty() {
+        out.line("//!");
+    }
+    for line in &options.header {
+        out.line(&format!("//! {}", escaped(&clean(line))));
+    }
+    out.blank();
+    out.line("#![forbid(unsafe_code)]");
+    for line in LINTS.lines() {
+        out.line(line);
+    }
+    out.blank();
+}
+
+/// A comment that documents what follows, on one line: a break might begin what Markdown takes for a list. The text is
+/// clean.
+fn doc(out: &mut Writer, text: &str) {
+    out.line(&format!("/// {}", escaped(text)));
+}
+
+/// A text in which Markdown finds neither links nor tags.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if matches!(c, '[' | ']' | '<' | '>' | '\\') {
+            out.push('\\');
+        }
+        out.push(c);
+    }
+    out
+}

@@ -1,0 +1,178 @@
+//! The names of everything in one file of Rust, each in the case that Rust has for its kind.
+
+use crate::comment::clean;
+use crate::keywords::Family;
+use crate::namer::Namer;
+use grafc_logic::formula::{Formula, Value};
+use grafc_logic::scan::{Program, Role, StepId, TimerId, VarId};
+use index_vec::IndexVec;
+use rustc_hash::FxHashMap;
+
+/// All names. Values are unique in the whole file, and so are types, variants of `Step` and constants: readers search for
+/// them.
+pub(super) struct Names {
+    /// Variables without what they are part of: `full`, not `inputs.full`.
+    pub variables: IndexVec<VarId, String>,
+    pub timers: IndexVec<TimerId, String>,
+    /// The chart's type.
+    pub chart: String,
+    /// The variants of `Step`.
+    pub steps: IndexVec<StepId, String>,
+    /// The type of each state, and its variants by value.
+    pub states: Vec<StateNames>,
+}
+
+/// The names of a state.
+pub(super) struct StateNames {
+    /// The enum.
+    pub ty: String,
+    /// What each value is called, the idle one first, then in order of declaration.
+    pub variants: Vec<(i64, String)>,
+    by_value: FxHashMap<i64, usize>,
+}
+
+impl StateNames {
+    /// What a value is called.
+    pub fn variant(&self, value: i64) -> &str {
+        self.by_value.get(&value).map_or("", |place| &self.variants[*place].1)
+    }
+}
+
+impl Names {
+    /// Names by rank: what the chart declares, then what is ours.
+    pub fn new(program: &Program) -> Self {
+        let mut values = Namer::new(Family::RustValues);
+        let mut types = Namer::new(Family::RustTypes);
+        let chart = types.name(&camel(&program.name));
+        let mut variables: IndexVec<VarId, String> = program.variables.iter().map(|_| String::new()).collect();
+        let mut give = |namer: &mut Namer, case: fn(&str) -> String, wanted: &dyn Fn(Role) -> bool| {
+            let ids: Vec<VarId> = program.variables.indices().filter(|v| wanted(program.variables[*v].role)).collect();
+            let wishes: Vec<String> = ids.iter().map(|v| case(&program.variables[*v].name)).collect();
+            for (v, name) in ids.iter().zip(namer.names(wishes.iter().map(String::as_str))) {
+                variables[*v] = name;
+            }
+        };
+        give(&mut types, screaming, &|role| role == Role::Constant);
+        give(&mut values, snake, &|role| matches!(role, Role::Input | Role::Output | Role::Internal));
+        give(&mut values, snake, &|role| {
+            matches!(role, Role::Step | Role::State | Role::Flag(_) | Role::Memory | Role::Temporary)
+        });
+        let timers = program.timers.iter().map(|timer| values.name(&snake(&timer.name))).collect();
+        let wishes: Vec<String> = program.steps.iter().map(|step| variant(&step.label)).collect();
+        let steps: IndexVec<StepId, String> = types.names(wishes.iter().map(String::as_str)).into_iter().collect();
+        let states = program.states.iter().map(|state| {
+            let ty = types.name(&camel(&program.variables[state.variable].name));
+            // Always written with their type, so what they are called elsewhere does not matter.
+            let mut own = Namer::new(Family::RustTypes);
+            let given = own.names(state.values.iter().map(|(s, _)| steps[*s].as_str()));
+            let mut variants: Vec<(i64, String)> = state.values.iter().map(|(_, n)| *n).zip(given).collect();
+            if let Some(idle) = state.idle {
+                variants.insert(0, (idle, "None".to_owned()));
+            }
+            let by_value = variants.iter().enumerate().map(|(place, (value, _))| (*value, place)).collect();
+            StateNames { ty, variants, by_value }
+        });
+        let states = states.collect();
+        Names { variables, timers, chart, steps, states }
+    }
+}
+
+/// A name for a module.
+pub(super) fn module(wanted: &str) -> String {
+    Namer::new(Family::RustValues).name(&snake(wanted))
+}
+
+/// Whether a step is held by a variable of its own.
+pub(super) fn bit_of(program: &Program, step: StepId) -> Option<VarId> {
+    match program.pool.get(program.steps[step].active) {
+        Formula::Variable(v) => Some(*v),
+        _ => None,
+    }
+}
+
+/// The state and the value that hold a step, if it has no variable of its own.
+pub(super) fn state_of(program: &Program, step: StepId) -> Option<(VarId, i64)> {
+    match program.pool.get(program.steps[step].active) {
+        Formula::Compare(_, a, b) => match (program.pool.get(*a), program.pool.get(*b)) {
+            (Formula::Variable(v), Formula::Constant(Value::Int(n))) => Some((*v, *n)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// What stands beside a declaration: the chart's name if it had to be changed, and the attached comment.
+pub(super) fn remark(original: &str, given: &str, comment: Option<&str>) -> Option<String> {
+    let comment = comment.map(clean).filter(|text| !text.is_empty());
+    if original == given {
+        return comment;
+    }
+    let original = clean(original);
+    Some(match comment {
+        Some(comment) => format!("`{original}`: {comment}"),
+        None => format!("`{original}`"),
+    })
+}
+
+/// `weighA` and `Weigh_A` to `weigh_a`: a name of a field, a variable or a function.
+fn snake(name: &str) -> String {
+    let mut out = String::with_capacity(name.len());
+    let mut before_is_small = false;
+    for c in name.chars() {
+        if c.is_uppercase() && before_is_small {
+            out.push('_');
+        }
+        before_is_small = c.is_lowercase();
+        out.extend(c.to_lowercase());
+    }
+    out
+}
+
+/// A name of a constant.
+fn screaming(name: &str) -> String {
+    snake(name).to_uppercase()
+}
+
+/// `weigh_mix_b4` to `WeighMixB4`, `at_G1_1` to `AtG1_1`: a name of a type. Between digits the underscore stays.
+fn camel(name: &str) -> String {
+    let mut out = String::with_capacity(name.len());
+    for word in name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()) {
+        let digits_meet = out.ends_with(|c: char| c.is_ascii_digit()) && word.starts_with(|c: char| c.is_ascii_digit());
+        if digits_meet {
+            out.push('_');
+        }
+        let mut letters = word.chars();
+        out.extend(letters.next().into_iter().flat_map(char::to_uppercase));
+        out.push_str(letters.as_str());
+    }
+    out
+}
+
+/// A step as a variant: `X` before a number, as in the standard's variable of its activity.
+fn variant(label: &str) -> String {
+    let name = camel(label);
+    if name.starts_with(|c: char| c.is_ascii_digit()) { format!("X{name}") } else { name }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cases() {
+        for (name, small, large) in [
+            ("CS", "cs", "CS"),
+            ("TM_down", "tm_down", "TMDown"),
+            ("startButton", "start_button", "StartButton"),
+            ("at_G1_1", "at_g1_1", "AtG1_1"),
+            ("weigh_mix_b4", "weigh_mix_b4", "WeighMixB4"),
+            ("X1", "x1", "X1"),
+        ] {
+            assert_eq!(snake(name), small);
+            assert_eq!(camel(name), large);
+        }
+        assert_eq!(screaming("mixTime"), "MIX_TIME");
+        assert_eq!(variant("20"), "X20");
+        assert_eq!(variant("Fill"), "Fill");
+    }
+}

@@ -1,0 +1,123 @@
+//! Where each variable lies: in the inputs, the outputs, the chart itself, or in a local variable.
+
+use super::literals::literal;
+use super::names::{Names, StateNames};
+use grafc_logic::formula::{Formula, FormulaId, Type, Value};
+use grafc_logic::scan::{Flag, Program, Role, StepId, TimerId, VarId};
+use index_vec::IndexVec;
+use rustc_hash::FxHashMap;
+
+/// How the variables of one program are read and written.
+pub(super) struct Places<'p> {
+    program: &'p Program,
+    names: &'p Names,
+    /// How each variable is read.
+    read: IndexVec<VarId, String>,
+    /// The state whose values each variable holds.
+    state: FxHashMap<VarId, usize>,
+    /// The steps whose bits lie in the packed situation.
+    packed: FxHashMap<VarId, StepId>,
+}
+
+impl<'p> Places<'p> {
+    /// Finds all places. Steps are packed where each has a bit; beside states, the few bits that are left stand alone.
+    pub fn new(program: &'p Program, names: &'p Names) -> Self {
+        let mut state = FxHashMap::default();
+        for (index, held) in program.states.iter().enumerate() {
+            state.extend([held.variable].into_iter().chain(held.copies.clone()).map(|v| (v, index)));
+        }
+        let mut packed = FxHashMap::default();
+        if program.states.is_empty() {
+            packed.extend(program.steps.indices().filter_map(|s| Some((super::names::bit_of(program, s)?, s))));
+        }
+        let mut places = Places { program, names, read: IndexVec::new(), state, packed };
+        for id in program.variables.indices() {
+            let text = places.spell(id);
+            places.read.push(text);
+        }
+        places
+    }
+
+    fn spell(&self, id: VarId) -> String {
+        let name = &self.names.variables[id];
+        match self.program.variables[id].role {
+            Role::Input => format!("inputs.{name}"),
+            Role::Output => format!("self.outputs.{name}"),
+            Role::Internal => format!("self.variables.{name}"),
+            Role::Constant | Role::Temporary => name.clone(),
+            Role::Flag(flag) => format!("self.flags.{}", flag_name(flag)),
+            Role::Step => match self.packed.get(&id) {
+                Some(step) => format!("self.is_active({})", self.names.steps[*step]),
+                None => format!("self.{name}"),
+            },
+            Role::State | Role::Memory => format!("self.{name}"),
+        }
+    }
+
+    /// A variable as an operand.
+    pub fn read(&self, id: VarId) -> &str {
+        &self.read[id]
+    }
+
+    /// The step whose bit in the packed situation a variable is.
+    pub fn packed(&self, id: VarId) -> Option<StepId> {
+        self.packed.get(&id).copied()
+    }
+
+    /// The state whose values a variable holds.
+    pub fn state(&self, id: VarId) -> Option<&StateNames> {
+        self.state.get(&id).map(|index| &self.names.states[*index])
+    }
+
+    /// A value of a state as a variant of its enum.
+    pub fn variant(&self, id: VarId, value: i64) -> Option<String> {
+        self.state(id).map(|state| format!("{}::{}", state.ty, state.variant(value)))
+    }
+
+    /// A value of the type that a variable has.
+    pub fn value(&self, id: VarId, value: Value, ty: Type) -> String {
+        match value {
+            Value::Int(n) => self.variant(id, n).unwrap_or_else(|| literal(value, ty)),
+            Value::Bool(_) | Value::Real(_) | Value::Time(_) => literal(value, ty),
+        }
+    }
+
+    /// The field of a timer.
+    pub fn timer(&self, timer: TimerId) -> String {
+        format!("self.{}", self.names.timers[timer])
+    }
+
+    /// How long a timer runs; that of a timer without a preset is never asked.
+    pub fn preset(&self, timer: TimerId) -> String {
+        match self.program.timers[timer].preset {
+            Some(preset) => match preset.constant {
+                Some(constant) => self.read[constant].clone(),
+                None => literal(Value::Time(preset.ms), Type::Time),
+            },
+            None => "i64::MAX".to_owned(),
+        }
+    }
+
+    /// The columns of an operand of an arithmetic operation, which is no operation itself.
+    pub fn width_of_operand(&self, program: &Program, id: FormulaId) -> usize {
+        match program.pool.get(id) {
+            Formula::Variable(v) => self.read[*v].len(),
+            Formula::Widen(a) => match program.pool.get(*a) {
+                Formula::Variable(v) => self.read[*v].len() + "i32::from()".len(),
+                _ => "i32::from()".len(),
+            },
+            Formula::TimerElapsed(t) => self.timer(*t).len() + ".elapsed()".len(),
+            _ => 0,
+        }
+    }
+}
+
+/// The field of a flag, as the run-time support has it.
+pub(super) fn flag_name(flag: Flag) -> &'static str {
+    match flag {
+        Flag::Livelock => "livelock",
+        Flag::AllocConflict => "alloc_conflict",
+        Flag::ForceConflict => "force_conflict",
+        Flag::Div0 => "div0",
+    }
+}

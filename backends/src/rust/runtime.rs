@@ -1,0 +1,72 @@
+//! What generated code needs at run time: copied into the file, or taken from the crate `grafc-runtime`. Both are the
+//! same text.
+
+use super::Runtime;
+use super::names::Names;
+use crate::writer::Writer;
+use grafc_runtime::source;
+
+/// What a chart needs beside its flags and the saving of its memory.
+#[derive(Clone, Copy)]
+pub(super) struct Needs {
+    pub timers: bool,
+    pub division: bool,
+    pub remainder: bool,
+}
+
+/// Writes the `use` of what is needed.
+pub(super) fn imports(out: &mut Writer, runtime: Runtime, needs: Needs) {
+    let mut items = vec!["Flags", "Restorer", "Saver"];
+    items.extend(needs.timers.then_some("Timer"));
+    items.extend(needs.division.then_some("divide"));
+    items.extend(needs.remainder.then_some("remainder"));
+    let from = match runtime {
+        Runtime::Inline => "self::runtime",
+        Runtime::Crate => "grafc_runtime",
+    };
+    out.line(&format!("use {from}::{{{}}};", items.join(", ")));
+}
+
+/// Writes the module of its own.
+pub(super) fn module(out: &mut Writer, needs: Needs) {
+    out.blank();
+    out.line("/// What the chart needs at run time.");
+    out.open("pub mod runtime {");
+    let mut pieces = vec![source::FLAGS, source::SAVED];
+    pieces.extend(needs.timers.then_some(source::TIMER));
+    pieces.extend((needs.division || needs.remainder).then_some(source::NUMBER));
+    for piece in pieces {
+        out.blank();
+        let lines = piece.lines().filter(|line| !line.starts_with("//!") && !line.starts_with("#[cfg_attr("));
+        for line in lines {
+            if line.is_empty() { out.blank() } else { out.line(line) }
+        }
+    }
+    out.close("}");
+}
+
+/// Writes the implementation of the trait that all charts have in common.
+pub(super) fn implementation(out: &mut Writer, names: &Names) {
+    let chart = &names.chart;
+    out.blank();
+    out.open(&format!("impl grafc_runtime::Chart for {chart} {{"));
+    out.line("type Inputs = Inputs;");
+    out.line("type Outputs = Outputs;");
+    out.line("type Step = Step;");
+    out.line(&format!("const NAME: &'static str = {chart:?};"));
+    out.line("const STEPS: &'static [Step] = &Step::ALL;");
+    for (head, call) in [
+        ("fn scan(&mut self, inputs: &Inputs, now: u32) -> &Outputs", "self.scan(inputs, now)"),
+        ("fn outputs(&self) -> &Outputs", "self.outputs()"),
+        ("fn is_active(&self, step: Step) -> bool", "self.is_active(step)"),
+        ("fn flags(&self) -> Flags", "self.flags()"),
+        ("fn clear_flags(&mut self)", "self.clear_flags();"),
+        ("fn reset(&mut self)", "self.reset();"),
+    ] {
+        out.blank();
+        out.open(&format!("{head} {{"));
+        out.line(call);
+        out.close("}");
+    }
+    out.close("}");
+}

@@ -1,0 +1,133 @@
+//! The steps of the chart as an enum, and an enum for each set of steps that exclude each other.
+
+use super::doc;
+use super::expressions::{SMALL, WIDTH};
+use super::names::{Names, StateNames};
+use crate::comment::clean;
+use crate::writer::Writer;
+use grafc_logic::scan::{Program, StepId};
+use index_vec::IndexVec;
+
+/// rustfmt puts several items of a list on a line only where none is longer.
+const LONGEST_SHORT_ITEM: usize = 10;
+
+/// Writes `Step`.
+pub(super) fn steps(out: &mut Writer, program: &Program, names: &Names) {
+    out.blank();
+    out.line("/// The steps of the chart.");
+    out.line("#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]");
+    out.open("pub enum Step {");
+    for (s, step) in program.steps.iter_enumerated() {
+        doc(out, &about(&step.label, step.comment.as_deref()));
+        out.line(&format!("{},", names.steps[s]));
+    }
+    out.close("}");
+    out.blank();
+    out.open("impl Step {");
+    out.line("/// All steps, in order of declaration.");
+    let items: Vec<String> = names.steps.iter().map(|name| format!("Self::{name}")).collect();
+    list(out, &format!("pub const ALL: [Self; {}] =", items.len()), &items);
+    out.blank();
+    out.line("/// The label in the chart.");
+    texts(out, "label", "&'static str", names, program.steps.iter().map(|step| quoted(&step.label)).collect());
+    out.close("}");
+}
+
+/// What a step is called, in a comment.
+fn about(label: &str, comment: Option<&str>) -> String {
+    match comment.map(clean).filter(|text| !text.is_empty()) {
+        Some(comment) => format!("step {}: {comment}", clean(label)),
+        None => format!("step {}", clean(label)),
+    }
+}
+
+/// A function of the step with a text for each.
+fn texts(out: &mut Writer, function: &str, ty: &str, names: &Names, texts: IndexVec<StepId, String>) {
+    out.open(&format!("pub const fn {function}(self) -> {ty} {{"));
+    out.open("match self {");
+    for (step, text) in names.steps.iter().zip(texts) {
+        arm(out, &format!("Self::{step}"), &text);
+    }
+    out.close("}");
+    out.close("}");
+}
+
+/// An arm of a `match` that gives a value.
+pub(super) fn arm(out: &mut Writer, label: &str, value: &str) {
+    if out.indent() + label.len() + value.len() + 5 <= WIDTH {
+        return out.line(&format!("{label} => {value},"));
+    }
+    out.open(&format!("{label} => {{"));
+    out.line(value);
+    out.close("}");
+}
+
+/// A text as a literal.
+fn quoted(text: &str) -> String {
+    format!("{text:?}")
+}
+
+/// Writes the enum of each state, which is as large as it must be and no larger.
+pub(super) fn states(out: &mut Writer, program: &Program, names: &Names) {
+    for (state, names) in program.states.iter().zip(&names.states) {
+        let step_of = |value: i64| state.values.iter().find(|(_, n)| *n == value).map(|(s, _)| &program.steps[*s]);
+        out.blank();
+        out.line("/// Which of these steps is active.");
+        out.line("#[derive(Clone, Copy, Debug, PartialEq, Eq)]");
+        out.open(&format!("enum {} {{", names.ty));
+        let mut in_order = state.values.iter();
+        for (value, variant) in &names.variants {
+            // The variants of steps are in the order of the values.
+            let step = if state.idle == Some(*value) { None } else { in_order.next().map(|(s, _)| &program.steps[*s]) };
+            debug_assert_eq!(step.map(|s| &s.label), step_of(*value).map(|s| &s.label));
+            match step {
+                Some(step) => doc(out, &about(&step.label, step.comment.as_deref())),
+                None => out.line("/// none of them"),
+            }
+            out.line(&format!("{variant},"));
+        }
+        out.close("}");
+        variants(out, names);
+    }
+}
+
+/// All values of a state, to read one from saved memory.
+fn variants(out: &mut Writer, names: &StateNames) {
+    out.blank();
+    out.open(&format!("impl {} {{", names.ty));
+    let items: Vec<String> = names.variants.iter().map(|(_, name)| format!("Self::{name}")).collect();
+    list(out, &format!("const ALL: [Self; {}] =", items.len()), &items);
+    out.close("}");
+}
+
+/// Writes a constant list as rustfmt lays it out.
+fn list(out: &mut Writer, head: &str, items: &[String]) {
+    let flat = items.join(", ");
+    if flat.len() <= SMALL {
+        let line = format!("{head} [{flat}];");
+        if out.indent() + line.len() <= WIDTH {
+            return out.line(&line);
+        }
+        out.open(head);
+        out.line(&format!("[{flat}];"));
+        return out.leave();
+    }
+    out.open(&format!("{head} ["));
+    if items.iter().any(|item| item.len() > LONGEST_SHORT_ITEM) {
+        for item in items {
+            out.line(&format!("{item},"));
+        }
+    } else {
+        let mut line = String::new();
+        for item in items {
+            if !line.is_empty() && out.indent() + line.len() + 1 + item.len() + 1 > WIDTH {
+                out.line(&std::mem::take(&mut line));
+            }
+            line.push_str(if line.is_empty() { "" } else { " " });
+            line.push_str(item);
+            line.push(',');
+        }
+        out.line(&line);
+    }
+    out.close("];");
+}
