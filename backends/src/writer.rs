@@ -110,9 +110,9 @@ impl Writer {
         self.enter();
     }
 
-    /// Everything is some levels deeper: the text of a block that is written apart.
-    pub fn deepen(&mut self, levels: usize) {
-        self.indent += levels * STEP;
+    /// A text that is written apart, as deep inside.
+    pub fn apart(&self) -> Writer {
+        Writer { indent: self.indent, ..Writer::new(self.comments) }
     }
 
     /// A block that was written apart.

@@ -149,8 +149,8 @@ impl Chart<'_> {
 
     fn scan(&self, out: &mut Writer) -> scan::Used {
         let expressions = Expressions::new(self.program, self.places);
-        let mut body = Writer::new(&crate::writer::RUST);
-        body.deepen(out.indent() / crate::writer::STEP + 1);
+        let mut body = out.apart();
+        body.enter();
         let used = scan::write(&mut body, self.program, self.names, self.places, &expressions);
         out.blank();
         out.line("/// One scan: from the inputs to the outputs.");

@@ -50,25 +50,31 @@ impl<'p> Expressions<'p> {
         self.formulas.flat(out, id);
     }
 
-    /// Writes `head = formula;`, broken as rustfmt breaks it: behind the sign if the formula then has room in one line,
-    /// else before its operators.
+    /// Writes `head = formula;`, broken as rustfmt breaks it: before its operators, or behind the sign, if it then has room
+    /// in one line or at least takes fewer.
     pub fn statement(&self, out: &mut Writer, head: &str, id: FormulaId) {
-        let (indent, width) = (out.indent(), self.width(id));
-        if (indent + head.len() + 4).saturating_add(width) > WIDTH && (indent + STEP + 1).saturating_add(width) <= WIDTH
-        {
-            out.line(&format!("{head} ="));
+        let flat = (out.indent() + head.len() + 4).saturating_add(self.width(id)) <= WIDTH;
+        let mut beside = out.apart();
+        self.broken(&mut beside, id, head.len() + 3, 1, true);
+        let beside = beside.finish();
+        if !flat {
             out.enter();
-            out.start();
-            self.flat(out, id);
-            out.text(";");
-            out.end();
+            let mut below = out.apart();
+            self.broken(&mut below, id, 0, 1, true);
+            let below = below.finish();
             out.leave();
-            return;
+            let lines = |text: &str| text.bytes().filter(|byte| *byte == b'\n').count();
+            if lines(&below) == 0 || lines(&beside) > lines(&below) + 1 {
+                out.open(&format!("{head} ="));
+                out.start();
+                out.text(&below);
+                out.text(";");
+                out.end();
+                return out.leave();
+            }
         }
         out.start();
-        out.text(&format!("{head} = "));
-        self.broken(out, id, head.len() + 3, 1);
-        out.text(";");
+        out.text(&format!("{head} = {beside};"));
         out.end();
     }
 
@@ -83,20 +89,23 @@ impl<'p> Expressions<'p> {
             out.end();
             return;
         }
-        self.broken(out, id, head.len() + 1, 2);
+        self.broken(out, id, head.len() + 1, 2, true);
         out.end();
         out.line("{");
     }
 
     /// Writes a formula from a column of the current line on, a term a line if it would not fit with `tail` more columns.
-    fn broken(&self, out: &mut Writer, id: FormulaId, column: usize, tail: usize) {
+    /// The lines are one level `deeper`, save where the formula is the first term of another that is broken.
+    fn broken(&self, out: &mut Writer, id: FormulaId, column: usize, tail: usize, deeper: bool) {
         let fits = (out.indent() + column + tail).saturating_add(self.width(id)) <= WIDTH;
         let shape = self.formulas.notation.shape(id);
         match &shape.parts {
             Parts::Infix(operator, operands) if !fits => {
-                out.enter();
+                if deeper {
+                    out.enter();
+                }
                 for (place, operand) in operands.iter().enumerate() {
-                    let mut at = if place == 0 { column.saturating_sub(STEP) } else { 0 };
+                    let mut at = column.saturating_sub(if deeper { STEP } else { 0 });
                     if place > 0 {
                         out.end();
                         out.start();
@@ -104,20 +113,22 @@ impl<'p> Expressions<'p> {
                         out.text(" ");
                         at = operator.len() + 1;
                     }
-                    let last = place + 1 == operands.len();
                     let wrap = self.formulas.needs_parentheses(shape.level, place, *operand);
                     out.text(if wrap { "(" } else { "" });
-                    let (at, tail) = if wrap { (at + 1, 1) } else { (at, 0) };
-                    self.broken(out, *operand, at, tail + usize::from(last));
+                    let (at, tail) = if wrap { (at + 1, tail + 1) } else { (at, tail) };
+                    self.broken(out, *operand, at, tail, place > 0);
                     out.text(if wrap { ")" } else { "" });
                 }
-                out.leave();
+                if deeper {
+                    out.leave();
+                }
             }
             Parts::Prefix(word, operand) if !fits => {
                 out.text(word);
                 let wrap = self.formulas.needs_parentheses(shape.level, 1, *operand);
                 out.text(if wrap { "(" } else { "" });
-                self.broken(out, *operand, column + word.len() + usize::from(wrap), tail + usize::from(wrap));
+                let at = column + word.len() + usize::from(wrap);
+                self.broken(out, *operand, at, tail + usize::from(wrap), deeper);
                 out.text(if wrap { ")" } else { "" });
             }
             Parts::Atom(_) | Parts::Prefix(..) | Parts::Pieces(_) | Parts::Infix(..) => self.flat(out, id),

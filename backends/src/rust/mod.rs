@@ -57,11 +57,15 @@ pub struct Options {
 /// Lints that depend on what the author of a chart writes, and on which parts of the code a program uses.
 const LINTS: &str = "\
 #![allow(dead_code, reason = \"a program need not use all of it\")]
-#![allow(unused_comparisons, reason = \"conditions are those of the chart\")]
 #![allow(
+    clippy::collapsible_if,
+    clippy::collapsible_match,
+    reason = \"an arm for each step, an `if` for each transition\"
+)]
+#![allow(
+    unused_comparisons,
     clippy::absurd_extreme_comparisons,
     clippy::eq_op,
-    clippy::float_cmp,
     clippy::if_same_then_else,
     clippy::manual_range_contains,
     clippy::neg_cmp_op_on_partial_ord,
@@ -83,8 +87,7 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
     }
     head(&mut out, program, options);
     // What the chart uses is known only when it has been written.
-    let mut body = Writer::new(&writer::RUST);
-    body.deepen(out.indent() / writer::STEP);
+    let mut body = out.apart();
     interface::constants(&mut body, program, &names);
     interface::structs(&mut body, program, &names);
     steps::steps(&mut body, program, &names);

@@ -2,7 +2,8 @@
 
 use crate::comment::clean;
 use crate::keywords::Family;
-use crate::namer::Namer;
+use crate::namer::{MAX_LENGTH, Namer};
+use crate::transliterate::identifier;
 use grafc_logic::formula::{Formula, Value};
 use grafc_logic::scan::{Program, Role, StepId, TimerId, VarId};
 use index_vec::IndexVec;
@@ -116,6 +117,7 @@ pub(super) fn remark(original: &str, given: &str, comment: Option<&str>) -> Opti
 
 /// `weighA` and `Weigh_A` to `weigh_a`: a name of a field, a variable or a function.
 fn snake(name: &str) -> String {
+    let name = identifier(name, MAX_LENGTH);
     let mut out = String::with_capacity(name.len());
     let mut before_is_small = false;
     for c in name.chars() {
@@ -135,6 +137,7 @@ fn screaming(name: &str) -> String {
 
 /// `weigh_mix_b4` to `WeighMixB4`, `at_G1_1` to `AtG1_1`: a name of a type. Between digits the underscore stays.
 fn camel(name: &str) -> String {
+    let name = identifier(name, MAX_LENGTH);
     let mut out = String::with_capacity(name.len());
     for word in name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()) {
         let digits_meet = out.ends_with(|c: char| c.is_ascii_digit()) && word.starts_with(|c: char| c.is_ascii_digit());
@@ -150,8 +153,7 @@ fn camel(name: &str) -> String {
 
 /// A step as a variant: `X` before a number, as in the standard's variable of its activity.
 fn variant(label: &str) -> String {
-    let name = camel(label);
-    if name.starts_with(|c: char| c.is_ascii_digit()) { format!("X{name}") } else { name }
+    if label.starts_with(|c: char| c.is_ascii_digit()) { camel(&format!("X{label}")) } else { camel(label) }
 }
 
 #[cfg(test)]

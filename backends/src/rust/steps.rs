@@ -8,9 +8,6 @@ use crate::writer::Writer;
 use grafc_logic::scan::{Program, StepId};
 use index_vec::IndexVec;
 
-/// rustfmt puts several items of a list on a line only where none is longer.
-const LONGEST_SHORT_ITEM: usize = 10;
-
 /// Writes `Step`.
 pub(super) fn steps(out: &mut Writer, program: &Program, names: &Names) {
     out.blank();
@@ -113,21 +110,8 @@ fn list(out: &mut Writer, head: &str, items: &[String]) {
         return out.leave();
     }
     out.open(&format!("{head} ["));
-    if items.iter().any(|item| item.len() > LONGEST_SHORT_ITEM) {
-        for item in items {
-            out.line(&format!("{item},"));
-        }
-    } else {
-        let mut line = String::new();
-        for item in items {
-            if !line.is_empty() && out.indent() + line.len() + 1 + item.len() + 1 > WIDTH {
-                out.line(&std::mem::take(&mut line));
-            }
-            line.push_str(if line.is_empty() { "" } else { " " });
-            line.push_str(item);
-            line.push(',');
-        }
-        out.line(&line);
+    for item in items {
+        out.line(&format!("{item},"));
     }
     out.close("];");
 }

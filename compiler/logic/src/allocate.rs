@@ -12,6 +12,7 @@ use crate::tokens::Components;
 use grafc_model::chart::{ExprId, ExprKind, Mode, StepId, TransitionId, VariableId};
 use grafc_net::Net;
 use grafc_net::net::Forced;
+use rustc_hash::FxHashSet;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// One assignment and when it is done.
@@ -373,7 +374,12 @@ fn raise_conflict(lowering: &mut Lowering, when: FormulaId) -> Vec<Statement> {
 pub(crate) fn choose(lowering: &Lowering, branches: Vec<(FormulaId, Vec<Statement>)>) -> Vec<Statement> {
     let mut kept = Vec::with_capacity(branches.len());
     let mut otherwise = Vec::new();
+    let mut asked = FxHashSet::default();
     for (when, body) in branches {
+        // What has been asked before is not true any more.
+        if !asked.insert(when) {
+            continue;
+        }
         match lowering.pool.as_truth(when) {
             Some(false) => {}
             Some(true) => {

@@ -10,6 +10,7 @@ use crate::overlap;
 use crate::scan::{Flag, Limit, Program, Repeat, Role, Statement};
 use crate::simplify;
 use crate::stored::heading;
+use crate::sweep;
 use crate::tokens::{self, Components};
 use crate::transient::{self, Known};
 use grafc_diagnostics::Diagnostics;
@@ -105,7 +106,9 @@ pub fn compile(net: &Net, options: &Options) -> (Option<Program>, Diagnostics) {
     let mut after = Vec::new();
     heading(&mut after, "outputs", outputs::statements(&mut lowering, followers.as_ref()));
     micro_step.extend(step_timer_statements(&mut lowering));
-    micro_step.extend(input_event.over(&mut lowering));
+    if repeat.is_some() {
+        micro_step.extend(input_event.over(&mut lowering));
+    }
 
     let first = first_section(&mut lowering, options.profile, followers.as_ref(), &input_event);
     let mut before = step_timer_statements(&mut lowering);
@@ -128,6 +131,7 @@ pub fn compile(net: &Net, options: &Options) -> (Option<Program>, Diagnostics) {
     if options.simplify {
         simplify::absorb(&mut program);
     }
+    sweep::sweep(&mut program);
     debug_assert_eq!(crate::scan::verify(&program), Ok(()), "the program as compiled");
     (Some(program), diagnostics)
 }

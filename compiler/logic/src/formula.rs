@@ -6,7 +6,7 @@
 
 use crate::number;
 pub use grafc_model::chart::{Arithmetic, Comparison, Type, Value};
-use index_vec::define_index_type;
+use index_vec::{IndexVec, define_index_type};
 use indexmap::IndexSet;
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 use std::hash::{Hash, Hasher};
@@ -362,6 +362,40 @@ impl Pool {
             new.insert(id, replaced);
         }
         new[&root]
+    }
+
+    /// Only the formulas below the roots, with the variables numbered anew; and the new id of each that is kept.
+    pub(crate) fn compacted(
+        &self,
+        roots: impl IntoIterator<Item = FormulaId>,
+        variables: &IndexVec<VarId, VarId>,
+    ) -> (Pool, FxHashMap<FormulaId, FormulaId>) {
+        let mut kept = vec![false; self.nodes.len()];
+        let mut open: Vec<FormulaId> = roots.into_iter().collect();
+        while let Some(id) = open.pop() {
+            if !std::mem::replace(&mut kept[id.index()], true) {
+                open.extend(self.operands(id));
+            }
+        }
+        let mut pool = Pool::default();
+        let mut new: FxHashMap<FormulaId, FormulaId> = FxHashMap::default();
+        for id in self.ids().filter(|id| kept[id.index()]) {
+            let Node { formula, ty } = self.nodes[id.index()].clone();
+            let formula = match formula {
+                Formula::Variable(v) => Formula::Variable(variables[v]),
+                Formula::Constant(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) => formula,
+                Formula::Not(a) => Formula::Not(new[&a]),
+                Formula::And(list) => Formula::And(list.iter().map(|a| new[a]).collect()),
+                Formula::Or(list) => Formula::Or(list.iter().map(|a| new[a]).collect()),
+                Formula::Xor(a, b) => Formula::Xor(new[&a], new[&b]),
+                Formula::Compare(op, a, b) => Formula::Compare(op, new[&a], new[&b]),
+                Formula::Arithmetic(op, a, b) => Formula::Arithmetic(op, new[&a], new[&b]),
+                Formula::Negate(a) => Formula::Negate(new[&a]),
+                Formula::Widen(a) => Formula::Widen(new[&a]),
+            };
+            new.insert(id, pool.add(formula, ty));
+        }
+        (pool, new)
     }
 
     /// One formula on new operands, all of which are in `new`.

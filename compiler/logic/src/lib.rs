@@ -28,6 +28,7 @@ mod settle;
 mod simplify;
 mod situation;
 mod stored;
+mod sweep;
 mod symbols;
 mod tokens;
 mod transient;

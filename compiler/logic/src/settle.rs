@@ -91,9 +91,8 @@ pub(crate) fn orders(
     if !exclusive {
         conflict(lowering, g, &forcing, within, statements);
     }
-    if !grafcet.orders.iter().any(|order| matches!(order.forced, Forced::Steps(_))) {
-        return None;
-    }
+    let last = grafcet.orders.iter().rposition(|order| matches!(order.forced, Forced::Steps(_)));
+    last?;
     let mut in_force = Vec::new();
     let before = (!exclusive && forcing.len() > 2)
         .then(|| lowering.symbols.fresh(Role::Temporary, format!("ordered_{}", grafcet.name), Type::Bool, None));
@@ -115,7 +114,8 @@ pub(crate) fn orders(
             let name = format!("force_{}_{}", grafcet.name, index + 1);
             in_force.push((lowering.named(&name, when, statements), steps.clone()));
         }
-        if let Some(target) = before {
+        // After the last order that sets a situation nothing asks any more.
+        if let Some(target) = before.filter(|_| Some(index) < last) {
             let earlier = lowering.symbols.read(&mut lowering.pool, target);
             let value = if index == 0 { *active } else { lowering.pool.or([earlier, *active]) };
             statements.push(Statement::Assign { target, value, remark: None });
@@ -168,17 +168,23 @@ fn conflict(
         // One situation after the other: whether one was asked for before, and whether two were.
         let asked_before = lowering.symbols.fresh(Role::Temporary, format!("asked_{}", grafcet.name), Type::Bool, None);
         let two = lowering.symbols.fresh(Role::Temporary, format!("conflict_{}", grafcet.name), Type::Bool, None);
-        let no = lowering.pool.truth(false);
-        statements.push(Statement::Assign { target: asked_before, value: no, remark: None });
-        statements.push(Statement::Assign { target: two, value: no, remark: None });
         let (before, both) =
             (lowering.symbols.read(&mut lowering.pool, asked_before), lowering.symbols.read(&mut lowering.pool, two));
-        for class in asked {
+        let last = asked.len() - 1;
+        for (index, class) in asked.into_iter().enumerate() {
             let meets = lowering.pool.and([before, class]);
-            let value = lowering.pool.or([both, meets]);
-            statements.push(Statement::Assign { target: two, value, remark: None });
-            let value = lowering.pool.or([before, class]);
-            statements.push(Statement::Assign { target: asked_before, value, remark: None });
+            match index {
+                0 => {}
+                1 => statements.push(Statement::Assign { target: two, value: meets, remark: None }),
+                _ => {
+                    let value = lowering.pool.or([both, meets]);
+                    statements.push(Statement::Assign { target: two, value, remark: None });
+                }
+            }
+            if index < last {
+                let value = if index == 0 { class } else { lowering.pool.or([before, class]) };
+                statements.push(Statement::Assign { target: asked_before, value, remark: None });
+            }
         }
         both
     };

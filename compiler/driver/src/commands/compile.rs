@@ -223,10 +223,9 @@ fn refuse_options_of_other_targets(args: &Arguments) -> Result<(), Failure> {
         None => return Ok(()),
     };
     match foreign.iter().find(|(_, given)| *given) {
-        Some((name, _)) => Err(Failure::WrongUse(
-            format!("`--{name}` is an option of `--target {own}`"),
-            "leave it out".to_string(),
-        )),
+        Some((name, _)) => {
+            Err(Failure::WrongUse(format!("`--{name}` is an option of `--target {own}`"), "leave it out".to_string()))
+        }
         None => Ok(()),
     }
 }
