@@ -28,7 +28,7 @@ use crate::limits;
 use crate::writer::{self, Writer};
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::scan::Program;
-use names::Names;
+pub use names::Names;
 use places::Places;
 pub use size::size_of;
 
@@ -108,10 +108,9 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
     Ok(out.finish())
 }
 
-/// The names that [`emit`] gives to the variables of a program, without what they are part of, and to its chart.
-pub fn names(program: &Program) -> (String, Vec<String>) {
-    let names = Names::new(program);
-    (names.chart, names.variables.into_iter().collect())
+/// The names that [`emit`] gives.
+pub fn names(program: &Program) -> Names {
+    Names::new(program)
 }
 
 fn head(out: &mut Writer, program: &Program, options: &Options) {

@@ -11,16 +11,16 @@ use rustc_hash::FxHashMap;
 
 /// All names. Values are unique in the whole file, and so are types, variants of `Step` and constants: readers search for
 /// them.
-pub(super) struct Names {
+pub struct Names {
     /// Variables without what they are part of: `full`, not `inputs.full`.
     pub variables: IndexVec<VarId, String>,
-    pub timers: IndexVec<TimerId, String>,
     /// The chart's type.
     pub chart: String,
     /// The variants of `Step`.
     pub steps: IndexVec<StepId, String>,
+    pub(super) timers: IndexVec<TimerId, String>,
     /// The type of each state, and its variants by value.
-    pub states: Vec<StateNames>,
+    pub(super) states: Vec<StateNames>,
 }
 
 /// The names of a state.
@@ -41,7 +41,7 @@ impl StateNames {
 
 impl Names {
     /// Names by rank: what the chart declares, then what is ours.
-    pub fn new(program: &Program) -> Self {
+    pub(super) fn new(program: &Program) -> Self {
         let mut values = Namer::new(Family::RustValues);
         let mut types = Namer::new(Family::RustTypes);
         let chart = types.name(&camel(&program.name));

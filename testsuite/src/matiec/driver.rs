@@ -1,13 +1,10 @@
-//! The C code that plays traces, and the reading of what it prints.
-//!
-//! A line is `job row value…`: outputs, whether each step is active, and flags, each in the order of the program. Reals
-//! come with as many digits as their type needs to be read back exactly.
+//! The C code that plays traces and prints what [`crate::jobs`] reads.
 
-use super::Job;
+use crate::jobs::{flags, outputs};
 use grafc_logic::formula::{Comparison, Formula, FormulaId};
-use grafc_logic::scan::{Flag, Program, Role, VarId, Variable};
+use grafc_logic::scan::{Program, Role, VarId};
 use grafc_model::chart::{Type, Value};
-use grafc_model::reaction::{Flags, Response, Stimulus};
+use grafc_model::reaction::Stimulus;
 use index_vec::IndexVec;
 use std::fmt::Write as _;
 
@@ -101,72 +98,10 @@ pub(super) fn main(batch: &[usize]) -> String {
     format!("int main(void) {{\n{calls}  return 0;\n}}\n")
 }
 
-fn outputs(program: &Program) -> impl Iterator<Item = (VarId, &Variable)> {
-    program.variables.iter_enumerated().filter(|(_, variable)| variable.role == Role::Output)
-}
-
-fn flags(program: &Program) -> impl Iterator<Item = (VarId, Flag)> {
-    program.variables.iter_enumerated().filter_map(|(id, variable)| match variable.role {
-        Role::Flag(flag) => Some((id, flag)),
-        Role::Input
-        | Role::Output
-        | Role::Internal
-        | Role::Constant
-        | Role::Step
-        | Role::State
-        | Role::Memory
-        | Role::Temporary => None,
-    })
-}
-
 fn literal(value: Value) -> String {
     match value {
         Value::Bool(b) => u8::from(b).to_string(),
         Value::Int(n) | Value::Time(n) => format!("{n}LL"),
         Value::Real(x) => format!("{x:e}"),
     }
-}
-
-/// The responses of one job, from all that was printed.
-pub(super) fn read(job: &Job, index: usize, printed: &str) -> Result<Vec<Response>, String> {
-    let head = format!("{index} ");
-    let mut responses = Vec::new();
-    for line in printed.lines().filter(|line| line.starts_with(&head)) {
-        let mut words = line.split(' ').skip(2);
-        let mut response = Response { outputs: Vec::new(), situation: Vec::new(), flags: Flags::default() };
-        let mut next = |ty: Type| {
-            let word = words.next().ok_or_else(|| format!("`{line}` is too short"))?;
-            value(ty, word).ok_or_else(|| format!("`{word}` is no {ty:?}"))
-        };
-        for (_, variable) in outputs(&job.program) {
-            response.outputs.push(next(variable.ty)?);
-        }
-        for step in job.program.steps.indices() {
-            if next(Type::Bool)? == Value::Bool(true) {
-                response.situation.push(step);
-            }
-        }
-        for (_, flag) in flags(&job.program) {
-            let raised = next(Type::Bool)? == Value::Bool(true);
-            match flag {
-                Flag::Livelock => response.flags.livelock = raised,
-                Flag::AllocConflict => response.flags.alloc_conflict = raised,
-                Flag::ForceConflict => response.flags.force_conflict = raised,
-                Flag::Div0 => response.flags.div0 = raised,
-            }
-        }
-        responses.push(response);
-    }
-    Ok(responses)
-}
-
-fn value(ty: Type, word: &str) -> Option<Value> {
-    Some(match ty {
-        Type::Bool => Value::Bool(word == "1"),
-        Type::Int | Type::Dint | Type::Uint | Type::Udint => Value::Int(word.parse().ok()?),
-        // Nine digits give a single back exactly when they are read as one.
-        Type::Real => Value::Real(f64::from(word.parse::<f32>().ok()?)),
-        Type::Lreal => Value::Real(word.parse().ok()?),
-        Type::Time => Value::Time(word.parse().ok()?),
-    })
 }

@@ -2,26 +2,19 @@
 //!
 //! The function blocks of many charts go into one file for `iec2c`, what it writes and a driver of ours (`driver`)
 //! into one program for `gcc`, which plays each chart's trace and prints what came out. The time is fixed throughout a
-//! call, as the PLC's cycle fixes it. If a file of many charts is refused, each is tried alone, so that a fault is
-//! reported with its chart.
+//! call, as the PLC's cycle fixes it.
 
 mod driver;
 mod tools;
 
+use crate::jobs;
+pub use crate::jobs::Job;
 use grafc_backends::st;
-use grafc_logic::scan::Program;
 use grafc_model::chart::{Arithmetic, Chart, ExprKind, Type};
-use grafc_model::reaction::{Response, Stimulus};
+use grafc_model::reaction::Response;
 use std::fs;
 pub use tools::Tools;
-
-/// A program and what it is given.
-pub struct Job {
-    /// The scan program; its name is replaced by one that is unique among the jobs.
-    pub program: Program,
-    /// The calls.
-    pub stimuli: Vec<Stimulus>,
-}
+pub(crate) use tools::call;
 
 /// A job as the tools take it.
 struct Unit {
@@ -33,36 +26,8 @@ struct Unit {
 
 /// Runs all jobs, in one batch if possible. A job's fault is what a tool said.
 pub fn run(tools: &Tools, jobs: &[Job]) -> Vec<Result<Vec<Response>, String>> {
-    let units: Vec<Result<Unit, String>> = jobs.iter().enumerate().map(|(index, job)| unit(index, job)).collect();
-    let good: Vec<usize> = (0..jobs.len()).filter(|&i| units[i].is_ok()).collect();
-    let mut results: Vec<Result<Vec<Response>, String>> = units
-        .iter()
-        .map(|unit| match unit {
-            Ok(_) => Err("was not run".to_string()),
-            Err(fault) => Err(fault.clone()),
-        })
-        .collect();
-    let mut open = vec![good];
-    while let Some(batch) = open.pop() {
-        let chosen: Vec<&Unit> = batch.iter().filter_map(|&i| units[i].as_ref().ok()).collect();
-        if chosen.is_empty() {
-            continue;
-        }
-        match build_and_play(tools, &batch, &chosen) {
-            Ok(printed) => {
-                for &index in &batch {
-                    results[index] = driver::read(&jobs[index], index, &printed);
-                }
-            }
-            Err(fault) if batch.len() == 1 => results[batch[0]] = Err(fault),
-            Err(_) => {
-                let (left, right) = batch.split_at(batch.len() / 2);
-                open.push(left.to_vec());
-                open.push(right.to_vec());
-            }
-        }
-    }
-    results
+    let units = jobs.iter().enumerate().map(|(index, job)| unit(index, job)).collect();
+    jobs::run(jobs, units, |batch, units: &[&Unit]| build_and_play(tools, batch, units))
 }
 
 fn unit(index: usize, job: &Job) -> Result<Unit, String> {

@@ -1,0 +1,39 @@
+//! rustc.
+
+use crate::matiec::call;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// rustc, if it can be called.
+pub struct Tools {
+    rustc: PathBuf,
+}
+
+impl Tools {
+    /// The rustc that `RUSTC` names, else that on the search path; the error says what is missing.
+    pub fn find() -> Result<Tools, String> {
+        let rustc = PathBuf::from(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
+        match Command::new(&rustc).arg("--version").output() {
+            Ok(output) if output.status.success() => Ok(Tools { rustc }),
+            Ok(_) | Err(_) => Err("rustc cannot be called".to_string()),
+        }
+    }
+
+    /// rustc, or nothing and a line on standard error that says why the test that wants it does nothing.
+    pub fn find_or_skip() -> Option<Tools> {
+        Tools::find().map_err(|missing| writeln!(std::io::stderr(), "skipped: {missing}")).ok()
+    }
+
+    /// Compiles `main.rs` with all checks that rustc can put in.
+    pub(super) fn rustc(&self, folder: &Path) -> Result<(), String> {
+        let mut command = Command::new(&self.rustc);
+        command.args(["--edition", "2024", "-C", "debug-assertions=on", "-o", "main", "main.rs"]).current_dir(folder);
+        call(&mut command).map(|_| ())
+    }
+
+    /// Runs what was compiled.
+    pub(super) fn play(&self, folder: &Path) -> Result<String, String> {
+        call(&mut Command::new(folder.join("main")))
+    }
+}

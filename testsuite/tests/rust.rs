@@ -1,0 +1,112 @@
+//! Generated Rust, compiled by rustc and run: it does what the chart means.
+//!
+//! Every warning of rustc is a fault. Each chart is also saved and restored on the way, and its clock wraps around.
+
+use grafc_logic::{Encoding, Options};
+use grafc_model::chart::Chart;
+use grafc_model::reaction::Response;
+use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
+use grafc_testsuite::differential::{compile, exact, first_difference, profile, report, simulate};
+use grafc_testsuite::jobs::Job;
+use grafc_testsuite::random::{Drawn, Kind, checked, trace};
+use grafc_testsuite::rust::{Tools, run};
+
+/// Charts in one program of rustc.
+const BATCH: usize = 100;
+
+/// Runs all cases in all exact ways and compares them with what is expected of them.
+fn agree(cases: &[Case]) {
+    let Some(tools) = Tools::find_or_skip() else { return };
+    let mut faults = Vec::new();
+    let mut jobs = Vec::new();
+    let mut charts: Vec<(String, &Case, Chart)> = Vec::new();
+    for case in cases {
+        let chart = check(&case.name, &case.text).expect("a chart without errors");
+        let stimuli = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
+        for (way, options) in exact(case.profile) {
+            let program = compile(&chart, &options).expect("a scan program");
+            jobs.push(Job { program, stimuli: stimuli.clone() });
+            charts.push((format!("{}, {way}", case.name), case, chart.clone()));
+        }
+    }
+    for (jobs, charts) in jobs.chunks(BATCH).zip(charts.chunks(BATCH)) {
+        for (((name, case, chart), job), result) in charts.iter().zip(jobs).zip(run(&tools, jobs)) {
+            match result {
+                Err(fault) => faults.push(format!("{name}:\n{fault}")),
+                Ok(responses) => {
+                    let actual = spell(chart, &job.stimuli, &responses);
+                    if actual != case.expected {
+                        faults.push(format!("{name}:\nexpected\n{}actual\n{actual}", case.expected));
+                    }
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{} of {} fail\n{}", faults.len(), charts.len(), faults.join("\n"));
+}
+
+#[test]
+fn vectors_agree() {
+    agree(&cases(&vectors_folder()));
+}
+
+#[test]
+fn charts_agree() {
+    agree(&cases(&charts_folder()));
+}
+
+#[test]
+fn random_charts_agree() {
+    let Some(tools) = Tools::find_or_skip() else { return };
+    let kinds = [Kind::Hierarchical, Kind::Flat, Kind::Hierarchical, Kind::Plain];
+    let mut faults = Vec::new();
+    let seeds: Vec<u64> = (3000..3120).collect();
+    for seeds in seeds.chunks(BATCH) {
+        let drawn: Vec<Drawn> = seeds.iter().map(|seed| checked(*seed, kinds[*seed as usize % 4])).collect();
+        let job = |drawn: &Drawn| {
+            let ways = exact(profile(drawn.seed));
+            let (_, options): &(String, Options) = &ways[drawn.seed as usize % ways.len()];
+            let program = compile(&drawn.chart, options).unwrap_or_else(|e| panic!("{}: {e}", drawn.seed));
+            Job { program, stimuli: trace(drawn.seed, &drawn.chart, 30) }
+        };
+        let jobs: Vec<Job> = drawn.iter().map(job).collect();
+        for ((drawn, job), result) in drawn.iter().zip(&jobs).zip(run(&tools, &jobs)) {
+            faults.extend(fault(drawn, job, result));
+        }
+    }
+    assert!(faults.is_empty(), "{} charts fail\n{}", faults.len(), faults.join("\n"));
+}
+
+/// What is wrong with a run.
+fn fault(drawn: &Drawn, job: &Job, result: Result<Vec<Response>, String>) -> Option<String> {
+    let profile = profile(drawn.seed);
+    let expected = simulate(&drawn.chart, profile, &job.stimuli);
+    match result {
+        Err(fault) => Some(format!("seed {}: {fault}\n{}", drawn.seed, drawn.text)),
+        Ok(actual) => first_difference(&expected, &actual).map(|_| {
+            let report = report(&drawn.chart, profile, &job.stimuli, &expected, &actual);
+            format!("seed {}\n{}\n{report}", drawn.seed, drawn.text)
+        }),
+    }
+}
+
+/// The r- and s-trigger too are written as they are evaluated.
+#[test]
+fn overlapping_encodings_are_written_as_they_are() {
+    let Some(tools) = Tools::find_or_skip() else { return };
+    let mut jobs = Vec::new();
+    let mut expected = Vec::new();
+    for (index, case) in cases(&charts_folder()).iter().enumerate() {
+        let chart = check(&case.name, &case.text).expect("a chart without errors");
+        let stimuli = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
+        let encoding = if index % 2 == 0 { Encoding::RTrigger } else { Encoding::STrigger };
+        let options = Options { profile: case.profile, encoding, simplify: true };
+        let program = compile(&chart, &options).expect("a scan program");
+        let mut evaluator = grafc_logic::evaluate::Evaluator::new(&program);
+        expected.push(stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect::<Vec<_>>());
+        jobs.push(Job { program, stimuli });
+    }
+    for ((job, expected), actual) in jobs.iter().zip(&expected).zip(run(&tools, &jobs)) {
+        assert_eq!(actual.as_ref(), Ok(expected), "{}", job.program.name);
+    }
+}
