@@ -1,8 +1,9 @@
 //! Where local variables are declared: as deep inside as can be, and with their first value if that is certain.
 //!
 //! A temporary of the scan program becomes a `let` in the innermost block that holds all its uses. If the first of them
-//! is an assignment right there, the `let` is that assignment; else it comes before the first statement that has to do
-//! with it, with the zero of its type.
+//! is an assignment right there, the `let` is that assignment. Else, if each part of the block gives it a value before
+//! reading it, it is a variable of its own in each part. Else it comes before the first statement that has to do with it,
+//! with the zero of its type.
 
 use grafc_logic::formula::{Formula, FormulaId};
 use grafc_logic::scan::{Program, Role, Statement, VarId};
@@ -11,15 +12,24 @@ use rustc_hash::FxHashMap;
 /// The block of the whole function.
 pub(super) const ROOT: usize = 0;
 
+/// A declaration before a statement.
+#[derive(Clone, Copy)]
+pub(super) struct Declared {
+    /// What is declared.
+    pub variable: VarId,
+    /// Whether it has no value yet, because the loop gives it one for certain.
+    pub later: bool,
+}
+
 /// The declarations of one program.
 #[derive(Default)]
 pub(super) struct Locals {
     /// Variables to be declared before a statement, by block and place in it.
-    before: FxHashMap<(usize, usize), Vec<VarId>>,
-    /// For each variable that is declared by an assignment, the place of that.
-    with: FxHashMap<VarId, (usize, usize)>,
-    /// How often each is written.
-    writes: FxHashMap<VarId, usize>,
+    before: FxHashMap<(usize, usize), Vec<Declared>>,
+    /// Assignments that declare their target, and whether it is written again.
+    with: FxHashMap<(VarId, usize, usize), bool>,
+    /// Quotients that nothing reads: they may raise a flag.
+    unread: FxHashMap<VarId, bool>,
 }
 
 impl Locals {
@@ -28,8 +38,8 @@ impl Locals {
         let mut finder = Finder {
             program,
             blocks: vec![Block::default()],
-            found: FxHashMap::default(),
-            writes: FxHashMap::default(),
+            looped: None,
+            uses: FxHashMap::default(),
             read: FxHashMap::default(),
         };
         let mut place = finder.sequence(ROOT, 0, &program.first);
@@ -38,12 +48,12 @@ impl Locals {
             None => place = finder.sequence(ROOT, place, &program.micro_step),
             Some(repeat) => {
                 let inside = finder.block(ROOT, place);
+                finder.looped = Some(inside);
                 let end = finder.sequence(inside, 0, &program.micro_step);
-                finder.reads(inside, end, repeat.again);
+                finder.uses(inside, end, repeat.again, false);
                 if let Some(limit) = repeat.limit {
-                    // It counts from call to call of the loop.
+                    // It counts from one micro-step to the next.
                     finder.uses(ROOT, place, limit.count, false);
-                    *finder.writes.entry(limit.count).or_default() += 2;
                 }
                 place += 1;
             }
@@ -53,19 +63,18 @@ impl Locals {
     }
 
     /// The variables to be declared before a statement.
-    pub fn before(&self, block: usize, place: usize) -> &[VarId] {
+    pub fn before(&self, block: usize, place: usize) -> &[Declared] {
         self.before.get(&(block, place)).map_or(&[], Vec::as_slice)
     }
 
-    /// Whether the assignment at a place declares its target.
-    pub fn with(&self, block: usize, place: usize, target: VarId) -> bool {
-        self.with.get(&target) == Some(&(block, place))
+    /// Whether the assignment at a place declares its target, and if so, whether that is written again.
+    pub fn with(&self, block: usize, place: usize, target: VarId) -> Option<bool> {
+        self.with.get(&(target, block, place)).copied()
     }
 
-    /// Whether a variable is written after its declaration.
-    pub fn is_mutable(&self, target: VarId) -> bool {
-        let declared_by_assignment = usize::from(self.with.contains_key(&target));
-        self.writes.get(&target).copied().unwrap_or_default() > declared_by_assignment
+    /// Whether nothing reads a variable.
+    pub fn is_unread(&self, target: VarId) -> bool {
+        self.unread.get(&target).copied().unwrap_or_default()
     }
 }
 
@@ -78,20 +87,22 @@ struct Block {
     depth: usize,
 }
 
-/// The innermost block of all uses so far.
-struct Found {
+/// One use of a variable.
+#[derive(Clone, Copy)]
+struct Use {
     block: usize,
-    /// The statement there in which the first use is.
     place: usize,
-    /// Whether that is an assignment of the variable in that very block.
+    /// Whether it is written, not read.
     assigned: bool,
 }
 
 struct Finder<'p> {
     program: &'p Program,
     blocks: Vec<Block>,
-    found: FxHashMap<VarId, Found>,
-    writes: FxHashMap<VarId, usize>,
+    /// The block of the loop.
+    looped: Option<usize>,
+    /// In the order of the text; reading comes before writing.
+    uses: FxHashMap<VarId, Vec<Use>>,
     /// The temporaries that a formula reads.
     read: FxHashMap<FormulaId, Vec<VarId>>,
 }
@@ -112,16 +123,16 @@ impl Finder<'_> {
                 Statement::Heading(_) => {}
                 Statement::Assign { target, value, .. } => {
                     self.formula(block, place, *value);
-                    self.written(block, place, *target);
+                    self.uses(block, place, *target, true);
                 }
                 Statement::Divide { target, dividend, divisor, .. } => {
                     self.formula(block, place, *dividend);
                     self.formula(block, place, *divisor);
-                    self.written(block, place, *target);
+                    self.uses(block, place, *target, true);
                 }
                 Statement::CallTimer { input, .. } => self.formula(block, place, *input),
                 Statement::Case { of, arms } => {
-                    self.reads(block, place, *of);
+                    self.uses(block, place, *of, false);
                     for arm in arms {
                         let inside = self.block(block, place);
                         self.sequence(inside, 0, &arm.body);
@@ -154,52 +165,86 @@ impl Finder<'_> {
             }
         };
         for v in &read {
-            self.reads(block, place, *v);
+            self.uses(block, place, *v, false);
         }
         self.read.insert(id, read);
     }
 
-    fn reads(&mut self, block: usize, place: usize, v: VarId) {
-        self.uses(block, place, v, false);
-    }
-
-    fn written(&mut self, block: usize, place: usize, v: VarId) {
-        *self.writes.entry(v).or_default() += 1;
-        self.uses(block, place, v, true);
-    }
-
-    fn uses(&mut self, mut block: usize, mut place: usize, v: VarId, assigned: bool) {
-        if self.program.variables[v].role != Role::Temporary {
-            return;
+    fn uses(&mut self, block: usize, place: usize, v: VarId, assigned: bool) {
+        if self.program.variables[v].role == Role::Temporary {
+            self.uses.entry(v).or_default().push(Use { block, place, assigned });
         }
-        let Some(found) = self.found.get_mut(&v) else {
-            self.found.insert(v, Found { block, place, assigned });
-            return;
-        };
-        while found.block != block {
-            let (known, new) = (self.blocks[found.block], self.blocks[block]);
-            if known.depth >= new.depth {
-                (found.block, found.place, found.assigned) = (known.parent, known.place, false);
-            }
-            if new.depth >= known.depth {
-                (block, place) = (new.parent, new.place);
-            }
-        }
-        // Uses come in order, so the first one stays the first.
-        found.place = found.place.min(place);
     }
 
-    fn locals(self) -> Locals {
-        let mut locals = Locals { writes: self.writes, ..Locals::default() };
-        let mut found: Vec<(VarId, Found)> = self.found.into_iter().collect();
-        found.sort_unstable_by_key(|(v, _)| *v);
-        for (v, found) in found {
-            if found.assigned {
-                locals.with.insert(v, (found.block, found.place));
+    fn locals(mut self) -> Locals {
+        let mut locals = Locals::default();
+        let mut all: Vec<(VarId, Vec<Use>)> = std::mem::take(&mut self.uses).into_iter().collect();
+        all.sort_unstable_by_key(|(v, _)| *v);
+        for (v, uses) in all {
+            locals.unread.insert(v, uses.iter().all(|u| u.assigned));
+            let mut declarations = Vec::new();
+            if self.declare(ROOT, &uses, &mut declarations) {
+                locals.with.extend(declarations.into_iter().map(|(u, again)| ((v, u.block, u.place), again)));
             } else {
-                locals.before.entry((found.block, found.place)).or_default().push(v);
+                let (block, place) = self.innermost(&uses);
+                let later = uses.first().is_some_and(|u| u.assigned && Some(u.block) == self.looped);
+                locals.before.entry((block, place)).or_default().push(Declared { variable: v, later });
             }
         }
         locals
+    }
+
+    /// Finds the assignments that declare a variable of which these are all uses within a block. False if some use may
+    /// read a value that none of them gives.
+    fn declare(&self, block: usize, uses: &[Use], declarations: &mut Vec<(Use, bool)>) -> bool {
+        let Some(first) = uses.first() else { return true };
+        if first.block == block {
+            let writes = uses.iter().filter(|u| u.assigned).count();
+            declarations.push((*first, writes > 1));
+            return first.assigned;
+        }
+        // Each inner block must do for itself.
+        let mut rest = uses;
+        while let Some(first) = rest.first() {
+            if first.block == block {
+                return false;
+            }
+            let inside = self.inside(block, first.block);
+            let end = rest.iter().position(|u| u.block == block || self.inside(block, u.block) != inside);
+            let (own, others) = rest.split_at(end.unwrap_or(rest.len()));
+            if !self.declare(inside, own, declarations) {
+                return false;
+            }
+            rest = others;
+        }
+        true
+    }
+
+    /// The block right inside another that holds a third.
+    fn inside(&self, outer: usize, mut inner: usize) -> usize {
+        while self.blocks[inner].parent != outer {
+            inner = self.blocks[inner].parent;
+        }
+        inner
+    }
+
+    /// The innermost block that holds all uses, and the place of the first one in it.
+    fn innermost(&self, uses: &[Use]) -> (usize, usize) {
+        let mut found = uses.first().map_or((ROOT, 0), |u| (u.block, u.place));
+        for u in uses {
+            let (mut block, mut place) = (u.block, u.place);
+            while found.0 != block {
+                let (known, new) = (self.blocks[found.0], self.blocks[block]);
+                if known.depth >= new.depth {
+                    found = (known.parent, known.place);
+                }
+                if new.depth >= known.depth {
+                    (block, place) = (new.parent, new.place);
+                }
+            }
+            // Uses come in order, so the first one stays the first.
+            found.1 = found.1.min(place);
+        }
+        found
     }
 }

@@ -141,10 +141,15 @@ impl Body<'_> {
 
     /// Declares variables that no assignment declares.
     fn declare(&self, out: &mut Writer, block: usize, place: usize) {
-        for v in self.locals.before(block, place) {
-            let name = &self.names.variables[*v];
-            let ty = self.program.variables[*v].ty;
-            match self.places.state(*v) {
+        for declared in self.locals.before(block, place) {
+            let v = declared.variable;
+            let name = &self.names.variables[v];
+            let ty = self.program.variables[v].ty;
+            if declared.later {
+                out.line(&format!("let mut {name};"));
+                continue;
+            }
+            match self.places.state(v) {
                 // It gets a value before it is read.
                 Some(state) => {
                     let first = state.variants.first().map_or("", |(_, name)| name);
@@ -184,18 +189,17 @@ impl Body<'_> {
     }
 
     /// The left side of an assignment, with its `let`.
-    fn target(&self, declares: bool, target: VarId, typed: bool) -> String {
+    fn target(&self, declares: Option<bool>, target: VarId, typed: bool) -> String {
         let name = self.places.read(target);
-        if !declares {
-            return name.to_owned();
-        }
-        let mutable = if self.locals.is_mutable(target) { "mut " } else { "" };
+        let Some(written_again) = declares else { return name.to_owned() };
+        let name = if self.locals.is_unread(target) { "_" } else { name };
+        let mutable = if written_again { "mut " } else { "" };
         let ty = self.program.variables[target].ty;
         let annotation = if typed { format!(": {}", type_name(ty)) } else { String::new() };
         format!("let {mutable}{name}{annotation}")
     }
 
-    fn assign(&self, out: &mut Writer, declares: bool, target: VarId, value: FormulaId) {
+    fn assign(&self, out: &mut Writer, declares: Option<bool>, target: VarId, value: FormulaId) {
         let pool = &self.program.pool;
         if let Some(step) = self.places.packed(target) {
             let step = &self.names.steps[step];
@@ -221,7 +225,7 @@ impl Body<'_> {
         }
         // `a = a + b` has a form of its own.
         if let Formula::Arithmetic(op, a, b) = pool.get(value)
-            && !declares
+            && declares.is_none()
             && *pool.get(*a) == Formula::Variable(target)
             && let Some(sign) = compound(*op, pool.ty(value))
         {
@@ -237,7 +241,7 @@ impl Body<'_> {
     fn divide(
         &self,
         out: &mut Writer,
-        declares: bool,
+        declares: Option<bool>,
         target: VarId,
         modulo: bool,
         a: FormulaId,

@@ -1,141 +1,225 @@
-//! Leaves out what nothing reads: assignments to temporaries of no use, and the temporaries themselves.
+//! Leaves out what nothing reads: assignments to temporaries whose value is not needed any more, and temporaries that
+//! then have no use.
 //!
 //! Some are made before it is known whether they will be needed: the mark that something clears, whether a grafcet is
-//! frozen, an edge in a condition that another formula makes superfluous.
+//! frozen, an edge in a condition that another formula makes superfluous. What is read later is found backwards from the
+//! end of the call; the loop is gone through until nothing new is found.
 
 use crate::formula::{Formula, FormulaId, Pool};
 use crate::scan::{Program, Role, Statement, VarId};
 use index_vec::IndexVec;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Sweeps a program.
 pub(crate) fn sweep(program: &mut Program) {
-    let used = Uses::of(program);
+    let variables = program.variables.iter();
+    let mut needed = Needed {
+        temporary: variables.map(|v| v.role == Role::Temporary).collect(),
+        is: program.variables.iter().map(|_| false).collect(),
+        changes: Vec::new(),
+        read: FxHashMap::default(),
+    };
+    let Program { first, before, micro_step, after, pool, repeat, .. } = program;
+    needed.go_back(pool, after, true);
+    if let Some(repeat) = repeat {
+        // What is needed at the end of the loop: what follows, and what the next micro-step reads.
+        let follows = needed.is.clone();
+        loop {
+            needed.is.iter_mut_enumerated().filter(|(v, _)| follows[*v]).for_each(|(_, needed)| *needed = true);
+            needed.is[repeat.again] = true;
+            let at_end = needed.is.clone();
+            needed.go_back(pool, micro_step, false);
+            let more = needed.is.iter_enumerated().any(|(v, needed)| *needed && !at_end[v]);
+            let at_start = std::mem::replace(&mut needed.is, at_end);
+            if !more {
+                break;
+            }
+            needed.is.iter_mut_enumerated().filter(|(v, _)| at_start[*v]).for_each(|(_, needed)| *needed = true);
+        }
+    }
+    needed.go_back(pool, micro_step, true);
+    needed.go_back(pool, before, true);
+    needed.go_back(pool, first, true);
+    let used = used(program);
     let is_dead = |v: VarId| program.variables[v].role == Role::Temporary && !used[v];
     let dead: IndexVec<VarId, bool> = program.variables.indices().map(is_dead).collect();
-    if dead.iter().all(|dead| !dead) {
-        return;
+    if dead.iter().any(|dead| *dead) {
+        renumber(program, &dead);
     }
-    let Program { first, before, micro_step, after, pool, .. } = program;
-    for section in [first, before, micro_step, after] {
-        *section = swept(pool, std::mem::take(section), &dead);
-    }
-    renumber(program, &dead);
 }
 
-/// Which variables something reads that counts.
-struct Uses<'p> {
-    program: &'p Program,
-    used: IndexVec<VarId, bool>,
-    /// The values that each temporary is given.
-    values: FxHashMap<VarId, Vec<FormulaId>>,
-    /// Formulas that count.
-    open: Vec<FormulaId>,
+/// Which temporaries are read later, at the place that has been reached.
+struct Needed {
+    temporary: IndexVec<VarId, bool>,
+    is: IndexVec<VarId, bool>,
+    /// What has changed, and what it was before: to go back to the end of an `If` for its next branch.
+    changes: Vec<(VarId, bool)>,
+    /// The temporaries that a formula reads.
+    read: FxHashMap<FormulaId, Vec<VarId>>,
 }
 
-impl Uses<'_> {
-    fn of(program: &Program) -> IndexVec<VarId, bool> {
-        let used = program.variables.iter().map(|_| false).collect();
-        let mut uses = Uses { program, used, values: FxHashMap::default(), open: Vec::new() };
-        for section in [&program.first, &program.before, &program.micro_step, &program.after] {
-            uses.statements(section);
-        }
-        uses.open.extend(program.steps.iter().map(|step| step.active));
-        if let Some(repeat) = program.repeat {
-            uses.reads(repeat.again);
-            repeat.limit.iter().for_each(|limit| uses.reads(limit.count));
-        }
-        let mut seen = vec![false; program.pool.len()];
-        while let Some(id) = uses.open.pop() {
-            if std::mem::replace(&mut seen[id.index()], true) {
-                continue;
-            }
-            if let Formula::Variable(v) = program.pool.get(id) {
-                uses.reads(*v);
-            }
-            uses.open.extend(program.pool.operands(id));
-        }
-        uses.used
-    }
-
-    fn reads(&mut self, v: VarId) {
-        if !std::mem::replace(&mut self.used[v], true) {
-            self.open.extend(self.values.remove(&v).unwrap_or_default());
+impl Needed {
+    fn set(&mut self, v: VarId, value: bool) {
+        let old = std::mem::replace(&mut self.is[v], value);
+        if old != value {
+            self.changes.push((v, old));
         }
     }
 
-    /// Recurses as deep as statements are nested, which the encodings bound.
-    fn statements(&mut self, statements: &[Statement]) {
-        for statement in statements {
-            match statement {
-                Statement::Heading(_) => {}
-                Statement::Assign { target, value, .. } => {
-                    if self.program.variables[*target].role == Role::Temporary && !self.used[*target] {
-                        self.values.entry(*target).or_default().push(*value);
-                    } else {
-                        self.open.push(*value);
+    fn reads(&mut self, pool: &Pool, id: FormulaId) {
+        let read = self.read.remove(&id).unwrap_or_else(|| {
+            let variables = pool.below(id).into_iter().filter_map(|f| match pool.get(f) {
+                Formula::Variable(v) => Some(*v),
+                _ => None,
+            });
+            variables.filter(|v| self.temporary[*v]).collect()
+        });
+        read.iter().for_each(|v| self.set(*v, true));
+        self.read.insert(id, read);
+    }
+
+    /// From the end of statements to their start; the last time, assignments that nobody needs are taken out. Recurses as
+    /// deep as statements are nested, which the encodings bound.
+    fn go_back(&mut self, pool: &mut Pool, statements: &mut Vec<Statement>, take_out: bool) {
+        let mut kept: Vec<Statement> = Vec::new();
+        for mut statement in std::mem::take(statements).into_iter().rev() {
+            match &mut statement {
+                Statement::Heading(_) => {
+                    // A heading over nothing goes too: what follows it is another one, or the end.
+                    if take_out && kept.last().is_none_or(|next| matches!(next, Statement::Heading(_))) {
+                        continue;
                     }
                 }
-                // It may raise a flag.
-                Statement::Divide { target, dividend, divisor, .. } => {
-                    self.open.extend([*dividend, *divisor]);
-                    self.reads(*target);
+                Statement::Assign { target, value, .. } => {
+                    if self.temporary[*target] {
+                        if !self.is[*target] {
+                            if !take_out {
+                                kept.push(statement);
+                            }
+                            continue;
+                        }
+                        self.set(*target, false);
+                    }
+                    self.reads(pool, *value);
                 }
-                Statement::CallTimer { input, .. } => self.open.push(*input),
+                // It may raise a flag, so it stays.
+                Statement::Divide { target, dividend, divisor, .. } => {
+                    self.set(*target, false);
+                    self.reads(pool, *dividend);
+                    self.reads(pool, *divisor);
+                }
+                Statement::CallTimer { input, .. } => self.reads(pool, *input),
                 Statement::Case { of, arms } => {
-                    self.reads(*of);
-                    arms.iter().for_each(|arm| self.statements(&arm.body));
+                    let nothing = &mut Vec::new();
+                    let bodies = arms.iter_mut().map(|arm| &mut arm.body).chain([nothing]);
+                    self.branches(pool, bodies, take_out);
+                    if take_out {
+                        arms.retain(|arm| !arm.body.is_empty());
+                        if arms.is_empty() {
+                            continue;
+                        }
+                    }
+                    if self.temporary[*of] {
+                        self.set(*of, true);
+                    }
                 }
                 Statement::If { branches, otherwise } => {
-                    for (when, body) in branches {
-                        self.open.push(*when);
-                        self.statements(body);
+                    let bodies = branches.iter_mut().map(|(_, body)| body).chain([&mut *otherwise]);
+                    self.branches(pool, bodies, take_out);
+                    if take_out {
+                        let (branches, otherwise) = (std::mem::take(branches), std::mem::take(otherwise));
+                        match without_empty_branches(pool, branches, otherwise) {
+                            Some(rest) => statement = rest,
+                            None => continue,
+                        }
                     }
-                    self.statements(otherwise);
+                    if let Statement::If { branches, .. } = &statement {
+                        branches.iter().for_each(|(when, _)| self.reads(pool, *when));
+                    }
                 }
             }
+            kept.push(statement);
+        }
+        kept.reverse();
+        *statements = kept;
+    }
+
+    /// Several ways to one end: needed before them is what is needed on any.
+    fn branches<'s>(&mut self, pool: &mut Pool, bodies: impl Iterator<Item = &'s mut Vec<Statement>>, take_out: bool) {
+        let start = self.changes.len();
+        let mut count = 0;
+        // Of each variable that a way changes, on how many ways it is needed, and on how many it changes.
+        let mut touched: FxHashMap<VarId, (usize, usize)> = FxHashMap::default();
+        for body in bodies {
+            count += 1;
+            self.go_back(pool, body, take_out);
+            let changed: FxHashSet<VarId> = self.changes[start..].iter().map(|(v, _)| *v).collect();
+            for v in changed {
+                let entry = touched.entry(v).or_default();
+                entry.0 += usize::from(self.is[v]);
+                entry.1 += 1;
+            }
+            while self.changes.len() > start {
+                if let Some((v, old)) = self.changes.pop() {
+                    self.is[v] = old;
+                }
+            }
+        }
+        for (v, (needed, changed)) in touched {
+            let on_another = changed < count && self.is[v];
+            self.set(v, needed > 0 || on_another);
         }
     }
 }
 
-/// The statements without assignments to what is dead. Recurses as deep as statements are nested.
-fn swept(pool: &mut Pool, statements: Vec<Statement>, dead: &IndexVec<VarId, bool>) -> Vec<Statement> {
-    let mut out: Vec<Statement> = Vec::with_capacity(statements.len());
+/// Which variables something reads.
+fn used(program: &Program) -> IndexVec<VarId, bool> {
+    let mut used: IndexVec<VarId, bool> = program.variables.iter().map(|_| false).collect();
+    let mut roots: Vec<FormulaId> = program.steps.iter().map(|step| step.active).collect();
+    if let Some(repeat) = program.repeat {
+        used[repeat.again] = true;
+        repeat.limit.iter().for_each(|limit| used[limit.count] = true);
+    }
+    for section in [&program.first, &program.before, &program.micro_step, &program.after] {
+        collect(section, &mut roots, &mut used);
+    }
+    let mut seen = vec![false; program.pool.len()];
+    while let Some(id) = roots.pop() {
+        if std::mem::replace(&mut seen[id.index()], true) {
+            continue;
+        }
+        if let Formula::Variable(v) = program.pool.get(id) {
+            used[*v] = true;
+        }
+        roots.extend(program.pool.operands(id));
+    }
+    used
+}
+
+/// The formulas of statements, and the variables that they need beside these: what a `Case` asks, where a quotient goes.
+fn collect(statements: &[Statement], roots: &mut Vec<FormulaId>, used: &mut IndexVec<VarId, bool>) {
     for statement in statements {
         match statement {
-            Statement::Assign { target, .. } if dead[target] => {}
-            Statement::Case { of, mut arms } => {
-                for arm in &mut arms {
-                    arm.body = swept(pool, std::mem::take(&mut arm.body), dead);
-                }
-                arms.retain(|arm| !arm.body.is_empty());
-                if !arms.is_empty() {
-                    out.push(Statement::Case { of, arms });
-                }
+            Statement::Heading(_) => {}
+            Statement::Assign { value, .. } => roots.push(*value),
+            Statement::Divide { target, dividend, divisor, .. } => {
+                used[*target] = true;
+                roots.extend([*dividend, *divisor]);
+            }
+            Statement::CallTimer { input, .. } => roots.push(*input),
+            Statement::Case { of, arms } => {
+                used[*of] = true;
+                arms.iter().for_each(|arm| collect(&arm.body, roots, used));
             }
             Statement::If { branches, otherwise } => {
-                let swept_branches = branches.into_iter().map(|(when, body)| (when, swept(pool, body, dead))).collect();
-                let otherwise = swept(pool, otherwise, dead);
-                out.extend(without_empty_branches(pool, swept_branches, otherwise));
+                for (when, body) in branches {
+                    roots.push(*when);
+                    collect(body, roots, used);
+                }
+                collect(otherwise, roots, used);
             }
-            Statement::Heading(_)
-            | Statement::Assign { .. }
-            | Statement::Divide { .. }
-            | Statement::CallTimer { .. } => out.push(statement),
         }
     }
-    // A heading over nothing goes too: what follows it is another one, or the end.
-    let mut after_is_statement = false;
-    let mut kept: Vec<Statement> = Vec::with_capacity(out.len());
-    for statement in out.into_iter().rev() {
-        let is_heading = matches!(statement, Statement::Heading(_));
-        if !is_heading || after_is_statement {
-            kept.push(statement);
-        }
-        after_is_statement = !is_heading;
-    }
-    kept.reverse();
-    kept
 }
 
 /// An `If` whose branches all do something: what comes after a branch that does nothing happens where that is not taken.
