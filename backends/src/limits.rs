@@ -34,7 +34,7 @@ pub(crate) fn check(program: &Program) -> Result<(), Diagnostics> {
 }
 
 /// For each formula, how deep and how large it is when written out.
-fn sizes(program: &Program) -> Vec<(u32, u32)> {
+pub(crate) fn sizes(program: &Program) -> Vec<(u32, u32)> {
     let mut sizes: Vec<(u32, u32)> = Vec::with_capacity(program.pool.len());
     for id in program.pool.ids() {
         let below = program.pool.operands(id).map(|operand| sizes[operand.index()]);

@@ -115,19 +115,6 @@ impl Writer {
         Writer { indent: self.indent, ..Writer::new(self.comments) }
     }
 
-    /// A block that was written apart.
-    pub fn append(&mut self, block: Writer) {
-        if block.out.is_empty() {
-            return;
-        }
-        if self.blank && !self.fresh {
-            self.out.push('\n');
-        }
-        self.out.push_str(&block.out);
-        self.blank = false;
-        self.fresh = false;
-    }
-
     /// What follows is one level deeper.
     pub fn enter(&mut self) {
         self.indent += STEP;

@@ -1,9 +1,10 @@
 //! The chart: its memory, and what can be done with it.
 
-use super::expressions::{Expressions, WIDTH};
+use super::expressions::WIDTH;
 use super::interface::{fields, has_variables, of, values};
 use super::literals::{literal, type_name};
 use super::names::{Names, bit_of, state_of};
+use super::parts::Parts;
 use super::places::{Places, flag_name};
 use super::{doc, saved, scan, steps};
 use crate::writer::Writer;
@@ -15,10 +16,11 @@ pub(super) const WORD: usize = 32;
 /// All flags.
 const FLAGS: [Flag; 4] = [Flag::Livelock, Flag::AllocConflict, Flag::ForceConflict, Flag::Div0];
 
-/// Writes the chart's struct and its functions; says what a scan uses.
-pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places) -> scan::Used {
+/// Writes the chart's struct and its functions.
+pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places, parts: &Parts) {
     let chart = Chart { program, names, places };
     chart.structure(out);
+    scan::values(out, program, names, places, &parts.shared);
     out.blank();
     out.line(&format!("impl Default for {} {{", names.chart));
     out.enter();
@@ -28,14 +30,14 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
     out.close("}");
     out.blank();
     out.open(&format!("impl {} {{", names.chart));
-    chart.new(out);
-    let used = chart.scan(out);
+    chart.constructor(out);
+    scan::write(out, program, names, places, parts);
+    out.blank();
     chart.accessors(out);
     chart.is_active(out);
     chart.set(out);
-    saved::write(out, program, names, places);
+    saved::write(out, program, names, places, parts.longest);
     out.close("}");
-    used
 }
 
 /// How many words hold the packed situation; none where steps are held otherwise.
@@ -121,7 +123,7 @@ impl Chart<'_> {
         }
     }
 
-    fn new(&self, out: &mut Writer) {
+    fn constructor(&self, out: &mut Writer) {
         out.line("/// The chart before its first scan.");
         out.open("pub const fn new() -> Self {");
         out.open("Self {");
@@ -147,32 +149,7 @@ impl Chart<'_> {
         out.close("}");
     }
 
-    fn scan(&self, out: &mut Writer) -> scan::Used {
-        let expressions = Expressions::new(self.program, self.places);
-        let mut body = out.apart();
-        body.enter();
-        let used = scan::write(&mut body, self.program, self.names, self.places, &expressions);
-        out.blank();
-        out.line("/// One scan: from the inputs to the outputs.");
-        out.line("///");
-        out.line("/// `now` is the time in milliseconds of a clock that never goes back. It may start anywhere");
-        out.line("/// and wraps around after `u32::MAX`; there must be a scan at least every 49 days.");
-        let parameter = |name: &str, used: bool| if used { name.to_owned() } else { format!("_{name}") };
-        let (inputs, now) = (parameter("inputs", used.inputs), parameter("now", used.now));
-        out.open(&format!("pub fn scan(&mut self, {inputs}: &Inputs, {now}: u32) -> &Outputs {{"));
-        if used.steps {
-            out.line("use Step::*;");
-            out.blank();
-        }
-        out.append(body);
-        out.blank();
-        out.line("&self.outputs");
-        out.close("}");
-        used
-    }
-
     fn accessors(&self, out: &mut Writer) {
-        out.blank();
         function(out, "The outputs of the last scan.", "pub const fn outputs(&self) -> &Outputs", &["&self.outputs"]);
         if has_variables(self.program) {
             let head = "pub const fn variables(&self) -> &Variables";

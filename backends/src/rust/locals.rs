@@ -5,6 +5,7 @@
 //! reading it, it is a variable of its own in each part. Else it comes before the first statement that has to do with it,
 //! with the zero of its type.
 
+use super::parts::Code;
 use grafc_logic::formula::{Formula, FormulaId};
 use grafc_logic::scan::{Program, Role, Statement, VarId};
 use rustc_hash::FxHashMap;
@@ -33,8 +34,8 @@ pub(super) struct Locals {
 }
 
 impl Locals {
-    /// Finds all declarations. The statements of the loop, if there is one, are a block in that of the function.
-    pub fn new(program: &Program) -> Self {
+    /// Finds all declarations of a function; what is shared with others is declared elsewhere.
+    pub fn new(program: &Program, code: &[Code], shared: &[VarId]) -> Self {
         let mut finder = Finder {
             program,
             blocks: vec![Block::default()],
@@ -42,23 +43,8 @@ impl Locals {
             uses: FxHashMap::default(),
             read: FxHashMap::default(),
         };
-        let mut place = finder.sequence(ROOT, 0, &program.first);
-        place = finder.sequence(ROOT, place, &program.before);
-        match program.repeat {
-            None => place = finder.sequence(ROOT, place, &program.micro_step),
-            Some(repeat) => {
-                let inside = finder.block(ROOT, place);
-                finder.looped = Some(inside);
-                let end = finder.sequence(inside, 0, &program.micro_step);
-                finder.uses(inside, end, repeat.again, false);
-                if let Some(limit) = repeat.limit {
-                    // It counts from one micro-step to the next.
-                    finder.uses(ROOT, place, limit.count, false);
-                }
-                place += 1;
-            }
-        }
-        finder.sequence(ROOT, place, &program.after);
+        finder.code(ROOT, code);
+        shared.iter().for_each(|v| _ = finder.uses.remove(v));
         finder.locals()
     }
 
@@ -114,42 +100,77 @@ impl Finder<'_> {
         self.blocks.len() - 1
     }
 
-    /// Statements from a place of a block on; returns the place after them. Blocks are numbered in the order in which
-    /// they are written.
-    fn sequence(&mut self, block: usize, start: usize, statements: &[Statement]) -> usize {
-        for (offset, statement) in statements.iter().enumerate() {
-            let place = start + offset;
-            match statement {
-                Statement::Heading(_) => {}
-                Statement::Assign { target, value, .. } => {
-                    self.formula(block, place, *value);
-                    self.uses(block, place, *target, true);
-                }
-                Statement::Divide { target, dividend, divisor, .. } => {
-                    self.formula(block, place, *dividend);
-                    self.formula(block, place, *divisor);
-                    self.uses(block, place, *target, true);
-                }
-                Statement::CallTimer { input, .. } => self.formula(block, place, *input),
-                Statement::Case { of, arms } => {
-                    self.uses(block, place, *of, false);
-                    for arm in arms {
-                        let inside = self.block(block, place);
-                        self.sequence(inside, 0, &arm.body);
+    /// The code of a block. Blocks are numbered in the order in which they are written.
+    fn code(&mut self, block: usize, code: &[Code]) {
+        for (place, code) in code.iter().enumerate() {
+            match code {
+                Code::Plain(statement) => self.statement(block, place, statement),
+                Code::Loop(body) => {
+                    let inside = self.block(block, place);
+                    self.looped = Some(inside);
+                    self.code(inside, body);
+                    if let Some(repeat) = self.program.repeat {
+                        self.uses(inside, body.len(), repeat.again, false);
+                        if let Some(limit) = repeat.limit {
+                            // It counts from one micro-step to the next.
+                            self.uses(block, place, limit.count, false);
+                        }
                     }
                 }
-                Statement::If { branches, otherwise } => {
+                Code::Call(_) => {}
+                Code::If(branches, otherwise) => {
                     for (when, body) in branches {
                         self.formula(block, place, *when);
                         let inside = self.block(block, place);
-                        self.sequence(inside, 0, body);
+                        self.code(inside, body);
                     }
                     let inside = self.block(block, place);
-                    self.sequence(inside, 0, otherwise);
+                    self.code(inside, otherwise);
                 }
+                Code::Arms(of, arms) => {
+                    self.uses(block, place, *of, false);
+                    for (_, body) in arms {
+                        let inside = self.block(block, place);
+                        self.code(inside, body);
+                    }
+                }
+                Code::Groups(of, _) => self.uses(block, place, *of, false),
             }
         }
-        start + statements.len()
+    }
+
+    fn statements(&mut self, block: usize, place: usize, statements: &[Statement]) {
+        let inside = self.block(block, place);
+        for (place, statement) in statements.iter().enumerate() {
+            self.statement(inside, place, statement);
+        }
+    }
+
+    fn statement(&mut self, block: usize, place: usize, statement: &Statement) {
+        match statement {
+            Statement::Heading(_) => {}
+            Statement::Assign { target, value, .. } => {
+                self.formula(block, place, *value);
+                self.uses(block, place, *target, true);
+            }
+            Statement::Divide { target, dividend, divisor, .. } => {
+                self.formula(block, place, *dividend);
+                self.formula(block, place, *divisor);
+                self.uses(block, place, *target, true);
+            }
+            Statement::CallTimer { input, .. } => self.formula(block, place, *input),
+            Statement::Case { of, arms } => {
+                self.uses(block, place, *of, false);
+                arms.iter().for_each(|arm| self.statements(block, place, &arm.body));
+            }
+            Statement::If { branches, otherwise } => {
+                for (when, body) in branches {
+                    self.formula(block, place, *when);
+                    self.statements(block, place, body);
+                }
+                self.statements(block, place, otherwise);
+            }
+        }
     }
 
     fn formula(&mut self, block: usize, place: usize, id: FormulaId) {

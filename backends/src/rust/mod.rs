@@ -4,7 +4,7 @@
 //! constants · Inputs · Outputs · Variables     what a program around the chart sees      interface
 //! Step, and an enum for each state             the situation                             steps
 //! struct Chart { … }                           its memory and what can be done with it   chart, saved
-//!     fn scan(&mut self, inputs, now)          the statements of the scan program        scan, locals, expressions
+//!     fn scan(&mut self, inputs, now)          the statements of the scan program        scan, parts, locals, expressions
 //! mod runtime { … }                            what it needs at run time                 runtime
 //! ```
 //!
@@ -16,6 +16,7 @@ mod interface;
 mod literals;
 mod locals;
 mod names;
+mod parts;
 mod places;
 mod runtime;
 mod saved;
@@ -29,6 +30,7 @@ use crate::writer::{self, Writer};
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::scan::Program;
 pub use names::Names;
+use parts::Parts;
 use places::Places;
 pub use size::size_of;
 
@@ -43,7 +45,7 @@ pub enum Runtime {
 }
 
 /// What the caller may choose.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Options {
     /// Where the run-time support comes from.
     pub runtime: Runtime,
@@ -52,6 +54,15 @@ pub struct Options {
     /// The name of a module to put everything into: for a file that is included, which cannot begin with attributes of
     /// its own. Without it the file is the module.
     pub module: Option<String>,
+    /// How many statements a function should have at most, about; at least one. rustc takes a time for a function that
+    /// grows with the square of its length, so the scan of a large chart is several functions.
+    pub longest_function: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options { runtime: Runtime::default(), header: Vec::new(), module: None, longest_function: 200 }
+    }
 }
 
 /// Lints that depend on what the author of a chart writes, and on which parts of the code a program uses.
@@ -80,24 +91,21 @@ const LINTS: &str = "\
 pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
     limits::check(program)?;
     let names = Names::new(program);
-    let places = Places::new(program, &names);
+    let mut places = Places::new(program, &names);
+    let parts = Parts::new(program, &places, options.longest_function.max(1));
+    places.share(&parts.shared);
+    let needs = runtime::Needs::of(program);
     let mut out = Writer::new(&writer::RUST);
     if let Some(module) = &options.module {
         out.open(&format!("pub mod {} {{", names::module(module)));
     }
     head(&mut out, program, options);
-    // What the chart uses is known only when it has been written.
-    let mut body = out.apart();
-    interface::constants(&mut body, program, &names);
-    interface::structs(&mut body, program, &names);
-    steps::steps(&mut body, program, &names);
-    steps::states(&mut body, program, &names);
-    let used = chart::write(&mut body, program, &names, &places);
-    let needs =
-        runtime::Needs { timers: !program.timers.is_empty(), division: used.division, remainder: used.remainder };
     runtime::imports(&mut out, options.runtime, needs);
-    out.blank();
-    out.append(body);
+    interface::constants(&mut out, program, &names);
+    interface::structs(&mut out, program, &names);
+    steps::steps(&mut out, program, &names);
+    steps::states(&mut out, program, &names);
+    chart::write(&mut out, program, &names, &places, &parts);
     match options.runtime {
         Runtime::Inline => runtime::module(&mut out, needs),
         Runtime::Crate => runtime::implementation(&mut out, &names),

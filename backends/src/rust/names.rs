@@ -33,6 +33,11 @@ pub(super) struct StateNames {
 }
 
 impl StateNames {
+    /// At which place of the variants a value is.
+    pub fn place(&self, value: i64) -> usize {
+        self.by_value.get(&value).copied().unwrap_or_default()
+    }
+
     /// What a value is called.
     pub fn variant(&self, value: i64) -> &str {
         self.by_value.get(&value).map_or("", |place| &self.variants[*place].1)

@@ -54,6 +54,13 @@ impl<'p> Places<'p> {
         }
     }
 
+    /// Temporaries that functions pass on to each other.
+    pub fn share(&mut self, shared: &[VarId]) {
+        for v in shared {
+            self.read[*v] = format!("values.{}", self.names.variables[*v]);
+        }
+    }
+
     /// A variable as an operand.
     pub fn read(&self, id: VarId) -> &str {
         &self.read[id]

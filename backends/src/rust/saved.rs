@@ -11,8 +11,9 @@ use grafc_logic::scan::{Program, Role, VarId};
 const MARK: usize = 4;
 
 /// Writes `save` and `restore`.
-pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places) {
-    let saved = Saved { program, names, places };
+/// Functions have at most `longest` lines.
+pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places, longest: usize) {
+    let saved = Saved { program, names, places, longest };
     out.line("/// How many bytes the saved memory takes.");
     out.line(&format!("pub const SAVED_LEN: usize = {};", saved.length()));
     out.blank();
@@ -26,6 +27,7 @@ struct Saved<'p> {
     program: &'p Program,
     names: &'p Names,
     places: &'p Places<'p>,
+    longest: usize,
 }
 
 impl Saved<'_> {
@@ -76,6 +78,20 @@ impl Saved<'_> {
     }
 
     fn save(&self, out: &mut Writer) {
+        let mut lines = Vec::new();
+        for id in self.variables() {
+            let place = self.places.read(id);
+            lines.push(match self.places.state(id) {
+                Some(_) => format!("out.put({place} as u32);"),
+                None => format!("out.put({place});"),
+            });
+        }
+        for id in self.program.timers.indices() {
+            let timer = self.places.timer(id);
+            lines.push(format!("out.put({timer}.state().0);"));
+            lines.push(format!("out.put({timer}.state().1);"));
+        }
+        let chunks = Chunks::new("save", &lines, self.longest);
         out.blank();
         out.line("/// All memory as bytes, to be kept where power does not matter.");
         out.open("pub fn save(&self) -> [u8; Self::SAVED_LEN] {");
@@ -87,27 +103,34 @@ impl Saved<'_> {
             out.line("out.put(word);");
             out.close("}");
         }
-        for id in self.variables() {
-            let place = self.places.read(id);
-            match self.places.state(id) {
-                Some(_) => out.line(&format!("out.put({place} as u32);")),
-                None => out.line(&format!("out.put({place});")),
-            }
-        }
-        for id in self.program.timers.indices() {
-            out.line(&format!("let (running, elapsed) = {}.state();", self.places.timer(id)));
-            out.line("out.put(running);");
-            out.line("out.put(elapsed);");
+        match &chunks {
+            None => lines.iter().for_each(|line| out.line(line)),
+            Some(chunks) => chunks.call(out, |name| format!("self.{name}(&mut out);")),
         }
         out.line("bytes");
         out.close("}");
+        if let Some(chunks) = chunks {
+            chunks.write(out, |_| "(&self, out: &mut Saver)".to_owned(), None);
+        }
     }
 
     fn restore(&self, out: &mut Writer) {
+        let mut lines = Vec::new();
+        for id in self.variables() {
+            let place = self.places.read(id);
+            lines.push(match self.places.state(id) {
+                Some(state) => format!("{place} = *{}::ALL.get(from.take::<u32>()? as usize)?;", state.ty),
+                None => format!("{place} = from.take()?;"),
+            });
+        }
+        for id in self.program.timers.indices() {
+            lines.push(format!("{} = Timer::resumed((from.take()?, from.take()?), now);", self.places.timer(id)));
+        }
+        let chunks = Chunks::new("restore", &lines, self.longest);
+        let now = if self.program.timers.is_empty() { "_now" } else { "now" };
         out.blank();
         out.line("/// The chart as it was saved; none if these are not the bytes of this chart. Delays go on at");
         out.line("/// `now`: the time in between does not count.");
-        let now = if self.program.timers.is_empty() { "_now" } else { "now" };
         out.open(&format!("pub fn restore(bytes: &[u8], {now}: u32) -> Option<Self> {{"));
         out.line("let mut from = Restorer::new(bytes);");
         out.open("if bytes.len() != Self::SAVED_LEN || from.take() != Some(Self::FINGERPRINT) {");
@@ -119,20 +142,49 @@ impl Saved<'_> {
             out.line("*word = from.take()?;");
             out.close("}");
         }
-        for id in self.variables() {
-            let place = self.places.read(id).replacen("self.", "chart.", 1);
-            match self.places.state(id) {
-                Some(state) => {
-                    out.line(&format!("{place} = *{}::ALL.get(from.take::<u32>()? as usize)?;", state.ty));
-                }
-                None => out.line(&format!("{place} = from.take()?;")),
-            }
-        }
-        for id in self.program.timers.indices() {
-            let place = self.places.timer(id).replacen("self.", "chart.", 1);
-            out.line(&format!("{place} = Timer::resumed((from.take()?, from.take()?), now);"));
+        match &chunks {
+            None => lines.iter().for_each(|line| out.line(&line.replacen("self.", "chart.", 1))),
+            Some(chunks) => chunks.call(out, |name| format!("chart.{name}(&mut from, {now})?;")),
         }
         out.line("Some(chart)");
         out.close("}");
+        if let Some(chunks) = chunks {
+            let timers = |lines: &[String]| lines.iter().any(|line| line.contains("Timer::resumed("));
+            let now = |lines: &[String]| if timers(lines) { "now" } else { "_now" };
+            let head =
+                |lines: &[String]| format!("(&mut self, from: &mut Restorer, {}: u32) -> Option<()>", now(lines));
+            chunks.write(out, head, Some("Some(())"));
+        }
+    }
+}
+
+/// The lines of a function that is too long for rustc, as functions of their own.
+struct Chunks<'l> {
+    function: &'static str,
+    lines: std::slice::Chunks<'l, String>,
+}
+
+impl<'l> Chunks<'l> {
+    fn new(function: &'static str, lines: &'l [String], longest: usize) -> Option<Self> {
+        (lines.len() > longest).then(|| Chunks { function, lines: lines.chunks(longest) })
+    }
+
+    /// Writes the calls of all parts.
+    fn call(&self, out: &mut Writer, call: impl Fn(&str) -> String) {
+        for part in 1..=self.lines.len() {
+            out.line(&call(&format!("{}_{part}", self.function)));
+        }
+    }
+
+    /// Writes the parts; `end` is the last line of each.
+    fn write(self, out: &mut Writer, head: impl Fn(&[String]) -> String, end: Option<&str>) {
+        for (part, lines) in (1..).zip(self.lines) {
+            out.blank();
+            out.line("#[inline(never)]");
+            out.open(&format!("fn {}_{part}{} {{", self.function, head(lines)));
+            lines.iter().for_each(|line| out.line(line));
+            end.iter().for_each(|line| out.line(line));
+            out.close("}");
+        }
     }
 }

@@ -1,89 +1,64 @@
 //! The statements of one scan.
 
 use super::expressions::{Expressions, SMALL, WIDTH};
-use super::literals::{type_name, zero};
+use super::interface::fields;
+use super::literals::{literal, type_name, zero};
 use super::locals::{Locals, ROOT};
 use super::names::Names;
+use super::parts::{Code, Needs, Parts};
 use super::places::Places;
 use crate::comment::clean;
 use crate::writer::Writer;
-use grafc_logic::formula::{Formula, FormulaId, Type};
-use grafc_logic::scan::{Arm, Flag, Program, Repeat, Role, Statement, TimerId, VarId};
+use grafc_logic::formula::{Arithmetic, Formula, FormulaId, Type};
+use grafc_logic::scan::{Arm, Flag, Program, Role, Statement, TimerId, VarId};
 use std::cell::Cell;
 
-/// What a scan uses of what is there: a parameter that it does not use has another name.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Used {
-    pub inputs: bool,
-    pub now: bool,
-    pub steps: bool,
-    pub division: bool,
-    pub remainder: bool,
+/// Writes the scan, and the functions that a large one is parted into.
+pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places, parts: &Parts) {
+    let expressions = Expressions::new(program, places);
+    for (index, function) in parts.functions.iter().enumerate() {
+        let body = Body {
+            program,
+            names,
+            places,
+            expressions: &expressions,
+            parts,
+            locals: Locals::new(program, &function.code, &parts.shared),
+            blocks: Cell::new(ROOT),
+        };
+        out.blank();
+        if index == 0 {
+            body.scan(out, &function.code, function.needs);
+        } else {
+            out.comment(&function.about.map(clean).unwrap_or_default());
+            // Else the functions would be put together again.
+            out.line("#[inline(never)]");
+            let parameters = [
+                function.needs.inputs.then_some("inputs: &Inputs"),
+                function.needs.now.then_some("now: u32"),
+                function.needs.values.then_some("values: &mut Values"),
+            ];
+            let parameters: String = parameters.into_iter().flatten().map(|word| format!(", {word}")).collect();
+            out.open(&format!("fn part_{index}(&mut self{parameters}) {{"));
+            body.function(out, &function.code, function.needs);
+            out.close("}");
+        }
+    }
 }
 
-/// Writes the statements of one scan, and says what they use.
-pub(super) fn write(
-    out: &mut Writer,
-    program: &Program,
-    names: &Names,
-    places: &Places,
-    expressions: &Expressions,
-) -> Used {
-    let locals = Locals::new(program);
-    let body = Body { program, names, places, expressions, locals, used: Cell::default(), blocks: Cell::new(ROOT) };
-    let mut place = body.sequence(out, ROOT, 0, &program.first);
-    place = body.sequence(out, ROOT, place, &program.before);
-    match program.repeat {
-        None => place = body.sequence(out, ROOT, place, &program.micro_step),
-        Some(repeat) => {
-            body.repeat(out, place, repeat);
-            place += 1;
-        }
+/// Writes the struct of the values that functions share.
+pub(super) fn values(out: &mut Writer, program: &Program, names: &Names, places: &Places, shared: &[VarId]) {
+    if shared.is_empty() {
+        return;
     }
-    body.sequence(out, ROOT, place, &program.after);
-    let mut used = body.used.get();
-    used.inputs |= reads_input(program);
-    used
-}
-
-/// Whether a statement reads an input.
-fn reads_input(program: &Program) -> bool {
-    let pool = &program.pool;
-    let mut roots = Vec::new();
-    for section in [&program.first, &program.before, &program.micro_step, &program.after] {
-        collect(section, &mut roots);
+    out.blank();
+    out.line("/// Values within one scan.");
+    out.open("struct Values {");
+    for v in shared {
+        let ty = places.state(*v).map_or(type_name(program.variables[*v].ty), |state| &state.ty);
+        out.line(&format!("{}: {ty},", names.variables[*v]));
     }
-    let mut seen = vec![false; pool.len()];
-    while let Some(id) = roots.pop() {
-        if std::mem::replace(&mut seen[id.index()], true) {
-            continue;
-        }
-        if matches!(pool.get(id), Formula::Variable(v) if program.variables[*v].role == Role::Input) {
-            return true;
-        }
-        roots.extend(pool.operands(id));
-    }
-    false
-}
-
-/// All formulas of statements.
-fn collect(statements: &[Statement], roots: &mut Vec<FormulaId>) {
-    for statement in statements {
-        match statement {
-            Statement::Heading(_) => {}
-            Statement::Assign { value, .. } => roots.push(*value),
-            Statement::Divide { dividend, divisor, .. } => roots.extend([*dividend, *divisor]),
-            Statement::CallTimer { input, .. } => roots.push(*input),
-            Statement::Case { of: _, arms } => arms.iter().for_each(|arm| collect(&arm.body, roots)),
-            Statement::If { branches, otherwise } => {
-                for (when, body) in branches {
-                    roots.push(*when);
-                    collect(body, roots);
-                }
-                collect(otherwise, roots);
-            }
-        }
-    }
+    out.close("}");
 }
 
 struct Body<'p> {
@@ -91,38 +66,114 @@ struct Body<'p> {
     names: &'p Names,
     places: &'p Places<'p>,
     expressions: &'p Expressions<'p>,
+    parts: &'p Parts<'p>,
     locals: Locals,
-    used: Cell<Used>,
     /// The number of the last block, as [`Locals`] counts them.
     blocks: Cell<usize>,
 }
 
 impl Body<'_> {
-    fn uses(&self, note: impl FnOnce(&mut Used)) {
-        let mut used = self.used.get();
-        note(&mut used);
-        self.used.set(used);
+    fn scan(&self, out: &mut Writer, code: &[Code], needs: Needs) {
+        out.line("/// One scan: from the inputs to the outputs.");
+        out.line("///");
+        out.line("/// `now` is the time in milliseconds of a clock that never goes back. It may start anywhere");
+        out.line("/// and wraps around after `u32::MAX`; there must be a scan at least every 49 days.");
+        let parameter = |name: &str, needed: bool| if needed { name.to_owned() } else { format!("_{name}") };
+        let (inputs, now) = (parameter("inputs", needs.inputs), parameter("now", needs.now));
+        out.open(&format!("pub fn scan(&mut self, {inputs}: &Inputs, {now}: u32) -> &Outputs {{"));
+        if needs.values {
+            let zero = |v: &VarId| {
+                let ty = self.program.variables[*v].ty;
+                let first = |state: &super::names::StateNames| format!("{}::{}", state.ty, state.variants[0].1);
+                (self.names.variables[*v].clone(), self.places.state(*v).map_or(zero(ty).to_owned(), first))
+            };
+            let values: Vec<(String, String)> = self.parts.shared.iter().map(zero).collect();
+            fields(out, "let values = &mut Values", &values, ";");
+        }
+        self.function(out, code, needs);
+        out.blank();
+        out.line("&self.outputs");
+        out.close("}");
+    }
+
+    fn function(&self, out: &mut Writer, code: &[Code], needs: Needs) {
+        if needs.steps {
+            out.line("use Step::*;");
+            out.blank();
+        }
+        self.code(out, ROOT, code);
+    }
+
+    fn code(&self, out: &mut Writer, block: usize, code: &[Code]) {
+        for (place, code) in code.iter().enumerate() {
+            self.declare(out, block, place);
+            match code {
+                Code::Plain(statement) => self.statement(out, block, place, statement),
+                Code::Loop(body) => self.repeat(out, body),
+                Code::Call(function) => out.line(&format!("{};", self.call(*function))),
+                Code::If(branches, otherwise) => {
+                    let mut head = "if";
+                    for (condition, body) in branches {
+                        self.expressions.condition(out, head, *condition);
+                        out.enter();
+                        self.code(out, self.block(), body);
+                        out.leave();
+                        head = "} else if";
+                    }
+                    let inside = self.block();
+                    if !otherwise.is_empty() {
+                        out.open("} else {");
+                        self.code(out, inside, otherwise);
+                        out.leave();
+                    }
+                    out.line("}");
+                }
+                Code::Arms(of, arms) => {
+                    let inside = |out: &mut Writer, place: usize| self.code(out, self.block(), &arms[place].1);
+                    self.arms(out, *of, &arms.iter().map(|(arm, _)| *arm).collect::<Vec<_>>(), inside);
+                }
+                Code::Groups(of, calls) => {
+                    out.open(&format!("match {} as usize / {} {{", self.places.read(*of), self.parts.group));
+                    for (number, function) in calls {
+                        out.line(&format!("{number} => {},", self.call(*function)));
+                    }
+                    out.line("_ => {}");
+                    out.close("}");
+                }
+            }
+        }
+    }
+
+    fn call(&self, function: usize) -> String {
+        let needs = self.parts.functions[function].needs;
+        let arguments =
+            [needs.inputs.then_some("inputs"), needs.now.then_some("now"), needs.values.then_some("values")];
+        let arguments: Vec<&str> = arguments.into_iter().flatten().collect();
+        format!("self.part_{function}({})", arguments.join(", "))
     }
 
     /// The stability loop (R9); where it has a limit, the flag when it was cut off.
-    fn repeat(&self, out: &mut Writer, place: usize, repeat: Repeat) {
-        let again = &self.names.variables[repeat.again];
-        let limit = repeat.limit.map(|limit| (&self.names.variables[limit.count], limit.bound));
+    fn repeat(&self, out: &mut Writer, code: &[Code]) {
+        let Some(repeat) = self.program.repeat else { return };
+        let again = self.places.read(repeat.again);
+        let limit = repeat.limit.map(|limit| (self.places.read(limit.count), limit.bound));
         out.blank();
-        self.declare(out, ROOT, place);
         out.open("loop {");
         let inside = self.block();
         if let Some((count, _)) = limit {
             out.line(&format!("{count} += 1;"));
         }
-        let end = self.sequence(out, inside, 0, &self.program.micro_step);
+        self.code(out, inside, code);
         out.blank();
-        self.declare(out, inside, end);
+        self.declare(out, inside, code.len());
         out.open(&format!("if !{again} {{"));
         out.line("break;");
         out.close("}");
         if let Some((count, bound)) = limit {
-            out.open(&format!("if {count} >= {bound} {{"));
+            out.open(&format!(
+                "if {count} >= {} {{",
+                literal(grafc_logic::formula::Value::Int(bound.into()), Type::Dint)
+            ));
             let flags = self.program.variables.iter_enumerated();
             for (flag, _) in flags.filter(|(_, v)| v.role == Role::Flag(Flag::Livelock)) {
                 out.line(&format!("{} = true;", self.places.read(flag)));
@@ -161,31 +212,37 @@ impl Body<'_> {
         }
     }
 
-    /// Statements from a place of a block on; returns the place after them.
-    fn sequence(&self, out: &mut Writer, block: usize, start: usize, statements: &[Statement]) -> usize {
-        for (offset, statement) in statements.iter().enumerate() {
-            let place = start + offset;
-            self.declare(out, block, place);
-            match statement {
-                Statement::Heading(text) => {
-                    out.blank();
-                    out.comment(&clean(text));
-                }
-                Statement::Assign { target, value, remark } => {
-                    out.comment(&remark.as_deref().map(clean).unwrap_or_default());
-                    let declares = self.locals.with(block, place, *target);
-                    self.assign(out, declares, *target, *value);
-                }
-                Statement::Divide { target, modulo, dividend, divisor, flag } => {
-                    let declares = self.locals.with(block, place, *target);
-                    self.divide(out, declares, *target, *modulo, *dividend, *divisor, *flag);
-                }
-                Statement::CallTimer { timer, input } => self.call_timer(out, *timer, *input),
-                Statement::Case { of, arms } => self.case(out, *of, arms),
-                Statement::If { branches, otherwise } => self.branch(out, branches, otherwise),
-            }
+    /// A block of statements, in a block of the text.
+    fn statements(&self, out: &mut Writer, statements: &[Statement]) {
+        let inside = self.block();
+        for (place, statement) in statements.iter().enumerate() {
+            self.declare(out, inside, place);
+            self.statement(out, inside, place, statement);
         }
-        start + statements.len()
+    }
+
+    fn statement(&self, out: &mut Writer, block: usize, place: usize, statement: &Statement) {
+        match statement {
+            Statement::Heading(text) => {
+                out.blank();
+                out.comment(&clean(text));
+            }
+            Statement::Assign { target, value, remark } => {
+                out.comment(&remark.as_deref().map(clean).unwrap_or_default());
+                let declares = self.locals.with(block, place, *target);
+                self.assign(out, declares, *target, *value);
+            }
+            Statement::Divide { target, modulo, dividend, divisor, flag } => {
+                let declares = self.locals.with(block, place, *target);
+                self.divide(out, declares, *target, *modulo, [*dividend, *divisor], *flag);
+            }
+            Statement::CallTimer { timer, input } => self.call_timer(out, *timer, *input),
+            Statement::Case { of, arms } => {
+                let inside = |out: &mut Writer, place: usize| self.statements(out, &arms[place].body);
+                self.arms(out, *of, &arms.iter().collect::<Vec<_>>(), inside);
+            }
+            Statement::If { branches, otherwise } => self.branch(out, branches, otherwise),
+        }
     }
 
     /// The left side of an assignment, with its `let`.
@@ -203,7 +260,6 @@ impl Body<'_> {
         let pool = &self.program.pool;
         if let Some(step) = self.places.packed(target) {
             let step = &self.names.steps[step];
-            self.uses(|used| used.steps = true);
             let width = step.len() + 2 + self.expressions.width(value);
             if width <= SMALL && out.indent() + "self.set();".len() + width <= WIDTH {
                 out.start();
@@ -244,16 +300,14 @@ impl Body<'_> {
         declares: Option<bool>,
         target: VarId,
         modulo: bool,
-        a: FormulaId,
-        b: FormulaId,
+        [a, b]: [FormulaId; 2],
         flag: VarId,
     ) {
-        self.uses(|used| if modulo { used.remainder = true } else { used.division = true });
         let pool = &self.program.pool;
         let ty = self.program.variables[target].ty;
         let function = if modulo { "remainder" } else { "divide" };
         let operand = |id: FormulaId| {
-            let mut text = Writer::new(&crate::writer::RUST);
+            let mut text = out.apart();
             self.expressions.flat(&mut text, id);
             let text = text.finish();
             match pool.as_constant(id) {
@@ -276,11 +330,10 @@ impl Body<'_> {
     }
 
     fn call_timer(&self, out: &mut Writer, timer: TimerId, input: FormulaId) {
-        self.uses(|used| used.now = true);
         let timer = self.places.timer(timer);
         let width = self.expressions.width(input) + ", now".len();
         let chain = timer.len() + ".call()".len() + width;
-        if width <= SMALL && chain <= SMALL.max(timer.len() + 1) && out.indent() + chain < WIDTH {
+        if chain <= SMALL.max(timer.len() + 1) && out.indent() + chain < WIDTH {
             out.start();
             out.text(&format!("{timer}.call("));
             self.expressions.flat(out, input);
@@ -292,22 +345,20 @@ impl Body<'_> {
     }
 
     /// An arm a value, under what the value stands for; a single arm is an `if`.
-    fn case(&self, out: &mut Writer, of: VarId, arms: &[Arm]) {
+    fn arms(&self, out: &mut Writer, of: VarId, arms: &[&Arm], inside: impl Fn(&mut Writer, usize)) {
         let remark = |arm: &Arm| arm.remark.as_deref().map(clean).unwrap_or_default();
         let label = |arm: &Arm| self.places.variant(of, arm.value).unwrap_or_else(|| arm.value.to_string());
         if let [arm] = arms {
             out.comment(&remark(arm));
             out.open(&format!("if {} == {} {{", self.places.read(of), label(arm)));
-            let inside = self.block();
-            self.sequence(out, inside, 0, &arm.body);
+            inside(out, 0);
             return out.close("}");
         }
         out.open(&format!("match {} {{", self.places.read(of)));
-        for arm in arms {
+        for (place, arm) in arms.iter().enumerate() {
             out.comment(&remark(arm));
             out.open(&format!("{} => {{", label(arm)));
-            let inside = self.block();
-            self.sequence(out, inside, 0, &arm.body);
+            inside(out, place);
             out.close("}");
         }
         if self.places.state(of).is_none_or(|state| state.variants.len() > arms.len()) {
@@ -321,19 +372,15 @@ impl Body<'_> {
         for (condition, body) in branches {
             self.expressions.condition(out, head, *condition);
             out.enter();
-            let inside = self.block();
-            self.sequence(out, inside, 0, body);
+            self.statements(out, body);
             out.leave();
             head = "} else if";
         }
-        let inside = self.block();
-        if branches.is_empty() {
-            self.sequence(out, inside, 0, otherwise);
-            return;
-        }
-        if !crate::limits::is_empty(otherwise) {
+        if crate::limits::is_empty(otherwise) {
+            self.block();
+        } else {
             out.open("} else {");
-            self.sequence(out, inside, 0, otherwise);
+            self.statements(out, otherwise);
             out.leave();
         }
         out.line("}");
@@ -341,15 +388,14 @@ impl Body<'_> {
 }
 
 /// The sign of `a = a op b` where whole numbers need no method to wrap around.
-fn compound(op: grafc_logic::formula::Arithmetic, ty: Type) -> Option<&'static str> {
-    use grafc_logic::formula::Arithmetic::{Add, Divide, Modulo, Multiply, Subtract};
+fn compound(op: Arithmetic, ty: Type) -> Option<&'static str> {
     let real = matches!(ty, Type::Real | Type::Lreal);
     match op {
-        Add if real => Some("+="),
-        Subtract if real => Some("-="),
-        Multiply if real => Some("*="),
-        Divide => Some("/="),
-        Modulo => Some("%="),
-        Add | Subtract | Multiply => None,
+        Arithmetic::Add if real => Some("+="),
+        Arithmetic::Subtract if real => Some("-="),
+        Arithmetic::Multiply if real => Some("*="),
+        Arithmetic::Divide => Some("/="),
+        Arithmetic::Modulo => Some("%="),
+        Arithmetic::Add | Arithmetic::Subtract | Arithmetic::Multiply => None,
     }
 }

@@ -5,8 +5,7 @@ use super::expressions::{SMALL, WIDTH};
 use super::names::{Names, StateNames};
 use crate::comment::clean;
 use crate::writer::Writer;
-use grafc_logic::scan::{Program, StepId};
-use index_vec::IndexVec;
+use grafc_logic::scan::Program;
 
 /// Writes `Step`.
 pub(super) fn steps(out: &mut Writer, program: &Program, names: &Names) {
@@ -25,8 +24,13 @@ pub(super) fn steps(out: &mut Writer, program: &Program, names: &Names) {
     let items: Vec<String> = names.steps.iter().map(|name| format!("Self::{name}")).collect();
     list(out, &format!("pub const ALL: [Self; {}] =", items.len()), &items);
     out.blank();
+    let labels: Vec<String> = program.steps.iter().map(|step| quoted(&step.label)).collect();
+    list(out, &format!("const LABELS: [&'static str; {}] =", labels.len()), &labels);
+    out.blank();
     out.line("/// The label in the chart.");
-    texts(out, "label", "&'static str", names, program.steps.iter().map(|step| quoted(&step.label)).collect());
+    out.open("pub const fn label(self) -> &'static str {");
+    out.line("Self::LABELS[self as usize]");
+    out.close("}");
     out.close("}");
 }
 
@@ -36,17 +40,6 @@ fn about(label: &str, comment: Option<&str>) -> String {
         Some(comment) => format!("step {}: {comment}", clean(label)),
         None => format!("step {}", clean(label)),
     }
-}
-
-/// A function of the step with a text for each.
-fn texts(out: &mut Writer, function: &str, ty: &str, names: &Names, texts: IndexVec<StepId, String>) {
-    out.open(&format!("pub const fn {function}(self) -> {ty} {{"));
-    out.open("match self {");
-    for (step, text) in names.steps.iter().zip(texts) {
-        arm(out, &format!("Self::{step}"), &text);
-    }
-    out.close("}");
-    out.close("}");
 }
 
 /// An arm of a `match` that gives a value.

@@ -7,6 +7,7 @@ use crate::input_event::InputEvent;
 use crate::lower::{Context, Lowering, Moment};
 use crate::outputs::{self, Followers};
 use crate::overlap;
+use crate::pieces;
 use crate::scan::{Flag, Limit, Program, Repeat, Role, Statement};
 use crate::simplify;
 use crate::stored::heading;
@@ -132,6 +133,7 @@ pub fn compile(net: &Net, options: &Options) -> (Option<Program>, Diagnostics) {
         simplify::absorb(&mut program);
     }
     sweep::sweep(&mut program);
+    pieces::cut(&mut program);
     debug_assert_eq!(crate::scan::verify(&program), Ok(()), "the program as compiled");
     (Some(program), diagnostics)
 }

@@ -22,6 +22,7 @@ mod measure;
 mod number;
 mod outputs;
 mod overlap;
+mod pieces;
 mod report;
 pub mod scan;
 mod settle;

@@ -261,6 +261,7 @@ fn product(args: &Arguments) -> Option<Product> {
             },
             header: header(args, target),
             module: None,
+            ..rust::Options::default()
         }),
     })
 }

@@ -1,0 +1,355 @@
+//! A scan as functions: one for most charts, several for large ones.
+//!
+//! rustc takes a time for a function that grows with the square of its length. So the statements of a large program are
+//! parted: runs of them become functions of their own, and of a large `Case` one for every so many arms, which are reached
+//! by the number of the group and then by the value. What more than one function needs lies in a struct that the scan
+//! passes on.
+
+use super::places::Places;
+use crate::limits;
+use grafc_logic::formula::{Formula, FormulaId};
+use grafc_logic::scan::{Arm, Program, Role, Statement, VarId};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// Programs with so many times more statements than one function should have are parted.
+const LARGE: usize = 3;
+/// Operands that weigh as much as a statement.
+const FORMULA: usize = 8;
+
+/// A function.
+#[derive(Default)]
+pub(super) struct Function<'p> {
+    /// What stands above its statements.
+    pub about: Option<&'p str>,
+    /// What it does.
+    pub code: Vec<Code<'p>>,
+    /// What it needs, together with the functions that it calls.
+    pub needs: Needs,
+}
+
+/// What a function needs to be given.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Needs {
+    pub inputs: bool,
+    pub now: bool,
+    /// The values that functions share.
+    pub values: bool,
+    /// The names of steps.
+    pub steps: bool,
+}
+
+impl Needs {
+    fn and(&mut self, other: Needs) {
+        self.inputs |= other.inputs;
+        self.now |= other.now;
+        self.values |= other.values;
+    }
+}
+
+/// A statement, or what is left of one whose parts are elsewhere.
+pub(super) enum Code<'p> {
+    /// As it stands.
+    Plain(&'p Statement),
+    /// The stability loop.
+    Loop(Vec<Code<'p>>),
+    /// The call of a function.
+    Call(usize),
+    /// Branches and what else.
+    If(Vec<(FormulaId, Vec<Code<'p>>)>, Vec<Code<'p>>),
+    /// Arms of a state.
+    Arms(VarId, Vec<(&'p Arm, Vec<Code<'p>>)>),
+    /// By the number of the group that the value of a state is in, a function.
+    Groups(VarId, Vec<(usize, usize)>),
+}
+
+/// The functions of a scan; the first is the scan itself.
+pub(super) struct Parts<'p> {
+    pub functions: Vec<Function<'p>>,
+    /// Temporaries that several functions need, in order.
+    pub shared: Vec<VarId>,
+    /// Statements of a function, about.
+    pub longest: usize,
+    /// Values of a state that one function looks after.
+    pub group: usize,
+}
+
+impl<'p> Parts<'p> {
+    /// Parts the program if it is large.
+    pub fn new(program: &'p Program, places: &Places, longest: usize) -> Self {
+        let sections = [&program.first, &program.before, &program.micro_step, &program.after];
+        let weights = Weights { sizes: limits::sizes(program) };
+        let large = sections.iter().map(|section| weights.all(section)).sum::<usize>() > longest.saturating_mul(LARGE);
+        let group = (longest / 2).max(1);
+        let mut splitter =
+            Splitter { places, weights, large, longest, group, functions: vec![Function::default()], about: None };
+        let mut code = splitter.block(&program.first);
+        code.extend(splitter.block(&program.before));
+        let micro_step = splitter.block(&program.micro_step);
+        match program.repeat {
+            Some(_) => code.push(Code::Loop(micro_step)),
+            None => code.extend(micro_step),
+        }
+        code.extend(splitter.block(&program.after));
+        splitter.functions[0].code = code;
+        let functions = splitter.functions;
+        let uses: Vec<Uses> = functions.iter().map(|function| Uses::of(program, places, &function.code)).collect();
+        let mut parts = Parts { functions, shared: shared(program, &uses), longest, group };
+        parts.tell_needs(&uses);
+        parts
+    }
+
+    /// Functions call only those after them.
+    fn tell_needs(&mut self, uses: &[Uses]) {
+        let shared: FxHashSet<VarId> = self.shared.iter().copied().collect();
+        for index in (0..self.functions.len()).rev() {
+            let mut needs = uses[index].needs;
+            needs.values = uses[index].temporaries.iter().any(|v| shared.contains(v));
+            for callee in &uses[index].calls {
+                needs.and(self.functions[*callee].needs);
+            }
+            self.functions[index].needs = needs;
+        }
+    }
+}
+
+/// How long statements are: one each, and more where a formula takes several lines.
+struct Weights {
+    /// Of each formula how large it is when written out.
+    sizes: Vec<(u32, u32)>,
+}
+
+impl Weights {
+    /// Statements nest no deeper than lowering nests them.
+    fn all(&self, statements: &[Statement]) -> usize {
+        statements.iter().map(|statement| self.of(statement)).sum()
+    }
+
+    fn of(&self, statement: &Statement) -> usize {
+        match statement {
+            Statement::Heading(_) => 0,
+            Statement::Assign { value, .. } => 1 + self.formula(*value),
+            Statement::Divide { .. } => 1,
+            Statement::CallTimer { input, .. } => 1 + self.formula(*input),
+            Statement::Case { arms, .. } => 1 + arms.iter().map(|arm| self.all(&arm.body)).sum::<usize>(),
+            Statement::If { branches, otherwise } => {
+                let branch = |(when, body): &(FormulaId, Vec<Statement>)| self.formula(*when) + self.all(body);
+                1 + branches.iter().map(branch).sum::<usize>() + self.all(otherwise)
+            }
+        }
+    }
+
+    fn formula(&self, id: FormulaId) -> usize {
+        self.sizes[id.index()].1 as usize / FORMULA
+    }
+}
+
+struct Splitter<'p, 'a> {
+    places: &'a Places<'a>,
+    weights: Weights,
+    large: bool,
+    longest: usize,
+    group: usize,
+    functions: Vec<Function<'p>>,
+    /// The last heading.
+    about: Option<&'p str>,
+}
+
+impl<'p> Splitter<'p, '_> {
+    fn block(&mut self, statements: &'p [Statement]) -> Vec<Code<'p>> {
+        if !self.large || self.weights.all(statements) <= self.longest {
+            return statements.iter().map(Code::Plain).collect();
+        }
+        let mut out = Vec::new();
+        let mut run: Vec<Code<'p>> = Vec::new();
+        let mut run_weight = 0;
+        for statement in statements {
+            let weight = self.weights.of(statement);
+            if run_weight + weight > self.longest {
+                self.outline(&mut out, &mut run);
+                run_weight = 0;
+            }
+            if let Statement::Heading(text) = statement {
+                self.about = Some(text);
+            }
+            match statement {
+                Statement::If { branches, otherwise } if weight > self.longest => {
+                    let branches = branches.iter().map(|(when, body)| (*when, self.block(body))).collect();
+                    out.push(Code::If(branches, self.block(otherwise)));
+                }
+                Statement::Case { of, arms } if weight > self.longest => out.push(self.case(*of, arms)),
+                Statement::Heading(_)
+                | Statement::Assign { .. }
+                | Statement::Divide { .. }
+                | Statement::CallTimer { .. }
+                | Statement::If { .. }
+                | Statement::Case { .. } => {
+                    run.push(Code::Plain(statement));
+                    run_weight += weight;
+                }
+            }
+        }
+        self.outline(&mut out, &mut run);
+        out
+    }
+
+    /// A run of statements becomes a function, a heading alone does not.
+    fn outline(&mut self, out: &mut Vec<Code<'p>>, run: &mut Vec<Code<'p>>) {
+        let run = std::mem::take(run);
+        if run.iter().all(|code| matches!(code, Code::Plain(Statement::Heading(_)))) {
+            return out.extend(run);
+        }
+        let function = self.reserve();
+        self.functions[function].code = run;
+        out.push(Code::Call(function));
+    }
+
+    fn case(&mut self, of: VarId, arms: &'p [Arm]) -> Code<'p> {
+        let state = self.places.state(of).filter(|_| arms.len() > self.group);
+        let Some(state) = state else {
+            let arms = arms.iter().map(|arm| (arm, self.block(&arm.body))).collect();
+            return Code::Arms(of, arms);
+        };
+        let mut groups: Vec<(usize, Vec<&'p Arm>)> = Vec::new();
+        let mut place_of: FxHashMap<usize, usize> = FxHashMap::default();
+        for arm in arms {
+            let number = state.place(arm.value) / self.group;
+            let place = *place_of.entry(number).or_insert_with(|| {
+                groups.push((number, Vec::new()));
+                groups.len() - 1
+            });
+            groups[place].1.push(arm);
+        }
+        groups.sort_by_key(|(number, _)| *number);
+        let mut calls = Vec::new();
+        for (number, arms) in groups {
+            let function = self.reserve();
+            let arms = arms.into_iter().map(|arm| (arm, self.block(&arm.body))).collect();
+            self.functions[function].code = vec![Code::Arms(of, arms)];
+            calls.push((number, function));
+        }
+        Code::Groups(of, calls)
+    }
+
+    /// A number for a function, before those that it calls.
+    fn reserve(&mut self) -> usize {
+        self.functions.push(Function { about: self.about, ..Function::default() });
+        self.functions.len() - 1
+    }
+}
+
+/// What a function uses itself.
+struct Uses<'p> {
+    program: &'p Program,
+    needs: Needs,
+    temporaries: FxHashSet<VarId>,
+    calls: Vec<usize>,
+    seen: FxHashSet<FormulaId>,
+}
+
+impl<'p> Uses<'p> {
+    fn of(program: &'p Program, places: &Places, code: &[Code]) -> Self {
+        let mut uses = Uses {
+            program,
+            needs: Needs::default(),
+            temporaries: FxHashSet::default(),
+            calls: Vec::new(),
+            seen: FxHashSet::default(),
+        };
+        uses.all(places, code);
+        uses
+    }
+
+    fn all(&mut self, places: &Places, code: &[Code]) {
+        for code in code {
+            match code {
+                Code::Plain(statement) => self.statement(places, statement),
+                Code::Loop(body) => {
+                    if let Some(repeat) = self.program.repeat {
+                        self.variable(places, repeat.again);
+                        repeat.limit.iter().for_each(|limit| self.variable(places, limit.count));
+                    }
+                    self.all(places, body);
+                }
+                Code::Call(function) => self.calls.push(*function),
+                Code::If(branches, otherwise) => {
+                    for (when, body) in branches {
+                        self.formula(places, *when);
+                        self.all(places, body);
+                    }
+                    self.all(places, otherwise);
+                }
+                Code::Arms(of, arms) => {
+                    self.variable(places, *of);
+                    arms.iter().for_each(|(_, body)| self.all(places, body));
+                }
+                Code::Groups(of, calls) => {
+                    self.variable(places, *of);
+                    self.calls.extend(calls.iter().map(|(_, function)| *function));
+                }
+            }
+        }
+    }
+
+    fn statement(&mut self, places: &Places, statement: &Statement) {
+        match statement {
+            Statement::Heading(_) => {}
+            Statement::Assign { target, value, .. } => {
+                self.variable(places, *target);
+                self.formula(places, *value);
+            }
+            Statement::Divide { target, dividend, divisor, .. } => {
+                self.variable(places, *target);
+                self.formula(places, *dividend);
+                self.formula(places, *divisor);
+            }
+            Statement::CallTimer { input, .. } => {
+                self.needs.now = true;
+                self.formula(places, *input);
+            }
+            Statement::Case { of, arms } => {
+                self.variable(places, *of);
+                arms.iter().flat_map(|arm| &arm.body).for_each(|statement| self.statement(places, statement));
+            }
+            Statement::If { branches, otherwise } => {
+                for (when, body) in branches {
+                    self.formula(places, *when);
+                    body.iter().for_each(|statement| self.statement(places, statement));
+                }
+                otherwise.iter().for_each(|statement| self.statement(places, statement));
+            }
+        }
+    }
+
+    fn formula(&mut self, places: &Places, id: FormulaId) {
+        let mut open = vec![id];
+        while let Some(id) = open.pop() {
+            if !self.seen.insert(id) {
+                continue;
+            }
+            if let Formula::Variable(v) = self.program.pool.get(id) {
+                self.variable(places, *v);
+            }
+            open.extend(self.program.pool.operands(id));
+        }
+    }
+
+    fn variable(&mut self, places: &Places, v: VarId) {
+        match self.program.variables[v].role {
+            Role::Input => self.needs.inputs = true,
+            Role::Temporary => {
+                self.temporaries.insert(v);
+            }
+            Role::Step => self.needs.steps |= places.packed(v).is_some(),
+            Role::Output | Role::Internal | Role::Constant | Role::State | Role::Flag(_) | Role::Memory => {}
+        }
+    }
+}
+
+/// The temporaries that more than one function uses.
+fn shared(program: &Program, uses: &[Uses]) -> Vec<VarId> {
+    let mut counts: FxHashMap<VarId, usize> = FxHashMap::default();
+    for v in uses.iter().flat_map(|uses| &uses.temporaries) {
+        *counts.entry(*v).or_default() += 1;
+    }
+    program.variables.indices().filter(|v| counts.get(v).is_some_and(|count| *count > 1)).collect()
+}
