@@ -82,8 +82,10 @@ fn write(folder: &Path, runtime: Runtime, charts: &[(String, String)], extra: &s
 
 /// Builds `lib.rs`, and before it the run-time crate as it is without its features.
 fn build(tools: &Tools, folder: &Path, target: Option<&str>) -> Result<(), String> {
-    let common: Vec<&str> =
-        ["-C", "panic=abort"].into_iter().chain(target.iter().flat_map(|t| ["--target", t])).collect();
+    let common: Vec<&str> = ["--edition", "2024", "-C", "panic=abort"]
+        .into_iter()
+        .chain(target.iter().flat_map(|t| ["--target", t]))
+        .collect();
     let runtime = root().join("runtime-support/src/lib.rs");
     let runtime = runtime.to_str().expect("a path of UTF-8");
     let arguments = ["--crate-name", "grafc_runtime", "--crate-type", "rlib", "-D", "warnings", runtime];
