@@ -6,7 +6,7 @@
 //! | --- | --- |
 //! | `gct` | a chart without errors and warnings |
 //! | `gct,wrong` | a chart with errors |
-//! | `gct,file=NAME`, `csv,file=NAME` | is also a file for the commands of the page |
+//! | `gct,file=NAME`, `csv,file=NAME`, `rust,file=NAME` | is also a file for the commands of the page |
 //! | `console` | commands after `$ `, each with what it prints; `…` stands for anything |
 //! | `console,exit=1` | the commands end with this code |
 //! | `iecst,excerpt=NAME` | all such blocks of a page together are the file that a command wrote, but for empty lines |
@@ -39,6 +39,44 @@ impl Block {
     pub fn value(&self, attribute: &str) -> Option<&str> {
         self.attributes.iter().find_map(|a| a.strip_prefix(attribute)?.strip_prefix('='))
     }
+
+    /// The commands of a block `console`, each with what the page says it prints.
+    pub fn commands(&self) -> Vec<(String, String)> {
+        let mut commands: Vec<(String, String)> = Vec::new();
+        for line in self.text.lines() {
+            if let Some(command) = line.strip_prefix("$ ") {
+                commands.push((command.to_string(), String::new()));
+            } else if let Some((_, shown)) = commands.last_mut() {
+                shown.push_str(line);
+                shown.push('\n');
+            }
+        }
+        commands
+    }
+}
+
+/// Writes the blocks `file=NAME` to a folder, for the commands of the page.
+pub fn write_files(blocks: &[Block], folder: &Path) {
+    for block in blocks {
+        if let Some(name) = block.value("file") {
+            std::fs::write(folder.join(name), &block.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+        }
+    }
+}
+
+/// Whether a text is the one shown, where `…` stands for anything, and white space at line ends and around the whole
+/// does not count.
+pub fn matches(shown: &str, printed: &str) -> bool {
+    let tidy = |text: &str| text.trim().lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
+    let (shown, printed) = (tidy(shown), tidy(printed));
+    let pieces: Vec<&str> = shown.split('…').collect();
+    let [first, between @ .., last] = pieces.as_slice() else { return shown == printed };
+    let Some(mut rest) = printed.strip_prefix(first) else { return false };
+    for piece in between {
+        let Some((_, after)) = rest.split_once(piece) else { return false };
+        rest = after;
+    }
+    rest.ends_with(last)
 }
 
 /// The fenced blocks of a page. Those in list items are indented, and so is their text; blocks in quotations are not found.

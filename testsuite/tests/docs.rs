@@ -3,7 +3,7 @@
 use grafc_diagnostics::{Code, FileId};
 use grafc_testsuite::binary::{grafc, root};
 use grafc_testsuite::excerpts;
-use grafc_testsuite::markdown::{Block, blocks, pages};
+use grafc_testsuite::markdown::{blocks, matches, pages, write_files};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -45,14 +45,10 @@ fn commands_print_what_the_book_shows() {
             continue;
         }
         let folder = tempfile::tempdir().expect("a temporary folder");
-        for block in &blocks {
-            if let Some(name) = block.value("file") {
-                std::fs::write(folder.path().join(name), &block.text).expect("a file in it");
-            }
-        }
+        write_files(&blocks, folder.path());
         for block in blocks.iter().filter(|b| b.language == "console") {
             let wanted: i32 = block.value("exit").map_or(0, |code| code.parse().expect("a number"));
-            for (command, shown) in commands_of(block) {
+            for (command, shown) in block.commands() {
                 let place = format!("{}:{}: `{command}`", path.display(), block.line);
                 let Some(arguments) = command.strip_prefix("grafc ") else { continue };
                 let (code, printed) = run(folder.path(), arguments);
@@ -86,20 +82,6 @@ fn the_first_command_of_the_readme_compiles_a_chart() {
     assert!(readme.contains("\ncargo test --workspace\n"));
 }
 
-/// The commands of a block, each with what the book says it prints.
-fn commands_of(block: &Block) -> Vec<(String, String)> {
-    let mut commands: Vec<(String, String)> = Vec::new();
-    for line in block.text.lines() {
-        if let Some(command) = line.strip_prefix("$ ") {
-            commands.push((command.to_string(), String::new()));
-        } else if let Some((_, shown)) = commands.last_mut() {
-            shown.push_str(line);
-            shown.push('\n');
-        }
-    }
-    commands
-}
-
 fn run(folder: &Path, arguments: &str) -> (Option<i32>, String) {
     let output = Command::new(grafc())
         .args(arguments.split_whitespace())
@@ -109,21 +91,6 @@ fn run(folder: &Path, arguments: &str) -> (Option<i32>, String) {
         .expect("grafc runs");
     let printed = [output.stdout, output.stderr].concat();
     (output.status.code(), String::from_utf8_lossy(&printed).into_owned())
-}
-
-/// Whether a text is the one shown, where `…` stands for anything, and white space at line ends and around the whole
-/// does not count.
-fn matches(shown: &str, printed: &str) -> bool {
-    let tidy = |text: &str| text.trim().lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
-    let (shown, printed) = (tidy(shown), tidy(printed));
-    let pieces: Vec<&str> = shown.split('…').collect();
-    let [first, between @ .., last] = pieces.as_slice() else { return shown == printed };
-    let Some(mut rest) = printed.strip_prefix(first) else { return false };
-    for piece in between {
-        let Some((_, after)) = rest.split_once(piece) else { return false };
-        rest = after;
-    }
-    rest.ends_with(last)
 }
 
 #[test]

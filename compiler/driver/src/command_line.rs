@@ -102,13 +102,6 @@ impl ProfileArguments {
             bound: self.bound,
         }
     }
-
-    /// The choices as they would be written on the command line.
-    pub(crate) fn options(&self) -> Vec<String> {
-        let mut options = vec![option("evolution", self.evolution), option("initial-actions", self.initial_actions)];
-        options.extend(self.bound.map(|bound| format!("--bound {bound}")));
-        options
-    }
 }
 
 /// A choice as it would be written on the command line.

@@ -4,8 +4,12 @@
 //! report it. Nothing has been written by then: commands write their output last, and whole.
 
 use grafc_diagnostics::Code;
+use std::any::Any;
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::sync::{Arc, Mutex};
+
+/// The exit code of a process that ends with one; it is that of a panic.
+pub const EXIT_CODE: u8 = 101;
 
 /// Runs something; if it panics, the error is the message to print.
 ///
@@ -27,14 +31,22 @@ pub fn guard<T>(run: impl FnOnce() -> T) -> Result<T, String> {
     })
 }
 
+/// The message to print of a panic that somebody else caught. Where it came from, the hook of the process has said.
+pub fn of_panic(payload: &(dyn Any + Send)) -> String {
+    message(&text_of(payload))
+}
+
 fn describe(info: &PanicHookInfo) -> String {
-    let payload = info.payload();
-    let text = payload.downcast_ref::<&str>().copied().or(payload.downcast_ref::<String>().map(String::as_str));
-    let text = text.unwrap_or("a panic without a message").replace('\n', "\n    ");
+    let text = text_of(info.payload());
     match info.location() {
         Some(place) => format!("{text} ({}:{})", place.file(), place.line()),
         None => text,
     }
+}
+
+fn text_of(payload: &(dyn Any + Send)) -> String {
+    let text = payload.downcast_ref::<&str>().copied().or(payload.downcast_ref::<String>().map(String::as_str));
+    text.unwrap_or("a panic without a message").replace('\n', "\n    ")
 }
 
 fn message(what: &str) -> String {
@@ -59,6 +71,7 @@ mod tests {
         assert!(message.starts_with("error[E0901]: this is a fault of grafc\n  = note: step 3 lost ("), "{message}");
         assert!(message.contains("fault.rs:"), "{message}");
         assert!(message.contains("report it"), "{message}");
+        assert!(of_panic(&"step 3 lost").contains("fault of grafc\n  = note: step 3 lost\n"));
         assert!(guard(|| -> () { panic::panic_any(5) }).unwrap_err().contains("a panic without a message"));
     }
 }

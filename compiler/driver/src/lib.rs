@@ -1,16 +1,24 @@
 //! The grafc compiler: the [`pipeline`] through all stages, and the command line around it.
 //!
+//! Rust projects call it from their build scripts: [`Build`].
+//!
 //! This is the only crate that reads and writes files, prints, or ends a process. [`pipeline`] does none of that, and
 //! is what tests and tools call.
 
+mod build_script;
 pub mod command_line;
 mod commands;
 pub mod fault;
 mod files;
+mod header;
 pub mod pipeline;
 mod report;
 
+pub use build_script::{Build, BuildError};
 use command_line::{Command, CommandLine};
+pub use grafc_backends::rust::Runtime;
+pub use grafc_logic::Encoding;
+pub use grafc_model::reaction::Evolution;
 
 /// How a run ended; its number is the exit code of the process.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]

@@ -17,7 +17,7 @@ fn main() -> ExitCode {
         Ok(exit) => ExitCode::from(exit as u8),
         Err(message) => {
             let _ = std::io::stderr().write_all(message.as_bytes());
-            ExitCode::from(101)
+            ExitCode::from(grafc::fault::EXIT_CODE)
         }
     }
 }

@@ -108,7 +108,8 @@ impl Report {
         if self.has_errors() { Exit::ChartErrors } else { Exit::Done }
     }
 
-    fn render(&mut self, format: Format, colour: bool) -> String {
+    /// Everything that was said, for people with a last line that counts.
+    pub fn render(&mut self, format: Format, colour: bool) -> String {
         self.diagnostics.sort_by_place();
         match format {
             Format::Human => {

@@ -27,9 +27,24 @@ impl Tools {
 
     /// Compiles `main.rs` with all checks that rustc can put in.
     pub(super) fn rustc(&self, folder: &Path) -> Result<(), String> {
-        let mut command = Command::new(&self.rustc);
-        command.args(["--edition", "2024", "-C", "debug-assertions=on", "-o", "main", "main.rs"]).current_dir(folder);
-        call(&mut command).map(|_| ())
+        self.call(folder, &["--edition", "2024", "-C", "debug-assertions=on", "-o", "main", "main.rs"]).map(|_| ())
+    }
+
+    /// A call of rustc, still without arguments.
+    pub fn command(&self) -> Command {
+        Command::new(&self.rustc)
+    }
+
+    /// Calls rustc in a folder; what it prints, or its complaint.
+    pub fn call(&self, folder: &Path, arguments: &[&str]) -> Result<String, String> {
+        call(self.command().args(arguments).current_dir(folder))
+    }
+
+    /// Whether programs for this target can be compiled: whether there is a `core` for it.
+    pub fn has_target(&self, target: &str) -> bool {
+        let printed = call(self.command().args(["--print", "target-libdir", "--target", target]));
+        let entries = printed.ok().and_then(|folder| std::fs::read_dir(folder.trim()).ok());
+        entries.into_iter().flatten().flatten().any(|entry| entry.file_name().to_string_lossy().starts_with("libcore-"))
     }
 
     /// Runs what was compiled.

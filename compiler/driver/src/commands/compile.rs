@@ -4,6 +4,7 @@ use super::refuse_output_over_input;
 use crate::Exit;
 use crate::command_line::{ProfileArguments, option};
 use crate::files::Place;
+use crate::header;
 use crate::pipeline::{self, Options, Product};
 use crate::report::{Failure, Format, Report};
 use clap::builder::PossibleValuesParser;
@@ -170,7 +171,13 @@ const DEFAULT_INTERVAL: Interval = Interval(20);
 
 /// Compiles one chart.
 pub fn run(args: Arguments) -> Result<Exit, Failure> {
-    let (Some(chart), Some(product)) = (&args.chart, product(&args)) else {
+    let simplify = match args.optimize {
+        Level::Plain => false,
+        Level::Short => true,
+    };
+    let encoding = args.encoding.encoding();
+    let lowering = grafc_logic::Options { profile: args.profile.profile(), encoding, simplify };
+    let (Some(chart), Some(product)) = (&args.chart, product(&args, &lowering)) else {
         return Err(Failure::WrongUse("nothing to compile".to_string(), "see `grafc --help`".to_string()));
     };
     refuse_options_of_other_targets(&args)?;
@@ -180,7 +187,6 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
             "add `--pou configuration`, or leave it out".to_string(),
         ));
     }
-    let encoding = args.encoding.encoding();
     if let Some(pass) = passes::ORDER.iter().find(|pass| args.dump_after.as_deref() == Some(pass.name))
         && pass.for_overlap
         && !encoding.overlaps()
@@ -193,11 +199,6 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let output = args.output.clone().unwrap_or(Place::Standard);
     refuse_output_over_input(&output, [chart])?;
 
-    let simplify = match args.optimize {
-        Level::Plain => false,
-        Level::Short => true,
-    };
-    let lowering = grafc_logic::Options { profile: args.profile.profile(), encoding, simplify };
     let options = Options { lowering, product };
     let mut report = Report::default();
     let mut text = None;
@@ -231,7 +232,7 @@ fn refuse_options_of_other_targets(args: &Arguments) -> Result<(), Failure> {
 }
 
 /// What is asked for.
-fn product(args: &Arguments) -> Option<Product> {
+fn product(args: &Arguments, lowering: &grafc_logic::Options) -> Option<Product> {
     if let Some(pass) = &args.dump_after {
         return Some(Product::NetAfter(pass.clone()));
     }
@@ -244,55 +245,26 @@ fn product(args: &Arguments) -> Option<Product> {
             Stage::Scan => Product::Program,
         });
     }
-    args.target.map(|target| match target {
-        TargetName::St => Product::St(st::Options {
-            pou: match args.pou {
+    let (chart, target) = (args.chart.as_ref()?, args.target?);
+    Some(match target {
+        TargetName::St => {
+            let pou = match args.pou {
                 Some(Pou::FunctionBlock) | None => st::Pou::FunctionBlock,
                 Some(Pou::Program) => st::Pou::Program,
                 Some(Pou::Configuration) => st::Pou::Configuration,
-            },
-            header: header(args, target),
-            interval_ms: args.interval.unwrap_or(DEFAULT_INTERVAL).0,
-        }),
-        TargetName::Rust => Product::Rust(rust::Options {
-            runtime: match args.runtime {
+            };
+            let interval_ms = args.interval.unwrap_or(DEFAULT_INTERVAL).0;
+            Product::St(st::Options { pou, header: header::of_st(chart, lowering, pou, interval_ms), interval_ms })
+        }
+        TargetName::Rust => {
+            let runtime = match args.runtime {
                 Some(RuntimeName::Inline) | None => rust::Runtime::Inline,
                 Some(RuntimeName::Crate) => rust::Runtime::Crate,
-            },
-            header: header(args, target),
-            module: None,
-            ..rust::Options::default()
-        }),
-    })
-}
-
-/// Which chart, which version and which options made the code. No directories and no dates: equal charts give equal
-/// code wherever and whenever they are compiled.
-fn header(args: &Arguments, target: TargetName) -> Vec<String> {
-    let mut options = vec![option("target", target), option("encoding", args.encoding)];
-    match args.optimize {
-        Level::Plain => options.push(option("optimize", args.optimize)),
-        Level::Short => {}
-    }
-    options.extend(args.profile.options());
-    match target {
-        TargetName::St => {
-            let pou = args.pou.unwrap_or(Pou::FunctionBlock);
-            options.push(option("pou", pou));
-            match pou {
-                Pou::FunctionBlock | Pou::Program => {}
-                Pou::Configuration => {
-                    options.push(format!("--interval {}ms", args.interval.unwrap_or(DEFAULT_INTERVAL).0));
-                }
-            }
+            };
+            let header = header::of_rust(chart, lowering, runtime);
+            Product::Rust(rust::Options { runtime, header, ..rust::Options::default() })
         }
-        TargetName::Rust => options.push(option("runtime", args.runtime.unwrap_or(RuntimeName::Inline))),
-    }
-    let source = match &args.chart {
-        Some(Place::File(path)) => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),
-        Some(Place::Standard) | None => "standard input".to_string(),
-    };
-    vec![format!("Made by grafc {} from {source}", env!("CARGO_PKG_VERSION")), options.join(" ")]
+    })
 }
 
 #[cfg(test)]

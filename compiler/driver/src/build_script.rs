@@ -1,0 +1,240 @@
+//! The compiler for build scripts: a chart in, a Rust module in `$OUT_DIR` out.
+//!
+//! What the command line says on standard error, a build script must say to cargo: warnings as `cargo::warning`, since
+//! cargo shows nothing else of a script that did its work, and errors on standard error, since cargo shows all of a
+//! script that did not.
+
+use crate::Exit;
+use crate::fault;
+use crate::files::{Place, print};
+use crate::header;
+use crate::pipeline::{self, Options, Product};
+use crate::report::{Failure, Format, Report, to_stderr};
+use grafc_backends::rust::{self, Runtime};
+use grafc_diagnostics::render;
+use grafc_logic::Encoding;
+use grafc_model::reaction::Evolution;
+use std::fmt;
+use std::panic::{self, AssertUnwindSafe};
+use std::path::PathBuf;
+
+/// Compiles a chart to Rust, from a build script.
+///
+/// In `Cargo.toml`:
+///
+/// ```toml
+/// [build-dependencies]
+/// grafc = "0.1"
+/// ```
+///
+/// In `build.rs`, beside it:
+///
+/// ```no_run
+/// fn main() {
+///     grafc::Build::new("tank.gct").compile();
+/// }
+/// ```
+///
+/// And in the program:
+///
+/// ```ignore
+/// include!(concat!(env!("OUT_DIR"), "/tank.rs"));
+///
+/// let mut tank = tank::Tank::new();
+/// ```
+///
+/// The code is that of `grafc tank.gct --target rust`, in a module, so that it can be included. Cargo runs the script
+/// again when the chart changes.
+#[allow(clippy::needless_doctest_main, reason = "the example is a whole build script")]
+#[derive(Clone, Debug)]
+pub struct Build {
+    chart: PathBuf,
+    module: Option<String>,
+    out_dir: Option<PathBuf>,
+    runtime: Runtime,
+    lowering: grafc_logic::Options,
+}
+
+impl Build {
+    /// For the chart in this file. A relative path begins at the folder of `Cargo.toml`, where cargo runs build scripts.
+    pub fn new(chart: impl Into<PathBuf>) -> Self {
+        Build {
+            chart: chart.into(),
+            module: None,
+            out_dir: None,
+            runtime: Runtime::default(),
+            lowering: grafc_logic::Options::default(),
+        }
+    }
+
+    /// The name of the module, and of the file with `.rs` after it; without it, the name of the chart's file. The module
+    /// is named in snake case, and so that Rust takes it.
+    ///
+    /// Charts in one folder have different names; those in different folders may need this:
+    ///
+    /// ```no_run
+    /// grafc::Build::new("left/press.gct").module("left_press").compile();
+    /// grafc::Build::new("right/press.gct").module("right_press").compile();
+    /// ```
+    pub fn module(&mut self, name: impl Into<String>) -> &mut Self {
+        self.module = Some(name.into());
+        self
+    }
+
+    /// The folder to write to, which must be there; without it, the one that cargo names in `OUT_DIR`.
+    pub fn out_dir(&mut self, folder: impl Into<PathBuf>) -> &mut Self {
+        self.out_dir = Some(folder.into());
+        self
+    }
+
+    /// Where the code has from what it needs at run time: from itself, or, as with `--runtime crate`, from the crate
+    /// `grafc-runtime`, on which the program must then depend.
+    ///
+    /// ```no_run
+    /// grafc::Build::new("tank.gct").runtime(grafc::Runtime::Crate).compile();
+    /// ```
+    pub fn runtime(&mut self, runtime: Runtime) -> &mut Self {
+        self.runtime = runtime;
+        self
+    }
+
+    /// How the situation is held and the next one found, as `--encoding`.
+    ///
+    /// ```no_run
+    /// grafc::Build::new("tank.gct").encoding(grafc::Encoding::Switch).compile();
+    /// ```
+    pub fn encoding(&mut self, encoding: Encoding) -> &mut Self {
+        self.lowering.encoding = encoding;
+        self
+    }
+
+    /// Whether formulas are shortened by what is proved; they are, unless `false` is said here, as with `-O0`.
+    pub fn optimize(&mut self, optimize: bool) -> &mut Self {
+        self.lowering.simplify = optimize;
+        self
+    }
+
+    /// To a stable situation at each scan, or by one micro-step a scan as SFC does, as `--evolution`. This changes what
+    /// the chart means.
+    pub fn evolution(&mut self, evolution: Evolution) -> &mut Self {
+        self.lowering.profile.evolution = evolution;
+        self
+    }
+
+    /// Whether initial steps do their actions on activation at the start, as `--initial-actions`; they do, unless `false`
+    /// is said here. This changes what the chart means.
+    pub fn initial_actions(&mut self, initial_actions: bool) -> &mut Self {
+        self.lowering.profile.initial_actions = initial_actions;
+        self
+    }
+
+    /// After how many micro-steps a scan gives up and raises LIVELOCK, as `--bound`; 0 is taken as 1. This changes what
+    /// the chart means.
+    pub fn bound(&mut self, micro_steps: u32) -> &mut Self {
+        self.lowering.profile.bound = Some(micro_steps.max(1));
+        self
+    }
+
+    /// Compiles the chart, and returns the file that was written.
+    ///
+    /// If that fails, this prints what [`try_compile`](Self::try_compile) would return and ends the process, with the
+    /// exit code of the command line. Cargo then shows the messages as they are.
+    pub fn compile(&self) -> PathBuf {
+        self.try_compile().unwrap_or_else(|error| {
+            to_stderr(&error.text);
+            std::process::exit(error.exit_code)
+        })
+    }
+
+    /// Compiles the chart, and returns the file that was written. Warnings go to cargo.
+    ///
+    /// # Errors
+    /// Of a chart with errors, all messages, rendered as the command line renders them; else why a file cannot be read
+    /// or written. The file is written whole or not at all: after an error it is as it was.
+    ///
+    /// ```no_run
+    /// fn main() -> Result<(), grafc::BuildError> {
+    ///     let path = grafc::Build::new("tank.gct").try_compile()?;
+    ///     let code = std::fs::read_to_string(path).expect("what was just written");
+    ///     println!("cargo::warning=the tank takes {} lines", code.lines().count());
+    ///     Ok(())
+    /// }
+    /// ```
+    pub fn try_compile(&self) -> Result<PathBuf, BuildError> {
+        let mut report = Report::default();
+        // Not `fault::guard`, which takes the hook of a process that is not ours here.
+        let (text, exit_code) = match panic::catch_unwind(AssertUnwindSafe(|| self.run(&mut report))) {
+            Ok(Ok(Some(path))) => return Ok(path),
+            Ok(Ok(None)) => (report.render(Format::Human, false), Exit::ChartErrors as i32),
+            Ok(Err(failure)) => (report.render(Format::Human, false) + &failure.to_string(), failure.exit() as i32),
+            Err(payload) => (fault::of_panic(payload.as_ref()), fault::EXIT_CODE.into()),
+        };
+        Err(BuildError { text, exit_code })
+    }
+
+    /// The file that was written; none if the chart has errors.
+    fn run(&self, report: &mut Report) -> Result<Option<PathBuf>, Failure> {
+        let chart = Place::File(self.chart.clone());
+        print(&format!("cargo::rerun-if-changed={}\n", self.chart.display()))?;
+        let module = self.module.clone().unwrap_or_else(|| chart.chart_name());
+        let path = self.folder()?.join(format!("{module}.rs"));
+        let output = Place::File(path.clone());
+        if output.is_same_file(&chart) {
+            let what = format!("the output would overwrite `{}`", chart.input_name());
+            return Err(Failure::WrongUse(what, "choose another name with `module`".to_string()));
+        }
+
+        let header = header::of_rust(&chart, &self.lowering, self.runtime);
+        let product = Product::Rust(rust::Options {
+            runtime: self.runtime,
+            header,
+            module: Some(module),
+            ..rust::Options::default()
+        });
+        let options = Options { lowering: self.lowering, product };
+        let Some(file) = report.load(&chart)? else { return Ok(None) };
+        let text = &report.sources.file(file).text;
+        let (made, said) = pipeline::compile(file, text, &chart.chart_name(), &options);
+        report.diagnostics.append(said);
+        let Some(code) = made else { return Ok(None) };
+        output.write(&code)?;
+        print(&warnings(report))?;
+        Ok(Some(path))
+    }
+
+    fn folder(&self) -> Result<PathBuf, Failure> {
+        self.out_dir.clone().or_else(|| std::env::var_os("OUT_DIR").map(PathBuf::from)).ok_or_else(|| {
+            let help = "call `Build` from a build script, or name a folder with `out_dir`";
+            Failure::WrongUse("there is no `OUT_DIR` to write to".to_string(), help.to_string())
+        })
+    }
+}
+
+/// Everything that was said, in lines that cargo shows. It takes one line at a time.
+fn warnings(report: &mut Report) -> String {
+    report.diagnostics.sort_by_place();
+    let text = render::human(&report.sources, &report.diagnostics, false);
+    text.lines().filter(|line| !line.is_empty()).map(|line| format!("cargo::warning={line}\n")).collect()
+}
+
+/// Why a chart was not compiled: the text that the command line would print.
+///
+/// `Debug` gives the same text, since that is what is printed of an error that `main` returns.
+pub struct BuildError {
+    text: String,
+    exit_code: i32,
+}
+
+impl fmt::Display for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl fmt::Debug for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl std::error::Error for BuildError {}

@@ -1,0 +1,50 @@
+//! The first lines of generated code: which chart, which version and which options made it.
+//!
+//! No directories and no dates: equal charts give equal code wherever and whenever they are compiled.
+
+use crate::files::Place;
+use grafc_backends::{rust, st};
+use grafc_model::reaction::{Evolution, Profile};
+
+/// The head of Structured Text.
+pub fn of_st(chart: &Place, lowering: &grafc_logic::Options, pou: st::Pou, interval_ms: u32) -> Vec<String> {
+    let own = match pou {
+        st::Pou::FunctionBlock => "--pou function-block".to_string(),
+        st::Pou::Program => "--pou program".to_string(),
+        st::Pou::Configuration => format!("--pou configuration --interval {interval_ms}ms"),
+    };
+    header(chart, "st", lowering, &own)
+}
+
+/// The head of Rust.
+pub fn of_rust(chart: &Place, lowering: &grafc_logic::Options, runtime: rust::Runtime) -> Vec<String> {
+    let own = match runtime {
+        rust::Runtime::Inline => "--runtime inline",
+        rust::Runtime::Crate => "--runtime crate",
+    };
+    header(chart, "rust", lowering, own)
+}
+
+fn header(chart: &Place, target: &str, lowering: &grafc_logic::Options, own: &str) -> Vec<String> {
+    let source = match chart {
+        Place::File(path) => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),
+        Place::Standard => "standard input".to_string(),
+    };
+    let encoding = lowering.encoding.name();
+    let optimize = if lowering.simplify { "" } else { "--optimize 0 " };
+    let profile = profile(lowering.profile);
+    vec![
+        format!("Made by grafc {} from {source}", env!("CARGO_PKG_VERSION")),
+        format!("--target {target} --encoding {encoding} {optimize}{profile} {own}"),
+    ]
+}
+
+fn profile(profile: Profile) -> String {
+    let evolution = match profile.evolution {
+        Evolution::Stable => "stable",
+        Evolution::Scan => "scan",
+    };
+    let initial_actions = if profile.initial_actions { "on" } else { "off" };
+    let bound = profile.bound.map_or(String::new(), |bound| format!(" --bound {bound}"));
+    format!("--evolution {evolution} --initial-actions {initial_actions}{bound}")
+}

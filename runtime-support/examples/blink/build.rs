@@ -1,0 +1,3 @@
+fn main() {
+    grafc::Build::new("blink.gct").runtime(grafc::Runtime::Crate).compile();
+}
