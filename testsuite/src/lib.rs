@@ -15,3 +15,4 @@ pub mod random;
 pub mod rust;
 pub mod scaling;
 pub mod scan_cost;
+pub mod xmi;

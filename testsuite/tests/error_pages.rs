@@ -29,8 +29,17 @@ fn only<'a>(blocks: &'a [Block], language: &str) -> Option<&'a Block> {
     first
 }
 
-/// What is said about the example: of a chart, of a trace for it, or of its way to Structured Text.
+/// The chart of an example: ours, or that of another tool.
+fn chart_of(blocks: &[Block]) -> Option<&Block> {
+    only(blocks, "gct").or(only(blocks, "xml"))
+}
+
+/// What is said about the example: of a chart, of its import, of a trace for it, or of its way to Structured Text.
 fn diagnose(code: Code, chart: &Block, trace: Option<&Block>) -> BTreeSet<Code> {
+    if chart.language == "xml" {
+        let options = grafc_import::Options::default();
+        return codes(&grafc::pipeline::import(FileId(0), &chart.text, options).1);
+    }
     let (checked, mut said) = grafc::pipeline::check(FileId(0), &chart.text, "example");
     match trace {
         Some(trace) => {
@@ -110,7 +119,9 @@ fn wrong_examples_give_their_code_alone() {
     let mut faults = Vec::new();
     for code in Code::ALL {
         let wrong = examples(*code, "Wrong");
-        let Some(chart) = only(&wrong, "gct") else { continue };
+        let Some(chart) = chart_of(&wrong) else { continue };
+        let of_import = code.as_str()[1..].starts_with("07");
+        assert_eq!(chart.language == "xml", of_import, "{code:?}: pages about imports show a file to be imported");
         let trace = only(&wrong, "csv");
         assert_eq!(trace.is_some(), code.as_str().starts_with("E06"), "{code:?}: pages about traces show a trace");
         let found = diagnose(*code, chart, trace);
@@ -128,7 +139,7 @@ fn right_examples_give_nothing() {
         let right = examples(*code, "Right");
         let wrong = examples(*code, "Wrong");
         // A page about traces shows the chart once.
-        let Some(chart) = only(&right, "gct").or(only(&wrong, "gct")) else { continue };
+        let Some(chart) = chart_of(&right).or(chart_of(&wrong)) else { continue };
         let found = diagnose(*code, chart, only(&right, "csv"));
         if !found.is_empty() {
             faults.push(format!("{code:?}: gives {found:?}"));

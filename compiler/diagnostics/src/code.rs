@@ -1,7 +1,7 @@
 //! The stable codes of all messages.
 //!
 //! Ranges: 01 lexing and parsing, 02 names and types, 03 structure, 04 meaning, 05 limits of a target or an encoding,
-//! 06 traces, 09 faults of grafc itself. A code is never used again for something else. Each has a page in
+//! 06 traces, 07 charts of other tools, 09 faults of grafc itself. A code is never used again for something else. Each has a page in
 //! `docs/errors/`, which `grafc explain CODE` prints.
 
 /// How bad it is.
@@ -125,6 +125,15 @@ codes! {
     E0602 "unknown-trace-column" Error;
     E0603 "bad-trace-value" Error;
     E0604 "trace-goes-back-in-time" Error;
+
+    E0701 "malformed-xml" Error;
+    E0702 "xml-beyond-bounds" Error;
+    E0703 "unknown-chart-format" Error;
+    E0704 "broken-reference" Error;
+    E0705 "malformed-element" Error;
+    W0701 "import-changed" Warning;
+    W0702 "import-doubtful" Warning;
+    W0703 "import-lost" Warning;
 
     E0901 "internal-error" Error;
 }

@@ -1,6 +1,6 @@
 //! What can be asked of grafc.
 
-use crate::commands::{check, compile, completions, explain, fmt, man, sim, stats};
+use crate::commands::{check, compile, completions, explain, fmt, import, man, sim, stats};
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use grafc_model::reaction::{Evolution, Profile};
@@ -65,6 +65,8 @@ pub enum Command {
     Stats(stats::Arguments),
     /// Bring charts into the canonical format
     Fmt(fmt::Arguments),
+    /// Make a chart of another tool's file, and report what it lost on the way
+    Import(import::Arguments),
     /// Print the page on a diagnostic code
     Explain(explain::Arguments),
     /// Print a completion script for a shell

@@ -5,6 +5,7 @@ pub mod compile;
 pub mod completions;
 pub mod explain;
 pub mod fmt;
+pub mod import;
 pub mod man;
 pub mod sim;
 pub mod stats;

@@ -1,0 +1,53 @@
+//! `grafc import`: the chart of another tool as a `.gct` text, and a report.
+
+use super::refuse_output_over_input;
+use crate::Exit;
+use crate::files::Place;
+use crate::pipeline;
+use crate::report::{Failure, Format, Report};
+use clap::Args;
+
+const AFTER_HELP: &str = "\
+Example:
+  grafc import plant.grafcet -o plant.gct
+
+Reads charts of AGRAFE (*.grafcet, XMI). The report goes to standard error: W0701 changed, W0702 doubtful,
+W0703 lost. The result is in the format of `grafc fmt`; whether it keeps the rules, `grafc check` says.";
+
+/// Arguments of `grafc import`.
+#[derive(Args, Debug)]
+#[command(after_help = AFTER_HELP)]
+pub struct Arguments {
+    /// The file of the other tool; `-` is standard input
+    #[arg(value_name = "FILE")]
+    file: Place,
+    /// Where to put the chart [default: standard output]
+    #[arg(short, long, value_name = "CHART")]
+    output: Option<Place>,
+    /// Take variables that are named like delays, such as `2s/X202`, for these delays
+    #[arg(long)]
+    delays: bool,
+    /// The form of the report
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+}
+
+/// Imports one chart.
+pub fn run(args: Arguments) -> Result<Exit, Failure> {
+    let output = args.output.unwrap_or(Place::Standard);
+    refuse_output_over_input(&output, [&args.file])?;
+
+    let mut report = Report::default();
+    let mut result = None;
+    if let Some(file) = report.load(&args.file)? {
+        let options = grafc_import::Options { delays: args.delays };
+        let (made, said) = pipeline::import(file, &report.sources.file(file).text, options);
+        report.diagnostics.append(said);
+        result = made;
+    }
+    let exit = report.tell(args.format);
+    if let Some(result) = result {
+        output.write(&result)?;
+    }
+    Ok(exit)
+}

@@ -1,0 +1,40 @@
+//! AGRAFE: the XMI that its editor saves, by the meta-model of `grafcet.ecore` and `terms.ecore`.
+//!
+//! XMI leaves out what has its default value, so a missing `id` is 0, a missing `variableDeclarationType` is an input,
+//! and an `IntegerConstant` without value is 0. Elements are found by the names of the features that hold them, their
+//! classes by `xsi:type`; prefixes and name spaces differ between versions and mean nothing here.
+
+mod attributes;
+mod elements;
+pub mod model;
+mod references;
+mod sorts;
+
+pub use sorts::target;
+
+use crate::xml::{Document, ElementId};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
+use model::Model;
+
+/// The model in a document; none if it is another kind of document.
+pub fn read(document: &Document, said: &mut Diagnostics) -> Option<Model> {
+    let outermost = ElementId::new(0);
+    // Several roots are wrapped into `xmi:XMI`; the chart is one of them.
+    let mut roots = vec![outermost];
+    if document.elements[outermost].name == "XMI" {
+        roots.clone_from(&document.elements[outermost].children);
+    }
+    let Some(&root) = roots.iter().find(|&&root| document.elements[root].name == "Grafcet") else {
+        let found = &document.elements[outermost].name;
+        said.push(
+            Diagnostic::new(Code::E0703, document.root_span(), format!("`{found}` is no chart of AGRAFE"))
+                .note("such a file begins with an element `grafcet:Grafcet`")
+                .help("give the model, a file `*.grafcet`; drawings and pictures are kept apart from it"),
+        );
+        return None;
+    };
+    let mut found = elements::read(document, root, said);
+    references::resolve(document, &roots, &mut found, said);
+    sorts::check(&found.model, said);
+    Some(found.model)
+}

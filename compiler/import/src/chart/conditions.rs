@@ -1,0 +1,146 @@
+//! Terms as conditions and as arithmetic.
+//!
+//! Our language has two kinds of expression: conditions, and arithmetic in brackets and behind `:=`. A comparison in a
+//! condition opens brackets. Parentheses are written where the grammar needs them; `and` and `or` mean the same however
+//! they are grouped, so nested ones of one kind become one row. The walk has its own stack.
+
+use super::Writer;
+use crate::agrafe::model::{TermId, TermKind};
+
+/// How tightly a term must hold together where it stands.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Level {
+    Or,
+    And,
+    /// Where a comparison stands in arithmetic; in a condition the brackets hold it together.
+    Comparison,
+    Sum,
+    /// Right of a minus.
+    Product,
+    /// Behind `not`.
+    Unary,
+    /// Behind `↑`.
+    Operand,
+    /// Beside the slash of a delay.
+    Delay,
+}
+
+/// Where a term stands.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Condition,
+    Arithmetic,
+}
+
+enum Task {
+    Term(TermId, Kind, Level),
+    Text(&'static str),
+}
+
+impl Writer<'_> {
+    /// Writes a term as a condition.
+    pub fn condition(&mut self, term: TermId, level: Level) {
+        self.term(term, Kind::Condition, level);
+    }
+
+    /// Writes a term as the right side of an assignment.
+    pub fn value(&mut self, term: TermId) {
+        self.term(term, Kind::Arithmetic, Level::Or);
+    }
+
+    fn term(&mut self, term: TermId, kind: Kind, level: Level) {
+        let mut tasks = vec![Task::Term(term, kind, level)];
+        while let Some(task) = tasks.pop() {
+            if self.text.is_full() {
+                return;
+            }
+            match task {
+                Task::Text(text) => self.text.push(text),
+                Task::Term(term, kind, level) => self.part(term, kind, level, &mut tasks),
+            }
+        }
+    }
+
+    /// Writes what stands before the operands, and leaves the rest as tasks, the last first.
+    fn part(&mut self, term: TermId, kind: Kind, level: Level, tasks: &mut Vec<Task>) {
+        let model = self.model;
+        let operands = &model.terms[term].operands;
+        let mut pair = |writer: &mut Self, own: Level, sign: &'static str, left: Level, right: Level| {
+            let close = writer.open(own < level);
+            tasks.extend(close.map(Task::Text));
+            for (place, &operand) in operands.iter().enumerate().rev() {
+                tasks.push(Task::Term(operand, kind, if place == 0 { left } else { right }));
+                if place > 0 {
+                    tasks.push(Task::Text(sign));
+                }
+            }
+        };
+        match model.terms[term].kind {
+            // Of one that refers to nothing an error tells, and nothing is written.
+            TermKind::Variable(variable) => variable.into_iter().for_each(|id| self.variable(id, level)),
+            TermKind::Boolean(value) => self.constant(value, kind, level),
+            TermKind::Integer(value) => self.text.push(&value.to_string()),
+            TermKind::Or => pair(self, Level::Or, " or ", Level::Or, Level::Or),
+            TermKind::And => pair(self, Level::And, " and ", Level::And, Level::And),
+            TermKind::Add => pair(self, Level::Sum, " + ", Level::Sum, Level::Product),
+            TermKind::Subtract => pair(self, Level::Sum, " - ", Level::Sum, Level::Product),
+            TermKind::Equal => self.comparison(term, " = ", kind, level, tasks),
+            TermKind::Greater => self.comparison(term, " > ", kind, level, tasks),
+            TermKind::Less => self.comparison(term, " < ", kind, level, tasks),
+            TermKind::Not => {
+                let close = self.open(Level::Unary < level);
+                self.text.push("not ");
+                tasks.extend(close.map(Task::Text));
+                tasks.extend(operands.iter().map(|&operand| Task::Term(operand, kind, Level::Unary)));
+            }
+            TermKind::Rise | TermKind::Fall => {
+                let close = self.open(Level::Unary < level);
+                self.text.push(if model.terms[term].kind == TermKind::Rise { "↑" } else { "↓" });
+                tasks.extend(close.map(Task::Text));
+                tasks.extend(operands.iter().map(|&operand| Task::Term(operand, kind, Level::Operand)));
+            }
+        }
+    }
+
+    /// A parenthesis if there must be one; what closes it.
+    fn open(&mut self, needed: bool) -> Option<&'static str> {
+        if needed {
+            self.text.push("(");
+        }
+        needed.then_some(")")
+    }
+
+    /// A comparison: in brackets in a condition.
+    fn comparison(&mut self, term: TermId, sign: &'static str, kind: Kind, level: Level, tasks: &mut Vec<Task>) {
+        let close = match kind {
+            Kind::Condition if level == Level::Delay => {
+                self.text.push("([");
+                Some("])")
+            }
+            Kind::Condition => {
+                self.text.push("[");
+                Some("]")
+            }
+            Kind::Arithmetic => self.open(Level::Comparison < level),
+        };
+        tasks.extend(close.map(Task::Text));
+        for (place, &operand) in self.model.terms[term].operands.iter().enumerate().rev() {
+            tasks.push(Task::Term(operand, Kind::Arithmetic, Level::Sum));
+            if place > 0 {
+                tasks.push(Task::Text(sign));
+            }
+        }
+    }
+
+    /// A Boolean constant; the standard writes `1`, and in arithmetic that would be a number.
+    fn constant(&mut self, value: bool, kind: Kind, level: Level) {
+        let close = self.open(level >= Level::Operand);
+        self.text.push(match (kind, value) {
+            (Kind::Condition, true) => "1",
+            (Kind::Condition, false) => "0",
+            (Kind::Arithmetic, true) => "true",
+            (Kind::Arithmetic, false) => "false",
+        });
+        self.text.push(close.unwrap_or_default());
+    }
+}

@@ -1,0 +1,277 @@
+//! XML to a flat list of elements.
+//!
+//! Elements lie in the order of the document, parents before children, so that nobody walks them by recursion. A
+//! document type is refused, because only with one can a file declare entities and blow up; so is nesting beyond any
+//! drawing. The first fault ends the reading: what comes behind it cannot be trusted.
+
+use crate::lost;
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
+use index_vec::{IndexVec, define_index_type};
+use quick_xml::events::attributes::AttrError;
+use quick_xml::events::{BytesStart, Event};
+use quick_xml::{Reader, XmlVersion};
+use rustc_hash::FxHashSet;
+
+define_index_type! {
+    /// An element of a [`Document`].
+    pub struct ElementId = u32;
+}
+
+/// How deep elements may be nested. Real charts reach about 20; a condition adds one a level.
+const DEPTH: usize = 1000;
+
+/// A file that is well formed.
+pub struct Document {
+    /// All elements, in the order of their start tags.
+    pub elements: IndexVec<ElementId, Element>,
+    /// All comments, in order.
+    pub comments: Vec<Comment>,
+}
+
+/// An element.
+pub struct Element {
+    /// Its name without the prefix.
+    pub name: String,
+    /// Its attributes with their prefixes, in order.
+    pub attributes: Vec<(String, String)>,
+    /// The element around it.
+    pub parent: Option<ElementId>,
+    /// The elements in it.
+    pub children: Vec<ElementId>,
+    /// Its start tag.
+    pub span: Span,
+}
+
+impl Element {
+    /// The value of an attribute, by its name with the prefix.
+    pub fn attribute(&self, name: &str) -> Option<&str> {
+        self.attributes.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
+    }
+}
+
+/// `<!-- … -->`.
+pub struct Comment {
+    /// What is in it.
+    pub text: String,
+    /// The element around it.
+    pub parent: Option<ElementId>,
+    /// Its first byte.
+    pub start: u32,
+}
+
+impl Document {
+    /// The start tag of the outermost element.
+    pub fn root_span(&self) -> Span {
+        self.elements[ElementId::new(0)].span
+    }
+}
+
+/// The elements of a text; none after a fault.
+pub fn read(file: FileId, text: &str, said: &mut Diagnostics) -> Option<Document> {
+    if u32::try_from(text.len()).is_err() {
+        let message = "the file is longer than 4 GiB";
+        said.push(Diagnostic::new(Code::E0109, Span::new(file, 0, 0), message).help("split the chart"));
+        return None;
+    }
+    let mut builder = Builder { file, elements: IndexVec::new(), comments: Vec::new(), open: Vec::new(), said };
+    match builder.run(text) {
+        Ok(()) => Some(Document { elements: builder.elements, comments: builder.comments }),
+        Err(fault) => {
+            said.push(fault);
+            None
+        }
+    }
+}
+
+struct Builder<'a> {
+    file: FileId,
+    elements: IndexVec<ElementId, Element>,
+    comments: Vec<Comment>,
+    open: Vec<ElementId>,
+    said: &'a mut Diagnostics,
+}
+
+impl Builder<'_> {
+    fn run(&mut self, text: &str) -> Result<(), Diagnostic> {
+        // The mark of byte order is no part of the text, but offsets count it.
+        let skipped = text.len() - text.trim_start_matches('\u{FEFF}').len();
+        let mut reader = Reader::from_str(&text[skipped..]);
+        reader.config_mut().check_end_names = true;
+        loop {
+            let start = skipped + position(reader.buffer_position());
+            let event = reader.read_event();
+            let end = skipped + position(reader.buffer_position());
+            let span = Span::new(self.file, start, end.max(start));
+            match event {
+                Err(error) => {
+                    let at = (skipped + position(reader.error_position())).min(text.len());
+                    return Err(malformed(self.point(text, at), spell(&error)));
+                }
+                Ok(Event::Start(tag)) => {
+                    self.element(&tag, span)?;
+                }
+                Ok(Event::Empty(tag)) => {
+                    self.element(&tag, span)?;
+                    self.open.pop();
+                }
+                Ok(Event::End(_)) => {
+                    self.open.pop();
+                }
+                Ok(Event::Comment(comment)) => self.comments.push(Comment {
+                    text: String::from_utf8_lossy(&comment).into_owned(),
+                    parent: self.open.last().copied(),
+                    start: span.start,
+                }),
+                Ok(Event::Text(found)) if found.iter().all(u8::is_ascii_whitespace) => {}
+                Ok(Event::Text(_) | Event::CData(_) | Event::GeneralRef(_)) => self.text(span)?,
+                Ok(Event::DocType(_)) => {
+                    return Err(Diagnostic::new(Code::E0702, span, "the file declares a document type")
+                        .note("with one, a short file can stand for one without end; no chart needs it")
+                        .help("delete the `<!DOCTYPE …>` declaration, and write out what it abbreviates"));
+                }
+                Ok(Event::Decl(_) | Event::PI(_)) => {}
+                Ok(Event::Eof) => return self.finish(text),
+            }
+        }
+    }
+
+    fn element(&mut self, tag: &BytesStart, span: Span) -> Result<(), Diagnostic> {
+        let parent = self.open.last().copied();
+        if parent.is_none() && !self.elements.is_empty() {
+            return Err(malformed(span, "a second element stands behind the outermost one"));
+        }
+        if self.open.len() == DEPTH {
+            return Err(Diagnostic::new(Code::E0702, span, format!("elements are nested more than {DEPTH} deep"))
+                .help("split the condition, or restore the file if no tool would write it like this"));
+        }
+        let name = String::from_utf8_lossy(tag.local_name().as_ref()).into_owned();
+        let mut attributes = Vec::new();
+        let mut names = FxHashSet::default();
+        // The reader's own check for duplicates compares each with each.
+        for attribute in tag.attributes().with_checks(false) {
+            let attribute = attribute.map_err(|error| malformed(span, attribute_fault(&error)))?;
+            let key = String::from_utf8_lossy(attribute.key.as_ref()).into_owned();
+            if !names.insert(key.clone()) {
+                return Err(malformed(span, format!("the attribute `{key}` is given twice")));
+            }
+            let value = attribute.normalized_value(XmlVersion::Implicit1_0);
+            let value = value.map_err(|error| malformed(span, spell(&error)))?;
+            attributes.push((key, value.into_owned()));
+        }
+        let id = self.elements.push(Element { name, attributes, parent, children: Vec::new(), span });
+        if let Some(parent) = parent {
+            self.elements[parent].children.push(id);
+        }
+        self.open.push(id);
+        Ok(())
+    }
+
+    /// A model is made of elements and attributes alone.
+    fn text(&mut self, span: Span) -> Result<(), Diagnostic> {
+        if self.open.is_empty() {
+            return Err(malformed(span, "there is text outside of the outermost element"));
+        }
+        self.said.push(lost(span, "the text between the elements is lost").note("a model has none"));
+        Ok(())
+    }
+
+    fn finish(&self, text: &str) -> Result<(), Diagnostic> {
+        match self.open.last() {
+            Some(&open) => {
+                let element = &self.elements[open];
+                let message = format!("the file ends within the element `{}`", element.name);
+                Err(malformed(self.point(text, text.len()), message).also(element.span, "it begins here"))
+            }
+            None if self.elements.is_empty() => Err(malformed(self.point(text, 0), "the file has no element")),
+            None => Ok(()),
+        }
+    }
+
+    /// The character at an offset, or the place behind the last.
+    fn point(&self, text: &str, at: usize) -> Span {
+        let at = (0..=at).rev().find(|&at| text.is_char_boundary(at)).unwrap_or_default();
+        let length = text[at..].chars().next().map_or(0, char::len_utf8);
+        Span::new(self.file, at, at + length)
+    }
+}
+
+fn malformed(span: Span, what: impl Into<String>) -> Diagnostic {
+    Diagnostic::new(Code::E0701, span, what)
+        .help("save the chart again with the tool that made it, or take the file from a copy that is whole")
+}
+
+fn position(offset: u64) -> usize {
+    usize::try_from(offset).unwrap_or(usize::MAX)
+}
+
+/// What the reader says, in the words of a message.
+fn spell(error: &quick_xml::Error) -> String {
+    match error {
+        quick_xml::Error::Syntax(error) => error.to_string(),
+        quick_xml::Error::IllFormed(error) => error.to_string(),
+        quick_xml::Error::InvalidAttr(error) => attribute_fault(error).to_string(),
+        quick_xml::Error::Escape(_) => "a reference behind `&` means nothing".to_string(),
+        quick_xml::Error::Io(_) | quick_xml::Error::Encoding(_) | quick_xml::Error::Namespace(_) => error.to_string(),
+    }
+}
+
+fn attribute_fault(error: &AttrError) -> &'static str {
+    match error {
+        AttrError::ExpectedEq(_) => "an attribute has no `=`",
+        AttrError::ExpectedValue(_) => "an attribute has no value",
+        AttrError::UnquotedValue(_) => "the value of an attribute is not in quotation marks",
+        AttrError::ExpectedQuote(..) => "the value of an attribute does not end",
+        AttrError::Duplicated(..) => "an attribute is given twice",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fault(text: &str) -> (Code, u32) {
+        let mut said = Diagnostics::new();
+        assert!(read(FileId::default(), text, &mut said).is_none(), "{text}");
+        let last = said.iter().last().expect("a message");
+        (last.code, last.primary.span.start)
+    }
+
+    #[test]
+    fn elements_lie_in_order_and_know_their_places() {
+        let mut said = Diagnostics::new();
+        let document = read(FileId::default(), "\u{FEFF}<p:a x='1&lt;2'><b/><!-- c --><d>\n</d></p:a>", &mut said);
+        let document = document.expect("it is well formed");
+        let names: Vec<_> = document.elements.iter().map(|e| (e.name.as_str(), e.span.start)).collect();
+        assert_eq!(names, [("a", 3), ("b", 19), ("d", 33)]);
+        assert_eq!(document.elements[ElementId::new(0)].attribute("x"), Some("1<2"));
+        assert_eq!(document.elements[ElementId::new(0)].children.len(), 2);
+        assert_eq!((document.comments[0].text.as_str(), document.comments[0].start), (" c ", 23));
+        assert!(said.is_empty());
+    }
+
+    #[test]
+    fn what_is_malformed_has_a_place() {
+        assert_eq!(fault(""), (Code::E0701, 0));
+        assert_eq!(fault("<a><b></a>"), (Code::E0701, 6));
+        assert_eq!(fault("<a><b/>"), (Code::E0701, 7));
+        assert_eq!(fault("<a/><b/>"), (Code::E0701, 4));
+        assert_eq!(fault("<a x=1/>"), (Code::E0701, 0));
+        assert_eq!(fault("<a><b x='1' y='2' x='3'/></a>"), (Code::E0701, 3));
+        assert_eq!(fault("<a x='&boom;'/>"), (Code::E0701, 0));
+        assert_eq!(fault("words"), (Code::E0701, 0));
+    }
+
+    #[test]
+    fn entities_are_not_declared() {
+        assert_eq!(fault("<!DOCTYPE a [<!ENTITY b 'c'>]><a x='&b;'/>"), (Code::E0702, 0));
+    }
+
+    #[test]
+    fn nesting_ends_somewhere() {
+        let nested = |depth: usize| format!("{}{}", "<a>".repeat(depth), "</a>".repeat(depth));
+        assert!(read(FileId::default(), &nested(DEPTH), &mut Diagnostics::new()).is_some());
+        assert_eq!(fault(&nested(DEPTH + 1)), (Code::E0702, 3 * DEPTH as u32));
+        // Not even the end need be there.
+        assert_eq!(fault(&"<a>".repeat(100_000)), (Code::E0702, 3 * DEPTH as u32));
+    }
+}
