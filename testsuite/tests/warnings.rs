@@ -11,6 +11,8 @@
 //!
 //! What each warning claims is on its page in `docs/errors`.
 
+#![allow(clippy::print_stdout, reason = "how much was compared")]
+
 #[path = "warnings/enrich.rs"]
 mod enrich;
 #[path = "warnings/probes.rs"]

@@ -1,9 +1,9 @@
 //! What the simulator does in each micro-step.
 //!
-//! It shows situations and variables. So the chart that it is given here has some variables more: one for each transition
-//! that counts its clearings, and two for each stored action, one that counts how often it is done and one that takes its
-//! value. Nothing reads them. They make some reactions longer, by micro-steps in which a transition clears and nothing
-//! else changes; the rules allow these at any time.
+//! It shows situations and variables. So the chart that it is given here has some variables more: one for each
+//! transition that counts its clearings, and two for each stored action, one that counts how often it is done and one
+//! that takes its value. Nothing reads them. They make some reactions longer, by micro-steps in which a transition clears
+//! and nothing else changes; the rules allow these at any time.
 
 use grafc_model::chart::{
     Arithmetic, Chart, Event, Expr, ExprKind, Mode, Stored, TransitionId, Type, Value, Variable, VariableId,
