@@ -55,8 +55,8 @@ impl<'p> Evaluator<'p> {
         self.react_observed(stimulus, |_| ())
     }
 
-    /// One call, watched after each micro-step.
-    pub fn react_observed(&mut self, stimulus: &Stimulus, mut after: impl FnMut(&mut Self)) -> Response {
+    /// One call; `observe` sees the state that the first micro-step starts from, and that after each micro-step.
+    pub fn react_observed(&mut self, stimulus: &Stimulus, mut observe: impl FnMut(&mut Self)) -> Response {
         let program = self.program;
         self.now = stimulus.t_ms;
         for index in 0..self.inputs.len() {
@@ -64,10 +64,11 @@ impl<'p> Evaluator<'p> {
         }
         self.run(&program.first);
         self.run(&program.before);
+        observe(self);
         match program.repeat {
             None => {
                 self.run(&program.micro_step);
-                after(self);
+                observe(self);
             }
             Some(repeat) => {
                 let mut again = true;
@@ -75,7 +76,7 @@ impl<'p> Evaluator<'p> {
                 while again && repeat.limit.is_none_or(|limit| count < limit.bound) {
                     count += 1;
                     self.run(&program.micro_step);
-                    after(self);
+                    observe(self);
                     again = self.values[repeat.again] == Value::Bool(true);
                 }
                 if again {
@@ -102,7 +103,8 @@ impl<'p> Evaluator<'p> {
         self.values[variable]
     }
 
-    fn flags(&self) -> Flags {
+    /// The flags raised so far.
+    pub fn flags(&self) -> Flags {
         let mut flags = Flags::default();
         for (id, variable) in self.program.variables.iter_enumerated() {
             let raised = self.values[id] == Value::Bool(true);

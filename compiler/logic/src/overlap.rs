@@ -9,12 +9,13 @@
 //!    means that the token has come from here, never that another one was there already;
 //! 4. no enclosing step and no forcing step is among those that overlap.
 //!
-//! Stored actions on deactivation or clearing see the overlap even then: they are done later, or more than once.
+//! Stored actions on deactivation or clearing see the overlap even then: they are done later, or more than once. So do
+//! those whose event or value depends on activities, or on variables that other stored actions write.
 
 use crate::compile::Options;
 use crate::tokens::Components;
 use grafc_diagnostics::{Code, Diagnostic, Span};
-use grafc_model::chart::{Event, ExprId, ExprKind, Mode, StepId};
+use grafc_model::chart::{Event, ExprId, ExprKind, Mode, StepId, VariableId};
 use grafc_model::reaction::Evolution;
 use grafc_net::Net;
 use index_vec::IndexVec;
@@ -49,14 +50,22 @@ fn seen(net: &Net, options: &Options, components: &Components) -> Option<(Span, 
                 let why = "an action on deactivation or on clearing is done later or more than once";
                 return Some((action.span, why.to_owned()));
             }
-            Event::Event(..) | Event::Activation(_) => {}
+            Event::Event(_, event) => {
+                if let Some((place, why)) = read(net, event, false, None) {
+                    return Some((place, why.to_owned()));
+                }
+            }
+            Event::Activation(_) => {}
+        }
+        if let Some((place, why)) = read(net, action.value, false, Some(action.target)) {
+            return Some((place, why.to_owned()));
         }
     }
     let mut leaving: IndexVec<StepId, u32> = net.places.iter().map(|_| 0).collect();
     net.transitions.iter().flat_map(|t| &t.pre).for_each(|s| leaving[*s] += 1);
     for transition in &net.transitions {
         let several = transition.pre.iter().any(|s| leaving[*s] > 1);
-        if let Some((place, why)) = read(net, transition.condition, several) {
+        if let Some((place, why)) = read(net, transition.condition, several, None) {
             return Some((place, why.to_owned()));
         }
         for before in &transition.pre {
@@ -72,18 +81,20 @@ fn seen(net: &Net, options: &Options, components: &Components) -> Option<(Span, 
     None
 }
 
-/// What a condition reads that the overlap changes.
-fn read(net: &Net, root: ExprId, several: bool) -> Option<(Span, &'static str)> {
+/// What a condition, an event or the value given to a variable reads that the overlap changes. `several`: it decides
+/// between several transitions. A value may read what it replaces.
+fn read(net: &Net, root: ExprId, several: bool, replaced: Option<VariableId>) -> Option<(Span, &'static str)> {
     let mut stack = vec![root];
     while let Some(e) = stack.pop() {
         let expr = &net.exprs[e];
         let why = match &expr.kind {
             ExprKind::StepActive(_) | ExprKind::StepTime(_) | ExprKind::MacroActive(_) | ExprKind::GrafcetActive(_) => {
-                Some("this condition reads an activity")
+                Some("an activity is read here")
             }
             ExprKind::Variable(v) => match net.variables[*v].mode {
                 Mode::Given => None,
-                Mode::Wire | Mode::Stored => Some("this condition reads what actions write"),
+                Mode::Stored if replaced == Some(*v) => None,
+                Mode::Wire | Mode::Stored => Some("what actions write is read here"),
             },
             ExprKind::Rise(_) | ExprKind::Fall(_) => {
                 several.then_some("an edge decides here between several transitions, and is over while the step stays")

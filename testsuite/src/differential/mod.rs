@@ -39,9 +39,13 @@ fn lower(chart: &Chart, options: &Options) -> (Option<Program>, Diagnostics) {
 
 /// What the scan program of a chart does.
 pub fn evaluate(chart: &Chart, options: &Options, stimuli: &[Stimulus]) -> Result<Vec<Response>, String> {
-    let program = compile(chart, options)?;
-    let mut evaluator = Evaluator::new(&program);
-    Ok(stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect())
+    Ok(run(&compile(chart, options)?, stimuli))
+}
+
+/// What a scan program does.
+pub fn run(program: &Program, stimuli: &[Stimulus]) -> Vec<Response> {
+    let mut evaluator = Evaluator::new(program);
+    stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect()
 }
 
 /// All ways to lower a chart that must do exactly what the simulator does, with a name each.
@@ -56,6 +60,13 @@ pub fn exact(profile: Profile) -> Vec<(String, Options)> {
     ways
 }
 
+/// The program in an encoding whose steps overlap, and whether the compiler warns that the overlap can be seen.
+pub fn overlapping(chart: &Chart, options: &Options) -> Result<(Program, bool), String> {
+    let (program, said) = lower(chart, options);
+    let program = program.ok_or_else(|| charts::render(&chart.name, "", &said))?;
+    Ok((program, said.iter().any(|message| message.code == Code::W0413)))
+}
+
 /// The situations after each call in an encoding whose steps overlap, if the compiler has no warning that the overlap
 /// can be seen.
 pub fn stable_situations(
@@ -63,13 +74,8 @@ pub fn stable_situations(
     options: &Options,
     stimuli: &[Stimulus],
 ) -> Result<Option<Vec<Response>>, String> {
-    let (program, said) = lower(chart, options);
-    let program = program.ok_or_else(|| charts::render(&chart.name, "", &said))?;
-    if said.iter().any(|message| message.code == Code::W0413) {
-        return Ok(None);
-    }
-    let mut evaluator = Evaluator::new(&program);
-    Ok(Some(stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect()))
+    let (program, warned) = overlapping(chart, options)?;
+    Ok((!warned).then(|| run(&program, stimuli)))
 }
 
 /// The first row in which the situations differ; rows after a livelock are no stable situations.

@@ -10,7 +10,8 @@ use crate::scan::{Role, Statement, VarId};
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Statements that belong together, and the variables of the situation that they touch.
+/// Statements that belong together, and what they touch of the variables that the blocks write: those of the situation,
+/// and outputs that are written with it.
 pub(super) struct Block {
     pub(super) statements: Vec<Statement>,
     reads: BTreeSet<VarId>,
@@ -18,20 +19,20 @@ pub(super) struct Block {
 }
 
 impl Block {
-    /// Looks for what the statements read and write of the situation.
-    pub(super) fn new(lowering: &Lowering, statements: Vec<Statement>, situation: impl Fn(VarId) -> bool) -> Self {
+    /// Looks for what the statements read and write of these variables.
+    pub(super) fn new(lowering: &Lowering, statements: Vec<Statement>, of_interest: impl Fn(VarId) -> bool) -> Self {
         let mut block = Block { statements: Vec::new(), reads: BTreeSet::new(), writes: BTreeSet::new() };
-        block.look(lowering, &statements, &situation);
+        block.look(lowering, &statements, &of_interest);
         block.statements = statements;
         block
     }
 
     /// Statements nest no deeper than lowering nests them.
-    fn look(&mut self, lowering: &Lowering, statements: &[Statement], situation: &impl Fn(VarId) -> bool) {
+    fn look(&mut self, lowering: &Lowering, statements: &[Statement], of_interest: &impl Fn(VarId) -> bool) {
         let reads = |block: &mut Block, root: FormulaId| {
             for f in lowering.pool.below(root) {
                 if let Formula::Variable(v) = lowering.pool.get(f)
-                    && situation(*v)
+                    && of_interest(*v)
                 {
                     block.reads.insert(*v);
                 }
@@ -42,23 +43,23 @@ impl Block {
                 Statement::Heading(_) | Statement::Divide { .. } => {}
                 Statement::Assign { target, value, .. } => {
                     reads(self, *value);
-                    if situation(*target) {
+                    if of_interest(*target) {
                         self.writes.insert(*target);
                     }
                 }
                 Statement::CallTimer { input, .. } => reads(self, *input),
                 Statement::Case { of, arms } => {
-                    if situation(*of) {
+                    if of_interest(*of) {
                         self.reads.insert(*of);
                     }
-                    arms.iter().for_each(|arm| self.look(lowering, &arm.body, situation));
+                    arms.iter().for_each(|arm| self.look(lowering, &arm.body, of_interest));
                 }
                 Statement::If { branches, otherwise } => {
                     for (when, body) in branches {
                         reads(self, *when);
-                        self.look(lowering, body, situation);
+                        self.look(lowering, body, of_interest);
                     }
-                    self.look(lowering, otherwise, situation);
+                    self.look(lowering, otherwise, of_interest);
                 }
             }
         }

@@ -171,7 +171,10 @@ fn in_place(lowering: &mut Lowering, task: &Task) -> Vec<Statement> {
     if let Some(again) = task.again.filter(|_| lowering.edges.is_empty()) {
         out.push(assign_truth(lowering, again, false));
     }
-    let states: FxHashSet<VarId> = lowering.situation.sets.iter().map(|set| set.variable).collect();
+    // A condition reads states, and outputs that follow a state: as they were before the micro-step (R3).
+    let states = lowering.situation.sets.iter().map(|set| set.variable);
+    let wires = task.followers.iter().flat_map(|followers| followers.of_set.iter().flatten());
+    let written: FxHashSet<VarId> = states.chain(wires.map(|v| lowering.symbols.declared(*v))).collect();
     let mut blocks = Vec::new();
     for set in lowering.situation.sets.clone() {
         let mut arms = Arms::default();
@@ -179,7 +182,7 @@ fn in_place(lowering: &mut Lowering, task: &Task) -> Vec<Statement> {
             arms.add(lowering, *s, choose(lowering, branches.remove(s).unwrap_or_default()));
         }
         if let Some(case) = arms.case(set.variable) {
-            blocks.push(Block::new(lowering, vec![case], |v| states.contains(&v)));
+            blocks.push(Block::new(lowering, vec![case], |v| written.contains(&v)));
         }
     }
     in_order(lowering, blocks, &mut out);
