@@ -67,7 +67,7 @@ fn write(folder: &Path, runtime: Runtime, charts: &[(String, String)], extra: &s
     for (name, text) in charts {
         for encoding in Encoding::ALL {
             let module = format!("{name}_{}", encoding.name().replace('-', "_"));
-            let product = rust::Options { runtime, header: Vec::new(), module: Some(module) };
+            let product = rust::Options { runtime, module: Some(module), ..rust::Options::default() };
             let options = grafc::pipeline::Options {
                 lowering: Options { encoding, ..Options::default() },
                 product: grafc::pipeline::Product::Rust(product),
