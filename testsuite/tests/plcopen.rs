@@ -11,6 +11,7 @@ use grafc_testsuite::plcopen_lint::document::Document;
 use grafc_testsuite::plcopen_lint::{Rule, lint};
 use grafc_testsuite::plcopen_tools::Tool;
 use std::collections::BTreeSet;
+use std::io::Write;
 
 const NEUTRAL: &str = include_str!("../plcopen/neutral.xml");
 const CODESYS: &str = include_str!("../plcopen/codesys.xml");
@@ -28,6 +29,7 @@ const BROKEN: &[(Rule, Dialect, &str, &str)] = &[
         "<connectionPointOut formalParameter=\"\"><relPosition x=\"1\" y=\"1\"/></connectionPointOut><position x=\"20\" y=\"130\"/>",
     ),
     (Rule::Attributes, Dialect::Neutral, " priority=\"0\"", ""),
+    (Rule::Attributes, Dialect::Neutral, "<inline name=\"\">", "<inline>"),
     (Rule::Namespace, Dialect::Neutral, "tc6_0201", "tc6_0200"),
     (Rule::Namespace, Dialect::Neutral, "xmlns:xhtml=\"http://www.w3.org/1999/xhtml\"", ""),
     (Rule::Namespace, Dialect::Codesys, "tc6_0200", "tc6_0201"),
@@ -218,9 +220,14 @@ fn every_project_is_right_by_the_lint_and_by_other_readers() {
     for (name, tool) in [("the schema of PLCopen XML", Tool::schema()), ("the package plcopen", Tool::binding())] {
         match tool {
             Ok(tool) => tool.take(&documents).unwrap_or_else(|said| panic!("{name}: {said}")),
-            Err(why) => println!("skipped: {name}: {why}"),
+            Err(why) => skipped(&format!("{name}: {why}")),
         }
     }
+}
+
+/// Says that a tool is missing, past the test's own output.
+fn skipped(why: &str) {
+    let _ = writeln!(std::io::stderr(), "skipped: {why}");
 }
 
 #[test]
@@ -230,7 +237,7 @@ fn the_tools_see_what_is_wrong() {
     for tool in [Tool::schema(), Tool::binding()] {
         match tool {
             Ok(tool) => assert!(tool.take(&wrong).is_err()),
-            Err(why) => println!("skipped: {why}"),
+            Err(why) => skipped(&why),
         }
     }
 }

@@ -10,6 +10,7 @@
 mod dialect;
 mod interface;
 mod project;
+pub mod sfc;
 
 pub use dialect::Dialect;
 
@@ -23,6 +24,8 @@ pub enum Body {
     /// Structured Text.
     #[default]
     St,
+    /// A sequential function chart, which [`sfc::emit`] writes.
+    Sfc,
 }
 
 /// What the caller may choose.
@@ -38,12 +41,10 @@ pub struct Options {
     pub interval_ms: Option<u32>,
 }
 
-/// Writes a program as a project.
+/// Writes a program as a project, with a body in Structured Text.
 ///
 /// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
 pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
     let parts = st::parts(program, Style::default())?;
-    Ok(project::write(&parts, options, |xml, dialect| match options.body {
-        Body::St => dialect.body(xml, "ST", &parts.body),
-    }))
+    Ok(project::write(&parts, options, |xml, dialect| dialect.body(xml, "ST", &parts.body)))
 }

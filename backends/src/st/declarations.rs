@@ -45,6 +45,11 @@ impl Block {
         Block { kind, sections }
     }
 
+    /// Keeps the variables of whose names it is true.
+    pub fn retain(&mut self, keep: impl Fn(&str) -> bool) {
+        self.sections.iter_mut().for_each(|(_, entries)| entries.retain(|entry| keep(&entry.name)));
+    }
+
     /// All variables, in order.
     pub fn entries(&self) -> impl Iterator<Item = &Entry> {
         self.sections.iter().flat_map(|(_, entries)| entries)

@@ -19,9 +19,11 @@ use crate::writer::{self, Comments, Writer};
 use declarations::Block;
 use expressions::Expressions;
 use grafc_diagnostics::Diagnostics;
+use grafc_logic::formula::FormulaId;
 use grafc_logic::scan::{Program, VarId};
 use index_vec::IndexVec;
 use names::Names;
+use rustc_hash::FxHashMap;
 
 /// What is written around the function block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -138,6 +140,21 @@ pub(crate) fn parts(program: &Program, style: Style) -> Result<Parts, Diagnostic
         task: names.task,
         program_instance: names.program_instance,
     })
+}
+
+/// Formulas on a line each, some variables spelt otherwise than they are named.
+pub(crate) fn spell(program: &Program, spelt: &FxHashMap<VarId, String>, formulas: &[FormulaId]) -> Vec<String> {
+    let mut names = Names::new(program);
+    for (variable, text) in spelt {
+        names.variables[*variable].clone_from(text);
+    }
+    let expressions = Expressions::new(program, &names);
+    let text = |id: &FormulaId| {
+        let mut out = Writer::new(&writer::IEC);
+        expressions.flat(&mut out, *id);
+        out.finish()
+    };
+    formulas.iter().map(text).collect()
 }
 
 fn function_block(out: &mut Writer, program: &Program, names: &Names, expressions: &Expressions) {

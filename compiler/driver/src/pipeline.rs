@@ -90,9 +90,10 @@ pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) 
             (program.as_ref().map(grafc_logic::dump), said)
         }
         Product::St(options) => emit(file, text, default_name, lowering, |program| st::emit(program, options)),
-        Product::Plcopen(options) => {
-            emit(file, text, default_name, lowering, |program| plcopen::emit(program, options))
-        }
+        Product::Plcopen(options) => match options.body {
+            plcopen::Body::St => emit(file, text, default_name, lowering, |program| plcopen::emit(program, options)),
+            plcopen::Body::Sfc => draw(file, text, default_name, lowering, options),
+        },
         Product::Scl(options) => emit(file, text, default_name, lowering, |program| scl::emit(program, options)),
         Product::Tcpou(options) => emit(file, text, default_name, lowering, |program| tcpou::emit(program, options)),
         Product::Iec61131_10(options) => {
@@ -170,6 +171,26 @@ fn emit(
             (None, said)
         }
         None => (None, said),
+    }
+}
+
+/// As far as a drawing, which is made from the flat net.
+fn draw(
+    file: FileId,
+    text: &str,
+    default_name: &str,
+    options: &grafc_logic::Options,
+    drawing: &plcopen::Options,
+) -> (Option<String>, Diagnostics) {
+    let (net, mut said) = flatten(file, text, default_name, options.encoding, |_, _| ());
+    let Some(net) = net else { return (None, said) };
+    let drawn = grafc_logic::sequence::sequence(&net, options.profile);
+    match drawn.and_then(|sequence| plcopen::sfc::emit(&sequence, drawing)) {
+        Ok(code) => (Some(code), said),
+        Err(found) => {
+            said.append(found);
+            (None, said)
+        }
     }
 }
 

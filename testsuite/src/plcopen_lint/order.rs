@@ -57,7 +57,6 @@ const ATTRIBUTES: &[(&str, &str)] = &[
     ("connection", "refLocalId"),
     ("position", "x y"),
     ("relPosition", "x y"),
-    ("inline", "name"),
 ];
 
 pub(super) fn check(lint: &mut Lint) {
@@ -84,6 +83,11 @@ pub(super) fn check(lint: &mut Lint) {
         }
         for key in ATTRIBUTES.iter().filter(|(name, _)| *name == element.name).flat_map(|(_, keys)| keys.split(' ')) {
             lint.demand(document.attribute(id, key).is_some(), Rule::Attributes, id, key);
+        }
+        if element.name == "inline" {
+            let in_condition = document.name(element.parent) == "condition";
+            let named = document.attribute(id, "name").is_some();
+            lint.demand(named == in_condition, Rule::Attributes, id, "named in a condition, and only there");
         }
     }
     lint.demand(document.name(0) == "project", Rule::Order, 0, "the root is no project");

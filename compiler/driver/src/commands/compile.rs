@@ -160,6 +160,8 @@ enum Dialect {
 enum Body {
     /// Structured Text
     St,
+    /// A sequential function chart, if the chart can be one; in the neutral dialect
+    Sfc,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -297,6 +299,7 @@ fn product(args: &Arguments, lowering: &grafc_logic::Options) -> Option<Product>
                 },
                 body: match args.body {
                     Some(Body::St) | None => plcopen::Body::St,
+                    Some(Body::Sfc) => plcopen::Body::Sfc,
                 },
                 header: Vec::new(),
                 interval_ms: args.task_interval.map(|interval| interval.0),

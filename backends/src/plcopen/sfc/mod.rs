@@ -1,0 +1,36 @@
+//! A body drawn as a sequential function chart, for Beremiz and the editors that come from it.
+//!
+//! ```text
+//! Sequence ─ graph ─▶ steps, transitions, jumps in layers ─ order ─▶ few crossings ─ place ─▶ columns and rows ─ write ─▶ XML
+//! ```
+//!
+//! Whether a chart can be drawn is decided before (see `grafc_logic::sequence`). Here everything leads downwards: what
+//! would lead back up, or into a step beside others that cannot be joined there, is a jump. Divergences and convergences
+//! are bars between the layers.
+
+mod graph;
+mod order;
+mod place;
+mod texts;
+mod write;
+
+use super::{Options, project};
+use crate::st::{self, Style};
+use grafc_diagnostics::Diagnostics;
+use grafc_logic::sequence::Sequence;
+use graph::Graph;
+use texts::Texts;
+
+/// Writes a sequential function chart as a project.
+///
+/// An error is a fault of grafc: a formula is too deeply nested to be written.
+pub fn emit(sequence: &Sequence, options: &Options) -> Result<String, Diagnostics> {
+    let mut parts = st::parts(&sequence.program, Style::default())?;
+    let texts = Texts::new(sequence);
+    // A step brings its activity and its duration along.
+    parts.interface.iter_mut().for_each(|block| block.retain(|name| !texts.is_of_a_step(name)));
+    let mut graph = Graph::new(sequence, &texts);
+    order::reduce_crossings(&mut graph);
+    let placed = place::place(&graph);
+    Ok(project::write(&parts, options, |xml, dialect| write::write(xml, &graph, &placed, &texts, dialect)))
+}
