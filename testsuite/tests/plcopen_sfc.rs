@@ -42,16 +42,16 @@ transition (i) 8 -> 7 : go and not ready
 transition (j) 9 -> 1 : not ready
 ";
 
-fn draw(text: &str, evolution: Evolution) -> Result<String, Vec<Diagnostic>> {
+fn draw(text: &str, evolution: Evolution, dialect: Dialect) -> Result<String, Vec<Diagnostic>> {
     let profile = Profile { evolution, ..Profile::default() };
-    let product = Product::Plcopen(plcopen::Options { body: Body::Sfc, ..plcopen::Options::default() });
+    let product = Product::Plcopen(plcopen::Options { body: Body::Sfc, dialect, ..plcopen::Options::default() });
     let options = Options { lowering: Lowering { profile, encoding: Encoding::default(), simplify: true }, product };
     let (made, said) = pipeline::compile(FileId::default(), text, "chart", &options);
     made.ok_or_else(|| said.iter().cloned().collect())
 }
 
-/// All charts that can be drawn.
-fn drawings() -> Vec<(String, String)> {
+/// All charts that can be drawn in a dialect.
+fn drawings(dialect: Dialect) -> Vec<(String, String)> {
     let mut all: Vec<(String, String)> = vec![("mix".to_string(), MIX.to_string())];
     for folder in [charts_folder(), vectors_folder()] {
         all.extend(cases(&folder).into_iter().map(|case| (case.name, case.text)));
@@ -66,17 +66,21 @@ fn drawings() -> Vec<(String, String)> {
         "deep".to_string(),
         format!("input a : bool\noutput w : bool\ninitial step 1\n{deep}transition 400 -> 1 : a\n"),
     ));
-    all.into_iter().filter_map(|(name, text)| Some((name, draw(&text, Evolution::Scan).ok()?))).collect()
+    all.into_iter().filter_map(|(name, text)| Some((name, draw(&text, Evolution::Scan, dialect).ok()?))).collect()
 }
 
 #[test]
 fn drawings_are_right_by_the_lint_and_by_other_readers() {
-    let drawings = drawings();
-    assert!(drawings.len() >= 12, "only {} charts can be drawn", drawings.len());
-    for (name, text) in &drawings {
-        assert_eq!(lint(text, Dialect::Neutral), [], "{name}: {text}");
+    let mut documents: Vec<String> = Vec::new();
+    // Of the charts at hand many have several initial steps or an end, which no tree has.
+    for (dialect, least) in [(Dialect::Neutral, 12), (Dialect::Codesys, 7)] {
+        let drawings = drawings(dialect);
+        assert!(drawings.len() >= least, "only {} charts can be drawn", drawings.len());
+        for (name, text) in &drawings {
+            assert_eq!(lint(text, dialect), [], "{name}: {text}");
+        }
+        documents.extend(drawings.into_iter().map(|(_, text)| text));
     }
-    let documents: Vec<String> = drawings.into_iter().map(|(_, text)| text).collect();
     for tool in [Tool::schema(), Tool::binding()] {
         match tool {
             Ok(tool) => tool.take(&documents).unwrap_or_else(|said| panic!("{said}")),
@@ -100,7 +104,7 @@ fn point(document: &Document, id: Id) -> (i64, i64) {
 
 #[test]
 fn nothing_stands_on_something_else() {
-    for (name, text) in drawings() {
+    for (name, text) in drawings(Dialect::Neutral) {
         let document = Document::read(&text).expect("XML");
         let body = document.all("SFC").next().expect("a chart");
         let mut frames: Vec<[i64; 4]> = document.get(body).children.iter().map(|id| frame(&document, *id)).collect();
@@ -117,7 +121,7 @@ fn nothing_stands_on_something_else() {
 
 #[test]
 fn wires_end_at_pins_and_run_square_and_down() {
-    for (name, text) in drawings() {
+    for (name, text) in drawings(Dialect::Neutral) {
         let document = Document::read(&text).expect("XML");
         let body = document.all("SFC").next().expect("a chart");
         let objects: BTreeMap<&str, Id> = document
@@ -153,7 +157,7 @@ fn wires_end_at_pins_and_run_square_and_down() {
 
 #[test]
 fn a_drawing_is_the_chart() {
-    let text = draw(MIX, Evolution::Scan).expect("a drawing");
+    let text = draw(MIX, Evolution::Scan, Dialect::Neutral).expect("a drawing");
     let document = Document::read(&text).expect("XML");
     let count = |name: &str| document.all(name).count();
     // As the chart has them: a choice after 1, 7 and 8; a fork and a join; ways to 7 from 6 and 8; loops to 1, 1 and 6.
@@ -176,6 +180,60 @@ fn a_drawing_is_the_chart() {
     // A step brings its own variables along.
     assert!(!text.contains("variable name=\"X1\""), "{text}");
     assert!(text.contains("variable name=\"at_2\""), "{text}");
+}
+
+#[test]
+fn a_tree_is_the_chart() {
+    let text = draw(MIX, Evolution::Scan, Dialect::Codesys).expect("a drawing");
+    let document = Document::read(&text).expect("XML");
+    let count = |name: &str| document.all(name).count();
+    assert_eq!([count("step"), count("transition")], [9, 11]);
+    // Each of the choices after 1, 7 and 8 is closed, and the fork after 1.
+    assert_eq!([count("selectionDivergence"), count("selectionConvergence")], [3, 3]);
+    assert_eq!([count("simultaneousDivergence"), count("simultaneousConvergence")], [1, 1]);
+    for expected in [
+        "<expression>go AND ready AND NOT test</expression>",
+        "<action name=\"set_motor\">",
+        "motor := at_2 OR at_6;",
+        "<action name=\"X7_entry\">",
+        "<attribute guid=\"a6b08bd8-b696-47e3-9cbf-7408b61c9ff8\">X7_entry</attribute>",
+        "<reference name=\"tip\"/>",
+    ] {
+        assert!(text.contains(expected), "{expected} in {text}");
+    }
+    // There is no such qualifier: the last run of an action, after its step, does the same.
+    assert!(!text.contains("\"P0\"") && !text.contains("\"P1\""), "{text}");
+}
+
+/// A chart without nesting, and what is said of it.
+const NOT_NESTED: &[(&str, &str)] = &[
+    (
+        "initial step 1\nstep 2\ntransition 1 -> 2 : a\ntransition 2 -> 1 : b\n\
+         initial step 3\nstep 4\ntransition 3 -> 4 : a\ntransition 4 -> 3 : b",
+        "a second initial step",
+    ),
+    (
+        "initial step 1\nstep 2\nstep 3\nstep 4\nstep 5\nstep 6\ntransition 1 -> 2, 3, 4 : a\n\
+         transition 2, 3 -> 5 : a\ntransition 5, 4 -> 1 : b\nstep 7\ntransition 6 -> 7 : a\ntransition 7 -> 6 : a",
+        "do not end in one transition",
+    ),
+    (
+        "initial step 1\nstep 2\nstep 3\ntransition 1 -> 2 : a\ntransition 2 -> 1 : b\ntransition 3 -> 1 : b and not a",
+        "nothing leads to this step",
+    ),
+];
+
+#[test]
+fn what_is_not_nested_is_refused_with_its_reason() {
+    for (chart, reason) in NOT_NESTED {
+        let text = format!("input a, b : bool\n{chart}\n");
+        let said = match draw(&text, Evolution::Scan, Dialect::Codesys) {
+            Ok(_) => panic!("drawn: {chart}"),
+            Err(said) => said,
+        };
+        let found = said.iter().any(|d| d.code == Code::E0503 && d.primary.text.contains(reason));
+        assert!(found, "{chart}: {said:?}");
+    }
 }
 
 /// A chart that holds what cannot be drawn, and the reason.
@@ -238,7 +296,7 @@ const REFUSED: &[(&str, &str)] = &[
 fn what_cannot_be_drawn_is_refused_with_its_reason() {
     let declared = "input a, b : bool\ninput i : int\noutput w : bool\noutput n, m : int\n";
     for (chart, reason) in REFUSED {
-        let said = draw(&format!("{declared}{chart}\n"), Evolution::Scan).expect_err(chart);
+        let said = draw(&format!("{declared}{chart}\n"), Evolution::Scan, Dialect::Neutral).expect_err(chart);
         let refused: Vec<&Diagnostic> = said.iter().filter(|d| d.code == Code::E0503).collect();
         let [refused] = refused[..] else { panic!("{chart}: {said:?}") };
         let labels = std::iter::once(&refused.primary).chain(&refused.secondary);
@@ -251,7 +309,7 @@ fn what_cannot_be_drawn_is_refused_with_its_reason() {
 fn every_reason_is_named_at_once() {
     let chart = "input a, b : bool\noutput n : int\ninitial step 1\nstep 2 { n := 1 on event ↑b }\n\
                  transition 1 -> 2 : ↑a\ntransition 2 -> 1 : 1s/b\n";
-    let said = draw(chart, Evolution::Stable).expect_err("four reasons");
+    let said = draw(chart, Evolution::Stable, Dialect::Neutral).expect_err("four reasons");
     let refused = said.iter().find(|d| d.code == Code::E0503).expect("a refusal");
     let texts: Vec<&str> =
         std::iter::once(&refused.primary).chain(&refused.secondary).map(|label| label.text.as_str()).collect();

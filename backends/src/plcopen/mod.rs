@@ -46,5 +46,5 @@ pub struct Options {
 /// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
 pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
     let parts = st::parts(program, Style::default())?;
-    Ok(project::write(&parts, options, |xml, dialect| dialect.body(xml, "ST", &parts.body)))
+    Ok(project::write(&parts, options, &[], |xml, dialect| dialect.body(xml, "ST", &parts.body)))
 }

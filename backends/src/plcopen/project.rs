@@ -11,8 +11,13 @@ use crate::xml::Xml;
 /// The schema demands dates; the same chart gives the same file on every day.
 const NO_DATE: &str = "2000-01-01T00:00:00";
 
-/// Writes a whole project; `body` writes what the body of the function block holds.
-pub(super) fn write(parts: &Parts, options: &Options, body: impl FnOnce(&mut Xml, Dialect)) -> String {
+/// Writes a whole project. The function block has actions, with their statements; `body` writes what its body holds.
+pub(super) fn write(
+    parts: &Parts,
+    options: &Options,
+    actions: &[(String, String)],
+    body: impl FnOnce(&mut Xml, Dialect),
+) -> String {
     let dialect = options.dialect;
     let mut xml = Xml::new();
     match dialect {
@@ -25,10 +30,10 @@ pub(super) fn write(parts: &Parts, options: &Options, body: impl FnOnce(&mut Xml
     xml.empty("dataTypes", &[]);
     xml.open("pous", &[]);
     xml.open("pou", &[("name", &parts.block), ("pouType", "functionBlock")]);
-    unit(&mut xml, &parts.interface, parts.description.as_deref(), dialect, body);
+    unit(&mut xml, &parts.interface, actions, parts.description.as_deref(), dialect, body);
     xml.open("pou", &[("name", &parts.program), ("pouType", "program")]);
     let call = |xml: &mut Xml, dialect: Dialect| dialect.body(xml, "ST", &parts.program_body);
-    unit(&mut xml, &parts.program_variables, None, dialect, call);
+    unit(&mut xml, &parts.program_variables, &[], None, dialect, call);
     xml.close();
     xml.close();
 
@@ -65,11 +70,23 @@ fn headers(xml: &mut Xml, parts: &Parts, options: &Options) {
 fn unit(
     xml: &mut Xml,
     variables: &[Block],
+    actions: &[(String, String)],
     description: Option<&str>,
     dialect: Dialect,
     body: impl FnOnce(&mut Xml, Dialect),
 ) {
     interface::write(xml, variables, dialect);
+    if !actions.is_empty() {
+        xml.open("actions", &[]);
+        for (name, statements) in actions {
+            xml.open("action", &[("name", name)]);
+            xml.open("body", &[]);
+            dialect.body(xml, "ST", statements);
+            xml.close();
+            xml.close();
+        }
+        xml.close();
+    }
     xml.open("body", &[]);
     body(xml, dialect);
     xml.close();

@@ -157,7 +157,7 @@ impl Graph {
 }
 
 /// For each transition and each step after it, whether an arc is drawn, and not a jump.
-fn kept(sequence: &Sequence) -> Vec<Vec<bool>> {
+pub(super) fn kept(sequence: &Sequence) -> Vec<Vec<bool>> {
     let mut after: Vec<Vec<(usize, usize, StepId)>> = vec![Vec::new(); sequence.steps.len()];
     for (t, transition) in sequence.transitions.iter().enumerate() {
         for step in &transition.before {

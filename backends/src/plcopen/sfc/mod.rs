@@ -1,4 +1,5 @@
-//! A body drawn as a sequential function chart, for Beremiz and the editors that come from it.
+//! A body drawn as a sequential function chart: with places for Beremiz and the editors that come from it, as a tree for
+//! CODESYS and TwinCAT (see [`nested`]).
 //!
 //! ```text
 //! Sequence ─ graph ─▶ steps, transitions, jumps in layers ─ order ─▶ few crossings ─ place ─▶ columns and rows ─ write ─▶ XML
@@ -9,12 +10,13 @@
 //! are bars between the layers.
 
 mod graph;
+pub(super) mod nested;
 mod order;
 mod place;
 mod texts;
 mod write;
 
-use super::{Options, project};
+use super::{Dialect, Options, project};
 use crate::st::{self, Style};
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::sequence::Sequence;
@@ -23,14 +25,19 @@ use texts::Texts;
 
 /// Writes a sequential function chart as a project.
 ///
-/// An error is a fault of grafc: a formula is too deeply nested to be written.
+/// An error is a chart that is not nested as CODESYS wants it, or a fault of grafc.
 pub fn emit(sequence: &Sequence, options: &Options) -> Result<String, Diagnostics> {
     let mut parts = st::parts(&sequence.program, Style::default())?;
     let texts = Texts::new(sequence);
     // A step brings its activity and its duration along.
     parts.interface.iter_mut().for_each(|block| block.retain(|name| !texts.is_of_a_step(name)));
-    let mut graph = Graph::new(sequence, &texts);
-    order::reduce_crossings(&mut graph);
-    let placed = place::place(&graph);
-    Ok(project::write(&parts, options, |xml, dialect| write::write(xml, &graph, &placed, &texts, dialect)))
+    match options.dialect {
+        Dialect::Neutral => {
+            let mut graph = Graph::new(sequence, &texts);
+            order::reduce_crossings(&mut graph);
+            let placed = place::place(&graph);
+            Ok(project::write(&parts, options, &[], |xml, dialect| write::write(xml, &graph, &placed, &texts, dialect)))
+        }
+        Dialect::Codesys => nested::emit(sequence, &texts, &parts, options),
+    }
 }

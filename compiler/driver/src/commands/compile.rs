@@ -160,7 +160,7 @@ enum Dialect {
 enum Body {
     /// Structured Text
     St,
-    /// A sequential function chart, if the chart can be one; in the neutral dialect
+    /// A sequential function chart, if the chart can be one
     Sfc,
 }
 
