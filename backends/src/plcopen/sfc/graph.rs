@@ -7,6 +7,7 @@
 use super::texts::Texts;
 use grafc_logic::scan::StepId;
 use grafc_logic::sequence::Sequence;
+use rustc_hash::FxHashSet;
 use std::collections::VecDeque;
 
 /// What is drawn.
@@ -43,6 +44,11 @@ pub(super) enum Kind {
     Joint,
 }
 
+/// A way over more layers than this is a jump: no eye follows it, and each layer costs a joint.
+const LONGEST: usize = 40;
+/// So many joints a box are drawn, for ways to a join cannot be jumps.
+const MOST_JOINTS: usize = 50;
+
 /// So much stays free on each side of a box.
 const MARGIN: i64 = 20;
 /// The width of a letter.
@@ -69,8 +75,9 @@ pub(super) const TO_ACTIONS: i64 = 20;
 pub(super) const ROW: i64 = 30;
 
 impl Graph {
-    /// Finds what is drawn, and in which layer; the order within a layer is that of a search from the left.
-    pub fn new(sequence: &Sequence, texts: &Texts) -> Graph {
+    /// Finds what is drawn, and in which layer; the order within a layer is that of a search from the left. Refuses with
+    /// a step whose way to a join is too long.
+    pub fn new(sequence: &Sequence, texts: &Texts) -> Result<Graph, StepId> {
         let mut nodes: Vec<Node> = Vec::new();
         for (place, step) in sequence.steps.iter().enumerate() {
             let kind = Kind::Step { step: place, initial: step.initial };
@@ -95,17 +102,26 @@ impl Graph {
         for (place, transition) in sequence.transitions.iter().enumerate() {
             let own = first_transition + place;
             arcs.extend(transition.before.iter().map(|step| (step.index(), own)));
-            for (step, is_kept) in transition.after.iter().zip(&kept[place]) {
-                if *is_kept {
-                    arcs.push((own, step.index()));
-                    continue;
-                }
-                arcs.push((own, nodes.len()));
-                let right = 11 + text_width(&texts.steps[step.index()]) + MARGIN;
-                nodes.push(Node { kind: Kind::Jump(step.index()), layer: 0, left: 6 + MARGIN, right, height: 13 });
-            }
+            let drawn = transition.after.iter().zip(&kept[place]).filter(|(_, kept)| **kept);
+            arcs.extend(drawn.map(|(step, _)| (own, step.index())));
         }
         layer(&mut nodes, &arcs);
+        arcs.retain(|(from, to)| *from < first_transition || nodes[*to].layer - nodes[*from].layer <= LONGEST);
+        let drawn: FxHashSet<(usize, usize)> = arcs.iter().copied().collect();
+        for (place, transition) in sequence.transitions.iter().enumerate() {
+            let own = first_transition + place;
+            for step in transition.after.iter().filter(|step| !drawn.contains(&(own, step.index()))) {
+                arcs.push((own, nodes.len()));
+                let right = 11 + text_width(&texts.steps[step.index()]) + MARGIN;
+                let layer = nodes[own].layer + 1;
+                nodes.push(Node { kind: Kind::Jump(step.index()), layer, left: 6 + MARGIN, right, height: 13 });
+            }
+        }
+        let joints = |arc: &(usize, usize)| nodes[arc.1].layer - nodes[arc.0].layer - 1;
+        if arcs.iter().map(joints).sum::<usize>() > MOST_JOINTS * nodes.len() {
+            let longest = arcs.iter().max_by_key(|arc| joints(arc)).map_or(0, |(from, _)| *from);
+            return Err(StepId::from_usize(longest.min(first_transition.saturating_sub(1))));
+        }
         let mut graph =
             Graph { nodes, paths: Vec::new(), layers: Vec::new(), leaving: Vec::new(), entering: Vec::new() };
         for (from, to) in arcs {
@@ -126,7 +142,7 @@ impl Graph {
             }
         }
         graph.layers = graph.first_order();
-        graph
+        Ok(graph)
     }
 
     /// Each two neighbours on a path, the upper one first.

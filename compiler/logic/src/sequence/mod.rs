@@ -1,8 +1,8 @@
 //! A chart as a sequential function chart of IEC 61131-3, where it can be one without meaning something else.
 //!
 //! Such a chart evolves once a scan, clears one transition after a step, and acts through its steps. A GRAFCET chart that
-//! needs more than that is refused with all its reasons (E0503): [`fit`] looks at the structure, [`expressions`] at what
-//! conditions and values are made of, [`actions`] at what the steps do.
+//! needs more than that is refused with all its reasons (E0503): `fit` looks at the structure, `expressions` at what
+//! conditions and values are made of, `actions` at what the steps do.
 //!
 //! Requires a flat net. Ensures that the sequential function chart, with actions done after the transitions of the same
 //! scan, gives the outputs of rules R1 to R14.

@@ -7,11 +7,11 @@
 mod tree;
 mod write;
 
+use super::refusal;
 use super::texts::{Action, Content, Texts};
 use crate::plcopen::{Options, project};
 use crate::st;
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
-use grafc_logic::scan::StepId;
+use grafc_diagnostics::Diagnostics;
 use grafc_logic::sequence::Sequence;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -35,7 +35,9 @@ pub(super) fn emit(
     parts: &st::Parts,
     options: &Options,
 ) -> Result<String, Diagnostics> {
-    let elements = tree::Tree::new(sequence).build().map_err(|(step, why)| refusal(sequence, step, why))?;
+    let elements = tree::Tree::new(sequence)
+        .build()
+        .map_err(|(step, why)| refusal(sequence, step, &format!("{why}; CODESYS draws only what is nested")))?;
     let taken = parts.interface.iter().flat_map(|block| block.entries()).map(|entry| entry.name.as_str());
     let mut fresh = Fresh::new(taken.chain(texts.steps.iter().map(String::as_str)));
     let mut actions: Vec<NamedAction> = Vec::new();
@@ -94,16 +96,4 @@ impl Fresh {
         let free = names.find(|name| self.taken.insert(name.to_ascii_uppercase()));
         free.unwrap_or_else(|| wanted.to_owned())
     }
-}
-
-fn refusal(sequence: &Sequence, step: StepId, why: &str) -> Diagnostics {
-    let place = sequence.program.variables[sequence.steps[step].active].span.unwrap_or_default();
-    let mut diagnostics = Diagnostics::new();
-    diagnostics.push(
-        Diagnostic::new(Code::E0503, place, "this chart cannot be drawn as CODESYS draws sequential function charts")
-            .here(why)
-            .note("there a chart begins with one initial step, and what diverges converges again, from the inside out")
-            .help("take the body in Structured Text, `--body st`, which every chart has"),
-    );
-    diagnostics
 }
