@@ -29,7 +29,7 @@ impl Reserved {
     pub fn of(family: Family) -> Self {
         match family {
             Family::Iec => Reserved {
-                words: split(&[KEYWORDS, TYPES, FUNCTIONS, FUNCTION_BLOCKS, LATER_EDITIONS, DIALECTS, C_MACROS]),
+                words: split(&[KEYWORDS, TYPES, FUNCTIONS, FUNCTION_BLOCKS, LATER_EDITIONS, DIALECTS, SCL, C_MACROS]),
                 heads: split(&[TYPES, FUNCTIONS, "BCD CTD CTU CTUD TO"]),
                 tails: split(&[TYPES, "BCD TO TRUNC"]),
             },
@@ -97,6 +97,12 @@ const LATER_EDITIONS: &str = "
 const DIALECTS: &str = "
     ADR AND_THEN BIT BITADR END_GET END_SET END_UNION GOTO INDEXOF INI JMP OR_ELSE PERSISTENT POINTER REFERENCE SIZEOF
     UNION VAR_GENERIC VAR_INST VAR_STAT XSIZEOF
+";
+
+/// What SCL adds: a `#` before a name does not make every word a name there.
+const SCL: &str = "
+    BEGIN BLOCK_DB BLOCK_FB BLOCK_FC CONST DATA_BLOCK END_CONST END_DATA_BLOCK END_LABEL END_ORGANIZATION_BLOCK END_REGION
+    LABEL NOP ORGANIZATION_BLOCK REGION S5TIME VARIANT VOID
 ";
 
 /// Macros and types of the headers that C code made by MATIEC includes: its members are our names in upper case.

@@ -5,10 +5,15 @@
 
 pub mod comment;
 mod formulas;
+pub mod iec61131_10;
 pub mod keywords;
 mod limits;
 pub mod namer;
+pub mod plcopen;
 pub mod rust;
+pub mod scl;
 pub mod st;
+pub mod tcpou;
 mod transliterate;
 mod writer;
+mod xml;

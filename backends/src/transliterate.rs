@@ -27,6 +27,27 @@ pub fn identifier(text: &str, limit: usize) -> String {
     name
 }
 
+/// The text with every character that is not ASCII spelt in ASCII; `?` for what has no spelling here.
+pub fn ascii(text: &str) -> String {
+    let mut out = Spelling { out: String::with_capacity(text.len()), limit: usize::MAX };
+    let mut before = None;
+    let mut chars = text.chars().peekable();
+    while let Some(c) = chars.next() {
+        let after = chars.peek().copied();
+        match letters(lower(c), before, after) {
+            _ if c.is_ascii() => out.out.push(c),
+            Some(spelling) => out.letters(c, spelling, before, after),
+            None => match c {
+                '−' | '–' | '—' => out.out.push('-'),
+                '\u{300}'..='\u{36F}' => {}
+                _ => out.out.push('?'),
+            },
+        }
+        before = Some(c);
+    }
+    out.out
+}
+
 struct Spelling {
     out: String,
     limit: usize,
@@ -255,6 +276,16 @@ mod tests {
             ("a*)b", "a_b"),
         ] {
             assert_eq!(identifier(text, 63), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn texts() {
+        for (text, expected) in [
+            ("a := b; // Щит, größer — 日", "a := b; // Shchit, groesser - ?"),
+            ("`x` -> ω\n\t2 − 1", "`x` -> omega\n\t2 - 1"),
+        ] {
+            assert_eq!(ascii(text), expected);
         }
     }
 

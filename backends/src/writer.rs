@@ -27,6 +27,9 @@ pub(crate) struct Comments {
 /// Comments of IEC 61131-3.
 pub(crate) const IEC: Comments = Comments { first: "(* ", next: "   ", end: " *)" };
 
+/// Comments of SCL.
+pub(crate) const SCL: Comments = Comments { first: "// ", next: "// ", end: "" };
+
 /// Comments of Rust.
 pub(crate) const RUST: Comments = Comments { first: "// ", next: "// ", end: "" };
 

@@ -11,6 +11,8 @@ pub mod jobs;
 pub mod markdown;
 pub mod matiec;
 pub mod net_steps;
+pub mod plcopen_lint;
+pub mod plcopen_tools;
 pub mod random;
 pub mod rust;
 pub mod scaling;

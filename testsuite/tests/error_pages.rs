@@ -15,7 +15,10 @@ const WITHOUT_EXAMPLE: &[(Code, &str)] = &[
 ];
 
 /// Codes that compiling gives, not checking, and the options that their charts are compiled with.
-const COMPILED_WITH: &[(Code, &[&str])] = &[(Code::W0413, &["--encoding", "r-trigger"])];
+const COMPILED_WITH: &[(Code, &[&str])] = &[
+    (Code::W0413, &["--target", "st", "--encoding", "r-trigger"]),
+    (Code::E0503, &["--target", "plcopen", "--body", "sfc", "--evolution", "scan"]),
+];
 
 fn examples(code: Code, section: &str) -> Vec<Block> {
     blocks(code.page()).into_iter().filter(|b| b.section == section).collect()
@@ -59,14 +62,14 @@ fn codes(said: &Diagnostics) -> BTreeSet<Code> {
     said.iter().map(|d| d.code).collect()
 }
 
-/// The codes that compiling to Structured Text gives, as the user sees them.
+/// The codes that compiling gives, as the user sees them.
 fn compile(chart: &str, options: &[&str]) -> BTreeSet<Code> {
     let folder = tempfile::tempdir().expect("a temporary folder");
     std::fs::write(folder.path().join("example.gct"), chart).expect("a file in it");
     let mut command = Command::new(grafc());
     let output = command
         .current_dir(folder.path())
-        .args(["example.gct", "--target", "st", "-o", "example.st"])
+        .args(["example.gct", "-o", "example.st"])
         .args(options)
         .output()
         .expect("grafc runs");

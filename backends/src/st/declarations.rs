@@ -4,22 +4,88 @@ use super::literals::{is_zero, literal, type_name};
 use super::names::{Names, remark};
 use crate::comment::clean;
 use crate::writer::Writer;
+use grafc_logic::formula::Type;
 use grafc_logic::scan::{Program, Role, State, VarId, Variable};
 use rustc_hash::FxHashMap;
 
 /// Comments of neighbouring declarations start in one column, unless a declaration is longer than this.
 const FURTHEST_COLUMN: usize = 48;
 
+/// A block of declarations: sections, each with its heading.
+pub(crate) struct Block {
+    /// What the variables are to the outside.
+    pub kind: Kind,
+    /// Headings and what stands below them; some may be empty.
+    pub sections: Vec<(&'static str, Vec<Entry>)>,
+}
+
+/// What the variables of a block are to the outside.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Kind {
+    Input,
+    Output,
+    Constant,
+    Local,
+}
+
+impl Kind {
+    /// What opens a block of them.
+    pub fn keyword(self) -> &'static str {
+        match self {
+            Kind::Input => "VAR_INPUT",
+            Kind::Output => "VAR_OUTPUT",
+            Kind::Constant => "VAR CONSTANT",
+            Kind::Local => "VAR",
+        }
+    }
+}
+
+impl Block {
+    fn new(kind: Kind, sections: Vec<(&'static str, Vec<Entry>)>) -> Self {
+        Block { kind, sections }
+    }
+
+    /// Keeps the variables of whose names it is true.
+    pub fn retain(&mut self, keep: impl Fn(&str) -> bool) {
+        self.sections.iter_mut().for_each(|(_, entries)| entries.retain(|entry| keep(&entry.name)));
+    }
+
+    /// All variables, in order.
+    pub fn entries(&self) -> impl Iterator<Item = &Entry> {
+        self.sections.iter().flat_map(|(_, entries)| entries)
+    }
+}
+
+/// The type of a variable.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) enum EntryType {
+    /// A type of the language.
+    Elementary(Type),
+    /// A timer.
+    Timer,
+    /// A function block.
+    Block(String),
+}
+
+impl EntryType {
+    /// How it is written.
+    pub fn name(&self) -> &str {
+        match self {
+            EntryType::Elementary(ty) => type_name(*ty),
+            EntryType::Timer => "TON",
+            EntryType::Block(name) => name,
+        }
+    }
+}
+
 /// One declaration.
-pub(super) struct Entry {
+pub(crate) struct Entry {
     /// The name.
     pub name: String,
     /// Where the variable lies.
     pub address: Option<String>,
     /// The type.
-    pub ty: String,
-    /// Whether the type is elementary, not a function block.
-    pub elementary: bool,
+    pub ty: EntryType,
     /// The initial value, if it is not the one of the type.
     pub initial: Option<String>,
     /// What stands beside it, clean.
@@ -30,17 +96,21 @@ impl Entry {
     fn text(&self) -> String {
         let address = self.address.iter().map(|address| format!(" AT {address}"));
         let initial = self.initial.iter().map(|initial| format!(" := {initial}"));
-        format!("{}{} : {}{};", self.name, address.collect::<String>(), self.ty, initial.collect::<String>())
+        format!("{}{} : {}{};", self.name, address.collect::<String>(), self.ty.name(), initial.collect::<String>())
     }
 
     /// Whether it may share a line. MATIEC crashes on lists of function blocks.
     fn is_plain(&self) -> bool {
-        self.elementary && self.address.is_none() && self.initial.is_none() && self.comment.is_none()
+        let elementary = match self.ty {
+            EntryType::Elementary(_) => true,
+            EntryType::Timer | EntryType::Block(_) => false,
+        };
+        elementary && self.address.is_none() && self.initial.is_none() && self.comment.is_none()
     }
 }
 
-/// Writes all declarations of the function block.
-pub(super) fn write(out: &mut Writer, program: &Program, names: &Names) {
+/// All declarations of the function block.
+pub(super) fn interface(program: &Program, names: &Names) -> Vec<Block> {
     let entries = |wanted: fn(&Variable) -> bool| -> Vec<Entry> {
         let all = program.variables.iter_enumerated();
         all.filter(|(_, variable)| wanted(variable)).map(|(id, variable)| entry(id, variable, names)).collect()
@@ -48,28 +118,26 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names) {
     let timers = program.timers.iter_enumerated().map(|(id, timer)| Entry {
         name: names.timers[id].clone(),
         address: None,
-        ty: "TON".to_owned(),
-        elementary: false,
+        ty: EntryType::Timer,
         initial: None,
         comment: timer.comment.as_deref().map(clean).filter(|text| !text.is_empty()),
     });
-    block(out, "VAR_INPUT", vec![("", entries(|v| v.role == Role::Input))]);
     let mut published = entries(|v| v.role == Role::Output);
     published.extend(entries(|v| v.role == Role::Internal && is_published(v)));
     published.extend(entries(|v| matches!(v.role, Role::Flag(_))));
-    block(out, "VAR_OUTPUT", vec![("", published)]);
-    block(out, "VAR CONSTANT", vec![("", entries(|v| v.role == Role::Constant))]);
-    block(
-        out,
-        "VAR",
-        vec![
-            ("internal variables", entries(|v| v.role == Role::Internal && !is_published(v))),
-            ("steps", steps(program, names)),
-            ("timers", timers.collect()),
-            ("memory from call to call", entries(|v| v.role == Role::Memory)),
-            ("values within one call", entries(|v| v.role == Role::Temporary)),
-        ],
-    );
+    let local = vec![
+        ("internal variables", entries(|v| v.role == Role::Internal && !is_published(v))),
+        ("steps", steps(program, names)),
+        ("timers", timers.collect()),
+        ("memory from call to call", entries(|v| v.role == Role::Memory)),
+        ("values within one call", entries(|v| v.role == Role::Temporary)),
+    ];
+    vec![
+        Block::new(Kind::Input, vec![("", entries(|v| v.role == Role::Input))]),
+        Block::new(Kind::Output, vec![("", published)]),
+        Block::new(Kind::Constant, vec![("", entries(|v| v.role == Role::Constant))]),
+        Block::new(Kind::Local, local),
+    ]
 }
 
 /// Whether the surrounding program copies a variable out.
@@ -94,8 +162,7 @@ pub(super) fn entry(id: VarId, variable: &Variable, names: &Names) -> Entry {
     Entry {
         name: name.clone(),
         address: None,
-        ty: type_name(variable.ty).to_owned(),
-        elementary: true,
+        ty: EntryType::Elementary(variable.ty),
         initial: shown.then(|| literal(variable.initial, variable.ty)),
         comment,
     }
@@ -131,20 +198,24 @@ fn values(state: &State) -> String {
     parts.join(", ")
 }
 
-/// A block of declarations in sections, each under its heading; nothing if there are none.
-pub(super) fn block(out: &mut Writer, opening: &str, sections: Vec<(&str, Vec<Entry>)>) {
-    if sections.iter().all(|(_, entries)| entries.is_empty()) {
-        return;
-    }
-    out.blank();
-    out.open(opening);
-    for (heading, entries) in sections.iter().filter(|(_, entries)| !entries.is_empty()) {
+/// A block of local variables.
+pub(super) fn local(entries: Vec<Entry>) -> Block {
+    Block::new(Kind::Local, vec![("", entries)])
+}
+
+/// Writes blocks, each section under its heading; nothing of what is empty.
+pub(crate) fn write(out: &mut Writer, blocks: &[Block]) {
+    for block in blocks.iter().filter(|block| block.entries().next().is_some()) {
         out.blank();
-        out.comment(heading);
-        section(out, entries);
+        out.open(block.kind.keyword());
+        for (heading, entries) in block.sections.iter().filter(|(_, entries)| !entries.is_empty()) {
+            out.blank();
+            out.comment(heading);
+            section(out, entries);
+        }
+        out.close("END_VAR");
+        out.blank();
     }
-    out.close("END_VAR");
-    out.blank();
 }
 
 fn section(out: &mut Writer, entries: &[Entry]) {

@@ -1,6 +1,6 @@
 //! What stands around the function block: a program that wires it to addresses, a configuration that runs the program.
 
-use super::declarations::{Entry, block, entry, is_published};
+use super::declarations::{self, Block, Entry, EntryType, entry, is_published, local};
 use super::literals::time;
 use super::names::Names;
 use crate::writer::Writer;
@@ -8,11 +8,27 @@ use grafc_logic::scan::{Program, Role, VarId, Variable};
 
 /// Writes a program with one instance of the block.
 pub(super) fn program(out: &mut Writer, program: &Program, names: &Names) {
-    let wired = |wanted: fn(&Variable) -> bool| program.variables.iter_enumerated().filter(move |(_, v)| wanted(v));
-    let is_input = |variable: &Variable| variable.role == Role::Input;
+    out.blank();
+    out.line(&format!("PROGRAM {}", names.program));
+    declarations::write(out, &variables(program, names));
+    body(out, program, names);
+    out.blank();
+    out.line("END_PROGRAM");
+}
+
+fn inputs(program: &Program) -> impl Iterator<Item = (VarId, &Variable)> {
+    program.variables.iter_enumerated().filter(|(_, variable)| variable.role == Role::Input)
+}
+
+fn published(program: &Program) -> impl Iterator<Item = (VarId, &Variable)> {
+    program.variables.iter_enumerated().filter(|(_, variable)| is_published(variable))
+}
+
+/// The variables of the program: those at addresses, then the others and the instance.
+pub(super) fn variables(program: &Program, names: &Names) -> Vec<Block> {
     let mut located = Vec::new();
     let mut plain = Vec::new();
-    for (id, variable) in wired(is_input).chain(wired(is_published)) {
+    for (id, variable) in inputs(program).chain(published(program)) {
         match address(variable) {
             Some(address) => located.push(located_entry(id, variable, names, address)),
             None => plain.push(entry(id, variable, names)),
@@ -21,23 +37,20 @@ pub(super) fn program(out: &mut Writer, program: &Program, names: &Names) {
     plain.push(Entry {
         name: names.instance.clone(),
         address: None,
-        ty: names.block.clone(),
-        elementary: false,
+        ty: EntryType::Block(names.block.clone()),
         initial: None,
         comment: None,
     });
+    vec![local(located), local(plain)]
+}
 
-    out.blank();
-    out.line(&format!("PROGRAM {}", names.program));
-    block(out, "VAR", vec![("", located)]);
-    block(out, "VAR", vec![("", plain)]);
-    call(out, names, wired(is_input).map(|(id, _)| id));
-    for (id, _) in wired(is_published) {
+/// The statements of the program.
+pub(super) fn body(out: &mut Writer, program: &Program, names: &Names) {
+    call(out, names, inputs(program).map(|(id, _)| id));
+    for (id, _) in published(program) {
         let name = &names.variables[id];
         out.line(&format!("{name} := {}.{name};", names.instance));
     }
-    out.blank();
-    out.line("END_PROGRAM");
 }
 
 /// Calls the instance, inputs by name.

@@ -4,10 +4,10 @@
 //! of one unit, located variables in a block of their own. `names` fixes all names first, `limits` refuses what
 //! could not be written well, then each part is written in one walk.
 
-mod declarations;
+pub(crate) mod declarations;
 mod expressions;
 mod frame;
-mod literals;
+pub(crate) mod literals;
 mod names;
 mod statements;
 #[cfg(test)]
@@ -15,12 +15,15 @@ mod tests;
 
 use crate::comment::clean;
 use crate::limits;
-use crate::writer::{self, Writer};
+use crate::writer::{self, Comments, Writer};
+use declarations::Block;
 use expressions::Expressions;
 use grafc_diagnostics::Diagnostics;
+use grafc_logic::formula::FormulaId;
 use grafc_logic::scan::{Program, VarId};
 use index_vec::IndexVec;
 use names::Names;
+use rustc_hash::FxHashMap;
 
 /// What is written around the function block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -77,12 +80,89 @@ pub fn names(program: &Program) -> IndexVec<VarId, String> {
     Names::new(program).variables
 }
 
+/// A function block and the program around it in parts, for targets that have a place for each.
+pub(crate) struct Parts {
+    /// The name of the function block.
+    pub block: String,
+    /// What it is, clean.
+    pub description: Option<String>,
+    /// Its variables.
+    pub interface: Vec<Block>,
+    /// Its statements.
+    pub body: String,
+    /// The name of the program.
+    pub program: String,
+    /// The variables of the program.
+    pub program_variables: Vec<Block>,
+    /// The statements of the program.
+    pub program_body: String,
+    /// Names for what runs the program.
+    pub configuration: String,
+    pub resource: String,
+    pub task: String,
+    pub program_instance: String,
+}
+
+/// What differs in the statements of a function block from dialect to dialect.
+#[derive(Clone, Copy)]
+pub(crate) struct Style {
+    /// What stands before each variable and timer.
+    pub mark: &'static str,
+    /// What stands around comments.
+    pub comments: &'static Comments,
+}
+
+impl Default for Style {
+    fn default() -> Self {
+        Style { mark: "", comments: &writer::IEC }
+    }
+}
+
+/// The parts of a program.
+pub(crate) fn parts(program: &Program, style: Style) -> Result<Parts, Diagnostics> {
+    limits::check(program)?;
+    let names = Names::new(program);
+    let marked = names.marked(style.mark);
+    let mut body = Writer::new(style.comments);
+    statements::write(&mut body, program, &marked, &Expressions::new(program, &marked));
+    let mut program_body = Writer::new(&writer::IEC);
+    frame::body(&mut program_body, program, &names);
+    Ok(Parts {
+        description: names::remark(&program.name, &names.block, program.comment.as_deref()),
+        interface: declarations::interface(program, &names),
+        body: body.finish(),
+        program_variables: frame::variables(program, &names),
+        program_body: program_body.finish(),
+        block: names.block,
+        program: names.program,
+        configuration: names.configuration,
+        resource: names.resource,
+        task: names.task,
+        program_instance: names.program_instance,
+    })
+}
+
+/// Formulas on a line each, some variables spelt otherwise than they are named.
+pub(crate) fn spell(program: &Program, spelt: &FxHashMap<VarId, String>, formulas: &[FormulaId]) -> Vec<String> {
+    let mut names = Names::new(program);
+    for (variable, text) in spelt {
+        names.variables[*variable].clone_from(text);
+    }
+    let expressions = Expressions::new(program, &names);
+    let text = |id: &FormulaId| {
+        let mut out = Writer::new(&writer::IEC);
+        expressions.flat(&mut out, *id);
+        out.finish()
+    };
+    formulas.iter().map(text).collect()
+}
+
 fn function_block(out: &mut Writer, program: &Program, names: &Names, expressions: &Expressions) {
     out.blank();
     out.comment(&names::remark(&program.name, &names.block, program.comment.as_deref()).unwrap_or_default());
     out.line(&format!("FUNCTION_BLOCK {}", names.block));
     out.blank();
-    declarations::write(out, program, names);
+    declarations::write(out, &declarations::interface(program, names));
     statements::write(out, program, names, expressions);
     out.blank();
     out.line("END_FUNCTION_BLOCK");

@@ -7,6 +7,7 @@ use grafc_logic::scan::{Program, Role, TimerId, VarId};
 use index_vec::IndexVec;
 
 /// All names, each unique in the whole file: readers search for them, and some tools mix up scopes.
+#[derive(Clone)]
 pub(super) struct Names {
     pub variables: IndexVec<VarId, String>,
     pub timers: IndexVec<TimerId, String>,
@@ -39,6 +40,17 @@ impl Names {
             task: namer.name("cycle"),
             program_instance: namer.name("main"),
             block,
+        }
+    }
+}
+
+impl Names {
+    /// The same names, variables and timers with a mark before them.
+    pub fn marked(&self, mark: &str) -> Names {
+        Names {
+            variables: self.variables.iter().map(|name| format!("{mark}{name}")).collect(),
+            timers: self.timers.iter().map(|name| format!("{mark}{name}")).collect(),
+            ..self.clone()
         }
     }
 }

@@ -121,6 +121,8 @@ codes! {
     W0412 "allocation-conflict" Warning;
     W0413 "visible-overlap" Warning;
 
+    E0503 "not-a-sequential-function-chart" Error;
+
     E0601 "malformed-trace" Error;
     E0602 "unknown-trace-column" Error;
     E0603 "bad-trace-value" Error;

@@ -3,7 +3,7 @@
 //! No directories and no dates: equal charts give equal code wherever and whenever they are compiled.
 
 use crate::files::Place;
-use grafc_backends::{rust, st};
+use grafc_backends::{plcopen, rust, st};
 use grafc_model::reaction::{Evolution, Profile};
 
 /// The head of Structured Text.
@@ -11,9 +11,28 @@ pub fn of_st(chart: &Place, lowering: &grafc_logic::Options, pou: st::Pou, inter
     let own = match pou {
         st::Pou::FunctionBlock => "--pou function-block".to_string(),
         st::Pou::Program => "--pou program".to_string(),
-        st::Pou::Configuration => format!("--pou configuration --interval {interval_ms}ms"),
+        st::Pou::Configuration => format!("--pou configuration --task-interval {interval_ms}ms"),
     };
     header(chart, "st", lowering, &own)
+}
+
+/// The head of a PLCopen XML project.
+pub fn of_plcopen(chart: &Place, lowering: &grafc_logic::Options, options: &plcopen::Options) -> Vec<String> {
+    let dialect = match options.dialect {
+        plcopen::Dialect::Neutral => "neutral",
+        plcopen::Dialect::Codesys => "codesys",
+    };
+    let body = match options.body {
+        plcopen::Body::St => "st",
+        plcopen::Body::Sfc => "sfc",
+    };
+    let interval = options.interval_ms.map_or(String::new(), |ms| format!(" --task-interval {ms}ms"));
+    header(chart, "plcopen", lowering, &format!("--dialect {dialect} --body {body}{interval}"))
+}
+
+/// The head of a form that leaves no choice.
+pub fn of_vendor(chart: &Place, target: &str, lowering: &grafc_logic::Options) -> Vec<String> {
+    header(chart, target, lowering, "")
 }
 
 /// The head of Rust.
@@ -35,7 +54,7 @@ fn header(chart: &Place, target: &str, lowering: &grafc_logic::Options, own: &st
     let profile = profile(lowering.profile);
     vec![
         format!("Made by grafc {} from {source}", env!("CARGO_PKG_VERSION")),
-        format!("--target {target} --encoding {encoding} {optimize}{profile} {own}"),
+        format!("--target {target} --encoding {encoding} {optimize}{profile} {own}").trim_end().to_string(),
     ]
 }
 

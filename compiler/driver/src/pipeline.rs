@@ -8,7 +8,7 @@
 //! stage that found an error, no other begins, save that a text with syntax errors is checked as far as it was read.
 //! What lies between two stages can be had as text.
 
-use grafc_backends::{rust, st};
+use grafc_backends::{iec61131_10, plcopen, rust, scl, st, tcpou};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
 use grafc_logic::Encoding;
 use grafc_logic::scan::Program;
@@ -34,6 +34,14 @@ pub struct Options {
 pub enum Product {
     /// IEC 61131-3 Structured Text.
     St(st::Options),
+    /// A PLCopen XML project.
+    Plcopen(plcopen::Options),
+    /// Siemens SCL.
+    Scl(scl::Options),
+    /// A TwinCAT program organisation unit.
+    Tcpou(tcpou::Options),
+    /// The exchange format of IEC 61131-10.
+    Iec61131_10(iec61131_10::Options),
     /// Rust.
     Rust(rust::Options),
     /// The syntax tree.
@@ -82,6 +90,15 @@ pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) 
             (program.as_ref().map(grafc_logic::dump), said)
         }
         Product::St(options) => emit(file, text, default_name, lowering, |program| st::emit(program, options)),
+        Product::Plcopen(options) => match options.body {
+            plcopen::Body::St => emit(file, text, default_name, lowering, |program| plcopen::emit(program, options)),
+            plcopen::Body::Sfc => draw(file, text, default_name, lowering, options),
+        },
+        Product::Scl(options) => emit(file, text, default_name, lowering, |program| scl::emit(program, options)),
+        Product::Tcpou(options) => emit(file, text, default_name, lowering, |program| tcpou::emit(program, options)),
+        Product::Iec61131_10(options) => {
+            emit(file, text, default_name, lowering, |program| iec61131_10::emit(program, options))
+        }
         Product::Rust(options) => emit(file, text, default_name, lowering, |program| rust::emit(program, options)),
     };
     (made.filter(|_| !said.has_errors()), said)
@@ -154,6 +171,26 @@ fn emit(
             (None, said)
         }
         None => (None, said),
+    }
+}
+
+/// As far as a drawing, which is made from the flat net.
+fn draw(
+    file: FileId,
+    text: &str,
+    default_name: &str,
+    options: &grafc_logic::Options,
+    drawing: &plcopen::Options,
+) -> (Option<String>, Diagnostics) {
+    let (net, mut said) = flatten(file, text, default_name, options.encoding, |_, _| ());
+    let Some(net) = net else { return (None, said) };
+    let drawn = grafc_logic::sequence::sequence(&net, options.profile);
+    match drawn.and_then(|sequence| plcopen::sfc::emit(&sequence, drawing)) {
+        Ok(code) => (Some(code), said),
+        Err(found) => {
+            said.append(found);
+            (None, said)
+        }
     }
 }
 

@@ -104,9 +104,40 @@ fn choices_reach_the_code() {
     assert_eq!(code(&["--pou", "function-block"]), plain);
     assert_ne!(code(&["--evolution", "scan"]), plain);
     assert!(code(&["--pou", "program"]).contains("\nPROGRAM "));
-    let configuration = code(&["--pou", "configuration", "--interval", "50ms"]);
+    let configuration = code(&["--pou", "configuration", "--task-interval", "50ms"]);
     assert!(configuration.contains("CONFIGURATION"), "{configuration}");
     assert!(configuration.to_uppercase().contains("T#50MS"), "{configuration}");
+}
+
+#[test]
+fn choices_reach_the_files_of_tools() {
+    let place = Place::new(&[("valve.gct", VALVE)]);
+    let code = |arguments: &[&str]| {
+        let all: Vec<&str> = ["valve.gct", "--target"].iter().chain(arguments).copied().collect();
+        place.run(&all).is_done().out.clone()
+    };
+    let plain = code(&["plcopen"]);
+    assert_eq!(code(&["plcopen", "--dialect", "neutral", "--body", "st"]), plain);
+    assert!(plain.contains("tc6_0201") && plain.contains("interval=\"T#20ms\""), "{plain}");
+    assert!(code(&["plcopen", "--task-interval", "2s"]).contains("interval=\"T#2s\""));
+    let codesys = code(&["plcopen", "--dialect", "codesys"]);
+    assert!(codesys.contains("tc6_0200") && codesys.contains("<configurations/>"), "{codesys}");
+    assert!(code(&["plcopen", "--dialect", "codesys", "--task-interval", "2s"]).contains("interval=\"PT2.000S\""));
+    let drawn = code(&["plcopen", "--body", "sfc", "--evolution", "scan"]);
+    assert!(drawn.contains("<SFC>") && drawn.contains("--body sfc"), "{drawn}");
+    assert!(code(&["scl"]).starts_with("FUNCTION_BLOCK \"Valve\"\n"));
+    assert!(code(&["tcpou"]).contains("<POU Name=\"Valve\""));
+    assert!(code(&["iec61131-10"]).contains("<FunctionBlock name=\"Valve\">"));
+    for (arguments, owner) in [
+        (["st", "--dialect", "codesys"], "`--target plcopen`"),
+        (["scl", "--body", "st"], "`--target plcopen`"),
+        (["rust", "--task-interval", "1s"], "`--target st` and `--target plcopen`"),
+        (["plcopen", "--runtime", "crate"], "`--target rust`"),
+        (["tcpou", "--pou", "program"], "`--target st`"),
+    ] {
+        let all: Vec<&str> = ["valve.gct", "--target"].iter().chain(&arguments).copied().collect();
+        place.run(&all).ends(2, &format!("`{}` is an option of {owner}", arguments[1]));
+    }
 }
 
 #[test]
@@ -168,8 +199,10 @@ fn wrong_use_ends_with_2() {
     place.run(&["valve.gct", "--target", "st", "-O2"]).ends(2, "possible values: 0, 1");
     place.run(&["valve.gct", "--target", "st", "-O"]).ends(2, "--optimize <LEVEL>");
     place.run(&["valve.gct", "--target", "st", "--bound", "0"]).ends(2, "--bound");
-    place.run(&["valve.gct", "--target", "st", "--interval", "20ms"]).ends(2, "--pou configuration");
-    place.run(&["valve.gct", "--target", "st", "--pou", "configuration", "--interval", "0ms"]).ends(2, "interval");
+    place.run(&["valve.gct", "--target", "st", "--task-interval", "20ms"]).ends(2, "--pou configuration");
+    place
+        .run(&["valve.gct", "--target", "st", "--pou", "configuration", "--task-interval", "0ms"])
+        .ends(2, "task-interval");
     place.run(&["valve.gct", "--target", "st", "--nonsense"]).ends(2, "--nonsense");
     place.run(&["chek", "valve.gct"]).ends(2, "similar command exists: 'check'");
     place.run(&["valve.gct", "check"]).ends(2, "check");

@@ -142,7 +142,7 @@ fn wrong_use_ends_with_2() {
         (["--target", "st", "--dump-after", "rank-orders"], "cannot be used with '--dump-after <PASS>'"),
         (["--emit", "net", "--dump-after", "rank-orders"], "cannot be used with '--dump-after <PASS>'"),
         (["--emit", "net", "--pou", "program"], "'--emit <STAGE>' cannot be used with '--pou <KIND>'"),
-        (["--dump-after", "rank-orders", "--interval", "1s"], "cannot be used with '--interval <DURATION>'"),
+        (["--dump-after", "rank-orders", "--task-interval", "1s"], "cannot be used with '--task-interval <DURATION>'"),
     ] {
         let all: Vec<&str> = ["valve.gct", "-o", "out.txt"].into_iter().chain(pair).collect();
         assert_eq!(place.run(&all).ends(2, what).out, "");

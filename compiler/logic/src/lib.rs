@@ -25,6 +25,7 @@ mod overlap;
 mod pieces;
 mod report;
 pub mod scan;
+pub mod sequence;
 mod settle;
 mod simplify;
 mod situation;

@@ -9,7 +9,7 @@ use crate::pipeline::{self, Options, Product};
 use crate::report::{Failure, Format, Report};
 use clap::builder::PossibleValuesParser;
 use clap::{ArgGroup, Args, ValueEnum};
-use grafc_backends::{rust, st};
+use grafc_backends::{iec61131_10, plcopen, rust, scl, st, tcpou};
 use grafc_logic::Encoding;
 use grafc_net::passes;
 use std::str::FromStr;
@@ -46,9 +46,15 @@ pub struct Arguments {
     /// For `st`: the kind of program organisation unit to make [default: function-block]
     #[arg(long, value_enum, value_name = "KIND", conflicts_with_all = NO_CODE)]
     pou: Option<Pou>,
-    /// For `st`: how often the task of a configuration runs, such as 20ms or 1s [default: 20ms]
-    #[arg(long, value_name = "DURATION", conflicts_with_all = NO_CODE)]
-    interval: Option<Interval>,
+    /// For `st` and `plcopen`: how often the task of the configuration runs, such as 20ms or 1s [default: 20ms]
+    #[arg(long, value_name = "DURATION", alias = "interval", conflicts_with_all = NO_CODE)]
+    task_interval: Option<Interval>,
+    /// For `plcopen`: who shall read it [default: neutral]
+    #[arg(long, value_enum, value_name = "DIALECT", conflicts_with_all = NO_CODE)]
+    dialect: Option<Dialect>,
+    /// For `plcopen`: what the function block holds [default: st]
+    #[arg(long, value_enum, value_name = "LANGUAGE", conflicts_with_all = NO_CODE)]
+    body: Option<Body>,
     /// For `rust`: where the code has from what it needs at run time [default: inline]
     #[arg(long, value_enum, value_name = "RUNTIME", conflicts_with_all = NO_CODE)]
     runtime: Option<RuntimeName>,
@@ -61,6 +67,15 @@ pub struct Arguments {
 enum TargetName {
     /// IEC 61131-3 Structured Text
     St,
+    /// A PLCopen XML project: function block, program, configuration
+    Plcopen,
+    /// Siemens SCL, a source file for TIA Portal
+    Scl,
+    /// A TwinCAT 3 program organisation unit
+    Tcpou,
+    /// The function block in the XML of IEC 61131-10
+    #[value(name = "iec61131-10")]
+    Iec61131_10,
     /// A Rust module, without std and allocation
     Rust,
 }
@@ -134,6 +149,22 @@ enum Pou {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Dialect {
+    /// Beremiz and what comes from it
+    Neutral,
+    /// CODESYS, TwinCAT and what is built on CODESYS
+    Codesys,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Body {
+    /// Structured Text
+    St,
+    /// A sequential function chart, if the chart can be one
+    Sfc,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 enum RuntimeName {
     /// From itself: the module stands alone
     Inline,
@@ -181,9 +212,9 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         return Err(Failure::WrongUse("nothing to compile".to_string(), "see `grafc --help`".to_string()));
     };
     refuse_options_of_other_targets(&args)?;
-    if args.interval.is_some() && args.pou != Some(Pou::Configuration) {
+    if args.task_interval.is_some() && args.target == Some(TargetName::St) && args.pou != Some(Pou::Configuration) {
         return Err(Failure::WrongUse(
-            "`--interval` is the interval of a configuration's task".to_string(),
+            "`--task-interval` is the interval of a configuration's task".to_string(),
             "add `--pou configuration`, or leave it out".to_string(),
         ));
     }
@@ -214,18 +245,22 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     Ok(exit)
 }
 
-/// An option that only another target knows would be without effect.
+/// An option that only other targets know would be without effect.
 fn refuse_options_of_other_targets(args: &Arguments) -> Result<(), Failure> {
-    let st = [("pou", args.pou.is_some()), ("interval", args.interval.is_some())];
-    let rust = [("runtime", args.runtime.is_some())];
-    let (foreign, own): (&[(&str, bool)], _) = match args.target {
-        Some(TargetName::St) => (&rust, "rust"),
-        Some(TargetName::Rust) => (&st, "st"),
-        None => return Ok(()),
-    };
-    match foreign.iter().find(|(_, given)| *given) {
-        Some((name, _)) => {
-            Err(Failure::WrongUse(format!("`--{name}` is an option of `--target {own}`"), "leave it out".to_string()))
+    let Some(target) = args.target else { return Ok(()) };
+    let options: [(&str, bool, &[TargetName]); 5] = [
+        ("pou", args.pou.is_some(), &[TargetName::St]),
+        ("task-interval", args.task_interval.is_some(), &[TargetName::St, TargetName::Plcopen]),
+        ("dialect", args.dialect.is_some(), &[TargetName::Plcopen]),
+        ("body", args.body.is_some(), &[TargetName::Plcopen]),
+        ("runtime", args.runtime.is_some(), &[TargetName::Rust]),
+    ];
+    match options.iter().find(|(_, given, known_to)| *given && !known_to.contains(&target)) {
+        Some((name, _, known_to)) => {
+            let targets: Vec<String> =
+                known_to.iter().map(|target| format!("`{}`", option("target", *target))).collect();
+            let targets = targets.join(" and ");
+            Err(Failure::WrongUse(format!("`--{name}` is an option of {targets}"), "leave it out".to_string()))
         }
         None => Ok(()),
     }
@@ -253,8 +288,29 @@ fn product(args: &Arguments, lowering: &grafc_logic::Options) -> Option<Product>
                 Some(Pou::Program) => st::Pou::Program,
                 Some(Pou::Configuration) => st::Pou::Configuration,
             };
-            let interval_ms = args.interval.unwrap_or(DEFAULT_INTERVAL).0;
+            let interval_ms = args.task_interval.unwrap_or(DEFAULT_INTERVAL).0;
             Product::St(st::Options { pou, header: header::of_st(chart, lowering, pou, interval_ms), interval_ms })
+        }
+        TargetName::Plcopen => {
+            let mut options = plcopen::Options {
+                dialect: match args.dialect {
+                    Some(Dialect::Neutral) | None => plcopen::Dialect::Neutral,
+                    Some(Dialect::Codesys) => plcopen::Dialect::Codesys,
+                },
+                body: match args.body {
+                    Some(Body::St) | None => plcopen::Body::St,
+                    Some(Body::Sfc) => plcopen::Body::Sfc,
+                },
+                header: Vec::new(),
+                interval_ms: args.task_interval.map(|interval| interval.0),
+            };
+            options.header = header::of_plcopen(chart, lowering, &options);
+            Product::Plcopen(options)
+        }
+        TargetName::Scl => Product::Scl(scl::Options { header: header::of_vendor(chart, "scl", lowering) }),
+        TargetName::Tcpou => Product::Tcpou(tcpou::Options { header: header::of_vendor(chart, "tcpou", lowering) }),
+        TargetName::Iec61131_10 => {
+            Product::Iec61131_10(iec61131_10::Options { header: header::of_vendor(chart, "iec61131-10", lowering) })
         }
         TargetName::Rust => {
             let runtime = match args.runtime {

@@ -17,6 +17,7 @@ mod witness;
 mod words;
 
 use grafc_diagnostics::Diagnostics;
+use grafc_model::chart::{StepId, TransitionId};
 use grafc_net::Net;
 use known::Known;
 
@@ -36,4 +37,15 @@ pub fn warn(net: &Net) -> Diagnostics {
     }
     diagnostics.sort_by_place();
     diagnostics
+}
+
+/// Transitions and steps after them that are not proved to be inactive whenever the transition clears.
+pub(crate) fn may_reenter(net: &Net) -> Vec<(TransitionId, StepId)> {
+    let known = Known::new(net);
+    let mut found = Vec::new();
+    for (t, transition) in net.transitions.iter_enumerated() {
+        let new = transition.post.iter().filter(|s| !transition.pre.contains(s));
+        found.extend(new.filter(|s| !transition.pre.iter().any(|p| known.never_together(*p, **s))).map(|s| (t, *s)));
+    }
+    found
 }

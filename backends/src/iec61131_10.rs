@@ -1,0 +1,114 @@
+//! IEC 61131-10:2019: the function block in the exchange format that Omron, Mitsubishi and Phoenix Contact read.
+//!
+//! It is the successor of PLCopen XML, but another language: other elements, texts without XHTML, parameters counted
+//! through inputs and outputs together. Only the function block is written; some readers refuse or ignore the rest.
+//! Within a variable the comment comes first, then the type, then the initial value.
+
+use crate::comment::clean;
+use crate::st::declarations::{Block, Entry, Kind};
+use crate::st::{self, Style};
+use crate::xml::Xml;
+use grafc_diagnostics::Diagnostics;
+use grafc_logic::scan::Program;
+
+/// What the caller may choose.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Options {
+    /// Which chart, which version, which options.
+    pub header: Vec<String>,
+}
+
+/// Writes a program as a function block.
+///
+/// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
+pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
+    let parts = st::parts(program, Style::default())?;
+    let mut xml = Xml::new();
+    xml.open(
+        "Project",
+        &[
+            ("xmlns", "www.iec.ch/public/TC65SC65BWG7TF10"),
+            ("xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance"),
+            ("schemaVersion", "1.0"),
+        ],
+    );
+    let version = env!("CARGO_PKG_VERSION");
+    xml.empty("FileHeader", &[("companyName", "grafc"), ("productName", "grafc"), ("productVersion", version)]);
+    xml.empty("ContentHeader", &[("name", &parts.block), ("creationDateTime", "2000-01-01T00:00:00")]);
+    xml.open("Types", &[]);
+    xml.open("GlobalNamespace", &[]);
+    xml.open("FunctionBlock", &[("name", &parts.block)]);
+    let mut description: Vec<String> = options.header.iter().map(|line| clean(line)).collect();
+    description.extend(parts.description);
+    documentation(&mut xml, &description.join("\n"));
+    interface(&mut xml, &parts.interface);
+    xml.open("MainBody", &[]);
+    xml.open("BodyContent", &[("xsi:type", "ST")]);
+    xml.text("ST", &[], &parts.body);
+    for _ in ["BodyContent", "MainBody", "FunctionBlock", "GlobalNamespace", "Types"] {
+        xml.close();
+    }
+    xml.empty("Instances", &[]);
+    Ok(xml.finish())
+}
+
+fn interface(xml: &mut Xml, blocks: &[Block]) {
+    let mut parameters = 0;
+    xml.open("Parameters", &[]);
+    for (kind, list) in [(Kind::Input, "InputVars"), (Kind::Output, "OutputVars")] {
+        let entries: Vec<&Entry> = of(blocks, kind).collect();
+        if entries.is_empty() {
+            continue;
+        }
+        xml.open(list, &[]);
+        for entry in entries {
+            variable(xml, entry, Some(parameters));
+            parameters += 1;
+        }
+        xml.close();
+    }
+    xml.close();
+    for kind in [Kind::Constant, Kind::Local] {
+        let entries: Vec<&Entry> = of(blocks, kind).collect();
+        if entries.is_empty() {
+            continue;
+        }
+        match kind {
+            Kind::Constant => xml.open("Vars", &[("accessSpecifier", "private"), ("constant", "true")]),
+            Kind::Input | Kind::Output | Kind::Local => xml.open("Vars", &[("accessSpecifier", "private")]),
+        }
+        for entry in entries {
+            variable(xml, entry, None);
+        }
+        xml.close();
+    }
+}
+
+fn of(blocks: &[Block], kind: Kind) -> impl Iterator<Item = &Entry> {
+    blocks.iter().filter(move |block| block.kind == kind).flat_map(Block::entries)
+}
+
+fn variable(xml: &mut Xml, entry: &Entry, parameter: Option<usize>) {
+    match parameter {
+        Some(place) => {
+            xml.open("Variable", &[("name", &entry.name), ("orderWithinParamSet", &place.to_string())]);
+        }
+        None => xml.open("Variable", &[("name", &entry.name)]),
+    }
+    documentation(xml, entry.comment.as_deref().unwrap_or_default());
+    xml.open("Type", &[]);
+    xml.text("TypeName", &[], entry.ty.name());
+    xml.close();
+    if let Some(initial) = &entry.initial {
+        xml.open("InitialValue", &[]);
+        xml.empty("SimpleValue", &[("value", initial)]);
+        xml.close();
+    }
+    xml.close();
+}
+
+fn documentation(xml: &mut Xml, text: &str) {
+    if !text.is_empty() {
+        xml.text("Documentation", &[("xsi:type", "SimpleText")], text);
+    }
+}

@@ -1,0 +1,45 @@
+//! The variables of a program organisation unit.
+
+use super::dialect::Dialect;
+use crate::st::declarations::{Block, Entry, EntryType, Kind};
+use crate::xml::Xml;
+
+/// Writes the interface: a list a block, in the order of the blocks.
+pub(super) fn write(xml: &mut Xml, blocks: &[Block], dialect: Dialect) {
+    xml.open("interface", &[]);
+    for block in blocks.iter().filter(|block| block.entries().next().is_some()) {
+        match block.kind {
+            Kind::Input => xml.open("inputVars", &[]),
+            Kind::Output => xml.open("outputVars", &[]),
+            Kind::Constant => xml.open("localVars", &[("constant", "true")]),
+            Kind::Local => xml.open("localVars", &[]),
+        }
+        for entry in block.entries() {
+            variable(xml, entry, dialect);
+        }
+        xml.close();
+    }
+    xml.close();
+}
+
+fn variable(xml: &mut Xml, entry: &Entry, dialect: Dialect) {
+    match &entry.address {
+        Some(address) => xml.open("variable", &[("name", &entry.name), ("address", address)]),
+        None => xml.open("variable", &[("name", &entry.name)]),
+    }
+    xml.open("type", &[]);
+    match &entry.ty {
+        EntryType::Elementary(ty) => xml.empty(crate::st::literals::type_name(*ty), &[]),
+        EntryType::Timer | EntryType::Block(_) => xml.empty("derived", &[("name", entry.ty.name())]),
+    }
+    xml.close();
+    if let Some(initial) = &entry.initial {
+        xml.open("initialValue", &[]);
+        xml.empty("simpleValue", &[("value", initial)]);
+        xml.close();
+    }
+    if let Some(comment) = &entry.comment {
+        dialect.documentation(xml, comment);
+    }
+    xml.close();
+}

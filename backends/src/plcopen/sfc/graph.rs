@@ -1,0 +1,254 @@
+//! Steps, transitions and jumps in layers, arcs leading down.
+//!
+//! An arc that closes a circle, as a search from the initial steps meets it, becomes a jump; so does one into a step
+//! that other arcs lead to, if it comes from a fork, for only transitions can be joined there. A layer is one more than
+//! the longest way to it, so arcs may span several; each layer between holds a joint that keeps a column free.
+
+use super::texts::Texts;
+use grafc_logic::scan::StepId;
+use grafc_logic::sequence::Sequence;
+use rustc_hash::FxHashSet;
+use std::collections::VecDeque;
+
+/// What is drawn.
+pub(super) struct Graph {
+    pub nodes: Vec<Node>,
+    /// From what leads to what it leads to, over the joints between.
+    pub paths: Vec<Vec<usize>>,
+    /// The nodes of each layer, from left to right.
+    pub layers: Vec<Vec<usize>>,
+    /// For each node, the paths that come from it and those that lead to it.
+    pub leaving: Vec<Vec<usize>>,
+    pub entering: Vec<Vec<usize>>,
+}
+
+/// A box, or a joint of an arc.
+pub(super) struct Node {
+    pub kind: Kind,
+    pub layer: usize,
+    /// What it takes to the left and to the right of its axis, and downwards.
+    pub left: i64,
+    pub right: i64,
+    pub height: i64,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Kind {
+    /// A step, by its place, with whether it is initial.
+    Step { step: usize, initial: bool },
+    /// A transition, by its place.
+    Transition(usize),
+    /// A jump to a step.
+    Jump(usize),
+    /// Where an arc passes through a layer.
+    Joint,
+}
+
+/// A way over more layers than this is a jump: no eye follows it, and each layer costs a joint.
+const LONGEST: usize = 40;
+/// So many joints a box are drawn, for ways to a join cannot be jumps.
+const MOST_JOINTS: usize = 50;
+
+/// So much stays free on each side of a box.
+const MARGIN: i64 = 20;
+/// The width of a letter.
+const LETTER: i64 = 7;
+
+/// The width of a text.
+pub(super) fn text_width(text: &str) -> i64 {
+    LETTER * i64::try_from(text.chars().count()).unwrap_or(i64::MAX / 100)
+}
+
+/// The width of a step.
+pub(super) fn step_width(name: &str) -> i64 {
+    (text_width(name) + 20).max(60) / 2 * 2
+}
+
+/// The width of a step's action block.
+pub(super) fn block_width(texts: &Texts, step: usize) -> i64 {
+    texts.actions[step].iter().map(|action| text_width(action.content.text()) + 50).max().unwrap_or(0).max(100)
+}
+
+/// The gap between a step and its actions.
+pub(super) const TO_ACTIONS: i64 = 20;
+/// The height of a row of an action block, and of a step.
+pub(super) const ROW: i64 = 30;
+
+impl Graph {
+    /// Finds what is drawn, and in which layer; the order within a layer is that of a search from the left. Refuses with
+    /// a step whose way to a join is too long.
+    pub fn new(sequence: &Sequence, texts: &Texts) -> Result<Graph, StepId> {
+        let mut nodes: Vec<Node> = Vec::new();
+        for (place, step) in sequence.steps.iter().enumerate() {
+            let kind = Kind::Step { step: place, initial: step.initial };
+            let half = step_width(&texts.steps[place]) / 2;
+            let rows = i64::try_from(texts.actions[place].len()).unwrap_or(i64::MAX / 100);
+            let actions = if rows > 0 { TO_ACTIONS + block_width(texts, place) } else { 0 };
+            nodes.push(Node {
+                kind,
+                layer: 0,
+                left: half + MARGIN,
+                right: half + actions + MARGIN,
+                height: ROW * rows.max(1),
+            });
+        }
+        let first_transition = nodes.len();
+        for (place, condition) in texts.conditions.iter().enumerate() {
+            let right = 15 + text_width(condition) + MARGIN;
+            nodes.push(Node { kind: Kind::Transition(place), layer: 0, left: 10 + MARGIN, right, height: 2 });
+        }
+        let mut arcs: Vec<(usize, usize)> = Vec::new();
+        let kept = kept(sequence);
+        for (place, transition) in sequence.transitions.iter().enumerate() {
+            let own = first_transition + place;
+            arcs.extend(transition.before.iter().map(|step| (step.index(), own)));
+            let drawn = transition.after.iter().zip(&kept[place]).filter(|(_, kept)| **kept);
+            arcs.extend(drawn.map(|(step, _)| (own, step.index())));
+        }
+        layer(&mut nodes, &arcs);
+        arcs.retain(|(from, to)| *from < first_transition || nodes[*to].layer - nodes[*from].layer <= LONGEST);
+        let drawn: FxHashSet<(usize, usize)> = arcs.iter().copied().collect();
+        for (place, transition) in sequence.transitions.iter().enumerate() {
+            let own = first_transition + place;
+            for step in transition.after.iter().filter(|step| !drawn.contains(&(own, step.index()))) {
+                arcs.push((own, nodes.len()));
+                let right = 11 + text_width(&texts.steps[step.index()]) + MARGIN;
+                let layer = nodes[own].layer + 1;
+                nodes.push(Node { kind: Kind::Jump(step.index()), layer, left: 6 + MARGIN, right, height: 13 });
+            }
+        }
+        let joints = |arc: &(usize, usize)| nodes[arc.1].layer - nodes[arc.0].layer - 1;
+        if arcs.iter().map(joints).sum::<usize>() > MOST_JOINTS * nodes.len() {
+            let longest = arcs.iter().max_by_key(|arc| joints(arc)).map_or(0, |(from, _)| *from);
+            return Err(StepId::from_usize(longest.min(first_transition.saturating_sub(1))));
+        }
+        let mut graph =
+            Graph { nodes, paths: Vec::new(), layers: Vec::new(), leaving: Vec::new(), entering: Vec::new() };
+        for (from, to) in arcs {
+            let mut path = vec![from];
+            for layer in graph.nodes[from].layer + 1..graph.nodes[to].layer {
+                path.push(graph.nodes.len());
+                graph.nodes.push(Node { kind: Kind::Joint, layer, left: 10, right: 10, height: 0 });
+            }
+            path.push(to);
+            graph.paths.push(path);
+        }
+        graph.leaving = vec![Vec::new(); graph.nodes.len()];
+        graph.entering = vec![Vec::new(); graph.nodes.len()];
+        for (place, path) in graph.paths.iter().enumerate() {
+            if let [from, .., to] = path[..] {
+                graph.leaving[from].push(place);
+                graph.entering[to].push(place);
+            }
+        }
+        graph.layers = graph.first_order();
+        Ok(graph)
+    }
+
+    /// Each two neighbours on a path, the upper one first.
+    pub fn links(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.paths.iter().flat_map(|path| path.windows(2).map(|pair| (pair[0], pair[1])))
+    }
+
+    /// The nodes of each layer as a search from the first step meets them.
+    fn first_order(&self) -> Vec<Vec<usize>> {
+        let mut below: Vec<Vec<usize>> = vec![Vec::new(); self.nodes.len()];
+        for (upper, lower) in self.links() {
+            below[upper].push(lower);
+        }
+        let deepest = self.nodes.iter().map(|node| node.layer + 1).max().unwrap_or(0);
+        let mut layers = vec![Vec::new(); deepest];
+        let mut met = vec![false; self.nodes.len()];
+        for root in 0..self.nodes.len() {
+            let mut open = if self.nodes[root].layer == 0 { vec![root] } else { Vec::new() };
+            while let Some(node) = open.pop() {
+                if !std::mem::replace(&mut met[node], true) {
+                    layers[self.nodes[node].layer].push(node);
+                    open.extend(below[node].iter().rev());
+                }
+            }
+        }
+        layers
+    }
+}
+
+/// For each transition and each step after it, whether an arc is drawn, and not a jump.
+pub(super) fn kept(sequence: &Sequence) -> Vec<Vec<bool>> {
+    let mut after: Vec<Vec<(usize, usize, StepId)>> = vec![Vec::new(); sequence.steps.len()];
+    for (t, transition) in sequence.transitions.iter().enumerate() {
+        for step in &transition.before {
+            after[step.index()].extend(transition.after.iter().enumerate().map(|(place, to)| (t, place, *to)));
+        }
+    }
+    let mut kept: Vec<Vec<bool>> = sequence.transitions.iter().map(|t| vec![true; t.after.len()]).collect();
+
+    // An arc to a step that is still being searched closes a circle.
+    #[derive(Clone, Copy, PartialEq)]
+    enum State {
+        New,
+        Open,
+        Done,
+    }
+    let mut states = vec![State::New; sequence.steps.len()];
+    let initial = sequence.steps.iter_enumerated().filter(|(_, step)| step.initial);
+    let roots: Vec<usize> = initial.map(|(id, _)| id.index()).chain(0..sequence.steps.len()).collect();
+    for root in roots {
+        if states[root] != State::New {
+            continue;
+        }
+        states[root] = State::Open;
+        let mut open = vec![(root, 0)];
+        while let Some((step, next)) = open.last_mut() {
+            let Some(&(t, place, to)) = after[*step].get(*next) else {
+                states[*step] = State::Done;
+                open.pop();
+                continue;
+            };
+            *next += 1;
+            match states[to.index()] {
+                State::New => {
+                    states[to.index()] = State::Open;
+                    open.push((to.index(), 0));
+                }
+                State::Open => kept[t][place] = false,
+                State::Done => {}
+            }
+        }
+    }
+
+    // Only transitions can be joined above a step; a fork leads to it alone.
+    let mut entering: Vec<Vec<(usize, usize)>> = vec![Vec::new(); sequence.steps.len()];
+    for (t, transition) in sequence.transitions.iter().enumerate() {
+        for (place, to) in transition.after.iter().enumerate().filter(|(place, _)| kept[t][*place]) {
+            entering[to.index()].push((t, place));
+        }
+    }
+    for entering in entering {
+        let is_fork = |t: usize| sequence.transitions[t].after.len() > 1;
+        let joined = entering.iter().any(|(t, _)| !is_fork(*t));
+        for (t, place) in entering.iter().filter(|(t, _)| is_fork(*t)).skip(usize::from(!joined)) {
+            kept[*t][*place] = false;
+        }
+    }
+    kept
+}
+
+/// Each node one layer below the lowest that leads to it.
+fn layer(nodes: &mut [Node], arcs: &[(usize, usize)]) {
+    let mut below: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
+    let mut waiting = vec![0_usize; nodes.len()];
+    for (from, to) in arcs {
+        below[*from].push(*to);
+        waiting[*to] += 1;
+    }
+    let mut ready: VecDeque<usize> = (0..nodes.len()).filter(|node| waiting[*node] == 0).collect();
+    while let Some(node) = ready.pop_front() {
+        for &to in &below[node] {
+            nodes[to].layer = nodes[to].layer.max(nodes[node].layer + 1);
+            waiting[to] -= 1;
+            if waiting[to] == 0 {
+                ready.push_back(to);
+            }
+        }
+    }
+}

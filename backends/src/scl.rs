@@ -1,0 +1,102 @@
+//! Siemens SCL for S7-1200 and S7-1500, as an external source file of TIA Portal: the function block and an instance
+//! data block of it.
+//!
+//! The statements are those of the Structured Text. What differs: a block's name stands in quotes, each of its own
+//! variables bears a `#`, timers are `TON_TIME` and say which instruction they are, comments go to the end of the line,
+//! and the file is ASCII. There are no programs and no addresses: an organisation block calls the instance.
+
+use crate::comment::clean;
+use crate::st::declarations::{Block, Entry, EntryType, Kind};
+use crate::st::{self, Parts, Style};
+use crate::transliterate::ascii;
+use crate::writer::{self, Writer};
+use grafc_diagnostics::Diagnostics;
+use grafc_logic::formula::Type;
+use grafc_logic::scan::Program;
+
+/// What the caller may choose.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Options {
+    /// Which chart, which version, which options.
+    pub header: Vec<String>,
+}
+
+/// Writes a program as a source file.
+///
+/// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
+pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
+    let parts = st::parts(program, Style { mark: "#", comments: &writer::SCL })?;
+    let mut out = Writer::new(&writer::SCL);
+    function_block(&mut out, &parts, &options.header);
+    out.blank();
+    out.line(&format!("DATA_BLOCK \"{0}_DB\" \"{0}\"", parts.block));
+    out.line("BEGIN");
+    out.line("END_DATA_BLOCK");
+    Ok(ascii(&out.finish()))
+}
+
+fn function_block(out: &mut Writer, parts: &Parts, header: &[String]) {
+    out.line(&format!("FUNCTION_BLOCK \"{}\"", parts.block));
+    out.line("{ S7_Optimized_Access := 'TRUE' }");
+    out.line("VERSION : 0.1");
+    // Constants stand last, as the editor itself writes them.
+    let (constants, others): (Vec<&Block>, Vec<&Block>) =
+        parts.interface.iter().partition(|block| block.kind == Kind::Constant);
+    for block in others.into_iter().chain(constants) {
+        declarations(out, block);
+    }
+    out.line("BEGIN");
+    out.enter();
+    out.block_comment(header.iter().map(|line| clean(line)));
+    out.comment(parts.description.as_deref().unwrap_or_default());
+    out.blank();
+    for line in parts.body.lines() {
+        match line {
+            "" => out.blank(),
+            line => out.line(line),
+        }
+    }
+    out.leave();
+    out.line("END_FUNCTION_BLOCK");
+}
+
+fn declarations(out: &mut Writer, block: &Block) {
+    if block.entries().next().is_none() {
+        return;
+    }
+    out.open(block.kind.keyword());
+    for entry in block.entries() {
+        let text = declaration(entry);
+        out.start();
+        out.text(&text);
+        if let Some(comment) = &entry.comment {
+            out.trailing_comment(0, 0, comment);
+        }
+        out.end();
+    }
+    out.close("END_VAR");
+}
+
+fn declaration(entry: &Entry) -> String {
+    let initial = entry.initial.iter().map(|initial| format!(" := {initial}")).collect::<String>();
+    let (instruction, ty) = match &entry.ty {
+        EntryType::Elementary(ty) => ("", type_name(*ty)),
+        EntryType::Timer => (" {InstructionName := 'TON_TIME'; LibVersion := '1.0'}", "TON_TIME"),
+        EntryType::Block(name) => ("", name.as_str()),
+    };
+    format!("{}{instruction} : {ty}{initial};", entry.name)
+}
+
+/// The types as TIA Portal spells them.
+fn type_name(ty: Type) -> &'static str {
+    match ty {
+        Type::Bool => "Bool",
+        Type::Int => "Int",
+        Type::Dint => "DInt",
+        Type::Uint => "UInt",
+        Type::Udint => "UDInt",
+        Type::Real => "Real",
+        Type::Lreal => "LReal",
+        Type::Time => "Time",
+    }
+}

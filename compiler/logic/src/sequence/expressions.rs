@@ -1,0 +1,185 @@
+//! Conditions and values as formulas over the variables of a sequential function chart.
+//!
+//! What needs memory of its own from scan to scan has no place in such a chart: edges, delays of anything but a step.
+
+use super::{Reasons, SequenceStep, is_small};
+use crate::formula::{Arithmetic, Comparison, FormulaId, Pool, Type, Value};
+use crate::scan::VarId;
+use grafc_diagnostics::Span;
+use grafc_model::chart::{DelayTime, ExprId, ExprKind, Mode, StepId, VariableId};
+use grafc_model::reaction::{Evolution, Profile};
+use grafc_net::Net;
+use index_vec::IndexVec;
+use indexmap::IndexMap;
+use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
+
+pub(super) struct Expressions<'n> {
+    net: &'n Net,
+    steps: IndexVec<StepId, (VarId, VarId)>,
+    profile: Profile,
+    pub pool: Pool,
+    /// The markers of steps, in the order in which they were needed: so they follow the other variables.
+    pub markers: IndexMap<StepId, VarId, FxBuildHasher>,
+    variables: usize,
+    /// What is known of the expressions for one owner.
+    known: FxHashMap<ExprId, FormulaId>,
+    owner: Option<StepId>,
+}
+
+impl<'n> Expressions<'n> {
+    pub fn new(net: &'n Net, steps: &IndexVec<StepId, SequenceStep>, profile: Profile) -> Self {
+        let variables = net.variables.len() + 2 * steps.len();
+        let steps = steps.iter().map(|step| (step.active, step.duration)).collect();
+        let (pool, markers, known) = (Pool::default(), IndexMap::default(), FxHashMap::default());
+        Expressions { net, steps, profile, pool, markers, variables, known, owner: None }
+    }
+
+    /// The variable that was declared in the chart.
+    pub fn declared(&self, variable: VariableId) -> VarId {
+        VarId::from_usize(variable.index())
+    }
+
+    /// The activity of a step, as its owner or another reads it.
+    pub fn active(&mut self, step: StepId, owner: Option<StepId>) -> FormulaId {
+        let variable = if owner == Some(step) {
+            self.steps[step].0
+        } else {
+            let next = VarId::from_usize(self.variables + self.markers.len());
+            *self.markers.entry(step).or_insert(next)
+        };
+        self.pool.variable(variable, Type::Bool)
+    }
+
+    /// The time since the activation of a step, which only the step itself and the transition after it can name.
+    fn duration(&mut self, step: StepId, span: Span, reasons: &mut Reasons) -> FormulaId {
+        if self.owner != Some(step) {
+            reasons.add(span, "the time of a step other than the one right before it");
+        }
+        self.pool.variable(self.steps[step].1, Type::Time)
+    }
+
+    /// An expression of a step or of the transition after it; what cannot be said is a reason.
+    pub fn formula(&mut self, root: ExprId, owner: Option<StepId>, reasons: &mut Reasons) -> FormulaId {
+        self.owner = owner;
+        self.known.clear();
+        let mut wanted = Vec::new();
+        let mut seen = FxHashSet::default();
+        let mut open = vec![root];
+        while let Some(id) = open.pop() {
+            if !self.known.contains_key(&id) && seen.insert(id) {
+                wanted.push(id);
+                open.extend(self.net.exprs[id].kind.operands());
+            }
+        }
+        // Operands have the smaller ids.
+        wanted.sort_unstable();
+        for id in wanted {
+            let formula = self.one(id, reasons);
+            self.known.insert(id, formula);
+        }
+        let formula = self.known[&root];
+        if !is_small(&self.pool, formula) {
+            reasons.add(self.net.exprs[root].span, "is too long for a drawing");
+        }
+        formula
+    }
+
+    fn one(&mut self, id: ExprId, reasons: &mut Reasons) -> FormulaId {
+        let expr = &self.net.exprs[id];
+        let is_leaf = |this: &Self, id: ExprId| this.pool.is_leaf(this.known[&id]);
+        match expr.kind {
+            ExprKind::Literal(value) => self.pool.constant(value, expr.ty),
+            ExprKind::Variable(variable) => {
+                match self.net.variables[variable].mode {
+                    Mode::Given | Mode::Stored => {}
+                    Mode::Wire => reasons.add(expr.span, "reads what continuous actions set"),
+                }
+                self.pool.variable(self.declared(variable), expr.ty)
+            }
+            ExprKind::StepActive(step) => self.active(step, self.owner),
+            ExprKind::StepTime(step) => self.duration(step, expr.span, reasons),
+            ExprKind::MacroActive(within) => {
+                let mut steps = Vec::new();
+                let mut open = vec![within];
+                while let Some(id) = open.pop() {
+                    steps.extend(self.net.macro_steps[id].places.iter().copied());
+                    open.extend(self.net.macro_steps[id].inner.iter().copied());
+                }
+                steps.sort_unstable();
+                self.any(steps)
+            }
+            ExprKind::GrafcetActive(grafcet) => self.any(self.net.grafcets[grafcet].steps.clone()),
+            ExprKind::Not(a) => self.pool.not(self.known[&a]),
+            ExprKind::And(a, b) => self.pool.and([self.known[&a], self.known[&b]]),
+            ExprKind::Or(a, b) => self.pool.or([self.known[&a], self.known[&b]]),
+            ExprKind::Xor(a, b) => self.pool.xor(self.known[&a], self.known[&b]),
+            ExprKind::Rise(_) | ExprKind::Fall(_) => {
+                reasons.add(expr.span, "an edge, which needs memory of its own");
+                self.pool.truth(false)
+            }
+            ExprKind::Delay { on, operand, off } => self.delay(id, on, operand, off, reasons),
+            ExprKind::Compare(op, a, b) => self.pool.compare(op, self.known[&a], self.known[&b]),
+            ExprKind::Arithmetic(op, a, b) => {
+                match op {
+                    Arithmetic::Divide | Arithmetic::Modulo => {
+                        reasons.add(expr.span, "a division, which needs a guard")
+                    }
+                    Arithmetic::Add | Arithmetic::Subtract | Arithmetic::Multiply => {}
+                }
+                if !is_leaf(self, a) || !is_leaf(self, b) {
+                    reasons.add(expr.span, "an intermediate result, which needs a variable of its own");
+                }
+                self.pool.arithmetic(op, expr.ty, self.known[&a], self.known[&b])
+            }
+            ExprKind::Negate(a) => {
+                if !is_leaf(self, a) {
+                    reasons.add(expr.span, "an intermediate result, which needs a variable of its own");
+                }
+                self.pool.negate(self.known[&a])
+            }
+            ExprKind::Widen(a) => self.pool.widen(expr.ty, self.known[&a]),
+        }
+    }
+
+    fn any(&mut self, steps: Vec<StepId>) -> FormulaId {
+        let active: Vec<FormulaId> = steps.into_iter().map(|step| self.active(step, self.owner)).collect();
+        self.pool.or(active)
+    }
+
+    /// To stability, a delay of a step begins with the step; in the profile of one evolution a scan, a scan later.
+    fn delay(
+        &mut self,
+        id: ExprId,
+        on: DelayTime,
+        operand: ExprId,
+        off: DelayTime,
+        reasons: &mut Reasons,
+    ) -> FormulaId {
+        let span = self.net.exprs[id].span;
+        let ExprKind::StepActive(step) = self.net.exprs[operand].kind else {
+            reasons.add(span, "a delay of something other than a step, which needs a timer");
+            return self.pool.truth(false);
+        };
+        if off.ms > 0 {
+            reasons.add(span, "an off-delay, which needs a timer");
+        }
+        match self.profile.evolution {
+            Evolution::Stable => {}
+            Evolution::Scan => {
+                let label = &self.net.places[step].label;
+                reasons.add(
+                    span,
+                    format!("a delay, which begins a scan after the step; `[T{label} >= …]` begins with it"),
+                );
+            }
+        }
+        let limit = match on.constant {
+            Some(constant) => self.pool.variable(self.declared(constant), Type::Time),
+            None => self.pool.constant(Value::Time(on.ms), Type::Time),
+        };
+        let duration = self.duration(step, span, reasons);
+        let long_enough = self.pool.compare(Comparison::GreaterEqual, duration, limit);
+        let active = self.active(step, self.owner);
+        self.pool.and([active, long_enough])
+    }
+}

@@ -1,0 +1,232 @@
+//! A chart as a sequential function chart of IEC 61131-3, where it can be one without meaning something else.
+//!
+//! Such a chart evolves once a scan, clears one transition after a step, and acts through its steps. A GRAFCET chart that
+//! needs more than that is refused with all its reasons (E0503): `fit` looks at the structure, `expressions` at what
+//! conditions and values are made of, `actions` at what the steps do.
+//!
+//! Requires a flat net. Ensures that the sequential function chart, with actions done after the transitions of the same
+//! scan, gives the outputs of rules R1 to R14.
+
+mod actions;
+mod expressions;
+mod fit;
+
+use crate::formula::{FormulaId, Pool};
+use crate::scan::{Program, Role, VarId, Variable};
+use expressions::Expressions;
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
+use grafc_model::chart::{StepId, Type, Value, VariableKind};
+use grafc_model::reaction::Profile;
+use grafc_net::Net;
+use index_vec::IndexVec;
+
+/// A sequential function chart.
+#[derive(Clone, Debug)]
+pub struct Sequence {
+    /// The variables and formulas, without statements. A step's activity and duration are among the variables.
+    pub program: Program,
+    /// The steps.
+    pub steps: IndexVec<StepId, SequenceStep>,
+    /// The transitions, in order of declaration.
+    pub transitions: Vec<SequenceTransition>,
+    /// What continuous actions set, in order of declaration.
+    pub wires: Vec<Wire>,
+}
+
+/// A step.
+#[derive(Clone, Debug)]
+pub struct SequenceStep {
+    /// Its activity.
+    pub active: VarId,
+    /// The time since its activation.
+    pub duration: VarId,
+    /// A variable that is true while it is active, if something other than itself reads its activity: not every tool
+    /// lets a step be named before it is declared.
+    pub marker: Option<VarId>,
+    /// In the initial situation.
+    pub initial: bool,
+    /// The attached comment.
+    pub comment: Option<String>,
+    /// The wires that it has a part in, by their place.
+    pub wires: Vec<usize>,
+    /// What it stores.
+    pub stored: Vec<Assignment>,
+}
+
+/// What a step does once.
+#[derive(Clone, Copy, Debug)]
+pub struct Assignment {
+    /// On activation; otherwise on deactivation.
+    pub on_activation: bool,
+    /// What is written.
+    pub target: VarId,
+    /// The value.
+    pub value: FormulaId,
+}
+
+/// A transition.
+#[derive(Clone, Debug)]
+pub struct SequenceTransition {
+    /// The immediately preceding steps.
+    pub before: Vec<StepId>,
+    /// The immediately succeeding steps.
+    pub after: Vec<StepId>,
+    /// The transition-condition.
+    pub condition: FormulaId,
+}
+
+/// A variable that continuous actions set: true while one of them applies.
+#[derive(Clone, Copy, Debug)]
+pub struct Wire {
+    /// The variable.
+    pub target: VarId,
+    /// Whether one step alone sets it, whatever else holds.
+    pub plain: bool,
+    /// Its value in terms of the situation.
+    pub value: FormulaId,
+}
+
+/// The chart as a sequential function chart, or all reasons why it is none.
+pub fn sequence(net: &Net, profile: Profile) -> Result<Sequence, Diagnostics> {
+    let mut reasons = Reasons::default();
+    fit::check(net, profile, &mut reasons);
+
+    let mut variables = declared(net);
+    let steps: IndexVec<StepId, SequenceStep> = net.places.iter().map(|place| step(place, &mut variables)).collect();
+    let mut expressions = Expressions::new(net, &steps, profile);
+    let transitions = net.transitions.iter().map(|transition| SequenceTransition {
+        before: transition.pre.clone(),
+        after: transition.post.clone(),
+        condition: expressions.formula(transition.condition, own(&transition.pre), &mut reasons),
+    });
+    let transitions = transitions.collect();
+    let (wires, mut steps) = actions::collect(net, steps.clone(), &mut expressions, &mut reasons);
+    reasons.refuse()?;
+    for (step, marker) in expressions.markers {
+        variables.push(Variable {
+            role: Role::Memory,
+            name: format!("at_{}", net.places[step].label),
+            ty: Type::Bool,
+            // Conditions of the first scan read it before the step has set it.
+            initial: Value::Bool(net.places[step].initial),
+            comment: Some(format!("step {} is active", net.places[step].label)),
+            address: None,
+            span: None,
+        });
+        steps[step].marker = Some(marker);
+    }
+
+    let program = Program {
+        name: net.name.clone(),
+        comment: net.comment.clone(),
+        variables,
+        timers: IndexVec::new(),
+        pool: expressions.pool,
+        steps: IndexVec::new(),
+        states: Vec::new(),
+        first: Vec::new(),
+        before: Vec::new(),
+        micro_step: Vec::new(),
+        repeat: None,
+        after: Vec::new(),
+    };
+    Ok(Sequence { program, steps, transitions, wires })
+}
+
+/// The step of which a condition or action is one of its own, if there is just one.
+fn own(steps: &[StepId]) -> Option<StepId> {
+    match steps {
+        [step] => Some(*step),
+        _ => None,
+    }
+}
+
+/// The chart's variables, with the values that they start from; the first of the table, in order of declaration.
+fn declared(net: &Net) -> IndexVec<VarId, Variable> {
+    let all = net.variables.iter().map(|variable| Variable {
+        role: match variable.kind {
+            VariableKind::Input => Role::Input,
+            VariableKind::Output => Role::Output,
+            VariableKind::Internal => Role::Internal,
+            VariableKind::Constant => Role::Constant,
+        },
+        name: variable.name.clone(),
+        ty: variable.ty,
+        initial: variable.initial,
+        comment: variable.comment.clone(),
+        address: variable.address.clone(),
+        span: Some(variable.span),
+    });
+    all.collect()
+}
+
+fn step(place: &grafc_net::net::Place, variables: &mut IndexVec<VarId, Variable>) -> SequenceStep {
+    let mut variable = |role, letter, ty, initial| {
+        variables.push(Variable {
+            role,
+            name: format!("{letter}{}", place.label),
+            ty,
+            initial,
+            comment: place.comment.clone(),
+            address: None,
+            span: Some(place.span),
+        })
+    };
+    SequenceStep {
+        active: variable(Role::Step, "X", Type::Bool, Value::Bool(false)),
+        duration: variable(Role::Temporary, "T", Type::Time, Value::Time(0)),
+        marker: None,
+        initial: place.initial,
+        comment: place.comment.clone(),
+        wires: Vec::new(),
+        stored: Vec::new(),
+    }
+}
+
+/// Why a chart is no sequential function chart.
+#[derive(Default)]
+struct Reasons {
+    list: Vec<(Span, String)>,
+}
+
+impl Reasons {
+    fn add(&mut self, place: Span, what: impl Into<String>) {
+        self.list.push((place, what.into()));
+    }
+
+    /// One error with a place for each reason.
+    fn refuse(mut self) -> Result<(), Diagnostics> {
+        self.list.sort();
+        self.list.dedup();
+        let mut reasons = self.list.into_iter();
+        let Some((place, what)) = reasons.next() else { return Ok(()) };
+        let message = "this chart cannot be drawn as a sequential function chart that means the same";
+        let mut diagnostic = Diagnostic::new(Code::E0503, place, message).here(what);
+        for (place, what) in reasons {
+            diagnostic = diagnostic.also(place, what);
+        }
+        let mut diagnostics = Diagnostics::new();
+        diagnostics.push(
+            diagnostic
+                .note("a sequential function chart evolves once a scan and clears one transition after a step")
+                .help("take the body in Structured Text, `--body st`, which every chart has"),
+        );
+        Err(diagnostics)
+    }
+}
+
+/// How large a formula is when it is written out: the nodes of its tree, and its depth.
+fn is_small(pool: &Pool, id: FormulaId) -> bool {
+    /// Readers take far fewer parentheses than compilers.
+    const DEEPEST: u32 = 60;
+    /// A condition stands on one line beside its transition.
+    const LARGEST: u32 = 2_000;
+    let mut sizes = std::collections::BTreeMap::new();
+    for below in pool.below(id) {
+        let size = pool
+            .operands(below)
+            .fold(1_u32, |sum, operand| sum.saturating_add(sizes.get(&operand).copied().unwrap_or_default()));
+        sizes.insert(below, size);
+    }
+    pool.depth(id) <= DEEPEST && sizes.get(&id).is_some_and(|size| *size <= LARGEST)
+}

@@ -1,0 +1,345 @@
+//! Charts drawn as sequential function charts: what can be drawn is right by the lint and stands clear of itself; what
+//! cannot is refused with every reason.
+
+use grafc::pipeline::{self, Options, Product};
+use grafc_backends::plcopen::{self, Body, Dialect};
+use grafc_diagnostics::{Code, Diagnostic, FileId};
+use grafc_logic::{Encoding, Options as Lowering};
+use grafc_model::reaction::{Evolution, Profile};
+use grafc_testsuite::charts::{cases, charts_folder, vectors_folder};
+use grafc_testsuite::plcopen_lint::document::{Document, Id};
+use grafc_testsuite::plcopen_lint::lint;
+use grafc_testsuite::plcopen_tools::Tool;
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::sync::LazyLock;
+
+/// A choice, branches in parallel, loops, arcs over several layers, actions of every kind that can be drawn.
+const MIX: &str = "\
+chart Mix \"two products, weighed and mixed\"
+input  go, ready, full_a, full_b, tipped, back, test : bool
+input  level : int
+output fill_a, fill_b, pump, tip, motor, lamp : bool
+output batches : int
+initial step 1 \"ready\"
+step 2 { fill_a motor }
+step 3 { fill_b }
+step 4
+step 5
+step 6 \"mix\" { motor pump if [level > 5] }
+step 7 { tip  batches := batches + 1 on activation }
+step 8 { lamp }
+step 9 { lamp }
+transition (a) 1 -> 2, 3 : go and ready and not test
+transition (x) 1 -> 8 : test and not go
+transition (b) 2 -> 4 : full_a
+transition (c) 3 -> 5 : full_b
+transition (d) 4, 5 -> 6 : 1
+transition (e) 6 -> 7 : [T6 >= 5s]
+transition (f) 7 -> 1 : tipped and back
+transition (g) 7 -> 6 : tipped and not back
+transition (h) 8 -> 9 : not go and ready
+transition (i) 8 -> 7 : go and not ready
+transition (j) 9 -> 1 : not ready
+";
+
+fn draw(text: &str, evolution: Evolution, dialect: Dialect) -> Result<String, Vec<Diagnostic>> {
+    let profile = Profile { evolution, ..Profile::default() };
+    let product = Product::Plcopen(plcopen::Options { body: Body::Sfc, dialect, ..plcopen::Options::default() });
+    let options = Options { lowering: Lowering { profile, encoding: Encoding::default(), simplify: true }, product };
+    let (made, said) = pipeline::compile(FileId::default(), text, "chart", &options);
+    made.ok_or_else(|| said.iter().cloned().collect())
+}
+
+/// All charts that can be drawn in the neutral dialect, by name.
+static NEUTRAL: LazyLock<Vec<(String, String)>> = LazyLock::new(|| drawings(Dialect::Neutral));
+
+/// All charts that can be drawn in a dialect, by name.
+fn drawings(dialect: Dialect) -> Vec<(String, String)> {
+    let mut all: Vec<(String, String)> = vec![("mix".to_string(), MIX.to_string())];
+    for folder in [charts_folder(), vectors_folder()] {
+        all.extend(cases(&folder).into_iter().map(|case| (case.name, case.text)));
+    }
+    // Wide, deep, and both.
+    let wide: String = (2..14)
+        .map(|n| format!("step {n} {{ w }}\ntransition 1 -> {n} : [n = {n}]\ntransition {n} -> 1 : a\n"))
+        .collect();
+    all.push(("wide".to_string(), format!("input n : int\ninput a : bool\noutput w : bool\ninitial step 1\n{wide}")));
+    let deep: String = (1..400).map(|n| format!("step {} {{ w }}\ntransition {n} -> {} : a\n", n + 1, n + 1)).collect();
+    all.push((
+        "deep".to_string(),
+        format!("input a : bool\noutput w : bool\ninitial step 1\n{deep}transition 400 -> 1 : a\n"),
+    ));
+    // Names that targets reserve or that differ in what is lost, comments that would end what they stand in.
+    let hostile = "input вход \"]]> *)\", `a b`, BEGIN, begin_1 : bool\noutput `]]>`, `step`, ton, a__b : bool\n\
+                   initial step шаг \"*) ]]>\" { `]]>` }\nstep `(* *)` { `step` ton if BEGIN }\nstep Ж1 { ton a__b }\n\
+                   transition шаг -> `(* *)` : вход and not `a b`\ntransition `(* *)` -> Ж1 : BEGIN\n\
+                   transition Ж1 -> шаг : begin_1\n";
+    all.push(("hostile".to_string(), hostile.to_string()));
+    all.into_iter().filter_map(|(name, text)| Some((name, draw(&text, Evolution::Scan, dialect).ok()?))).collect()
+}
+
+#[test]
+fn drawings_are_right_by_the_lint_and_by_other_readers() {
+    let mut documents: Vec<String> = Vec::new();
+    // Of the charts at hand many have several initial steps or an end, which no tree has.
+    for (dialect, least) in [(Dialect::Neutral, 13), (Dialect::Codesys, 8)] {
+        let drawings = drawings(dialect);
+        assert!(drawings.len() >= least, "only {} charts can be drawn", drawings.len());
+        for (name, text) in &drawings {
+            assert_eq!(lint(text, dialect), [], "{name}: {text}");
+        }
+        documents.extend(drawings.into_iter().map(|(_, text)| text));
+    }
+    for tool in [Tool::schema(), Tool::binding()] {
+        match tool {
+            Ok(tool) => tool.take(&documents).unwrap_or_else(|said| panic!("{said}")),
+            Err(why) => drop(writeln!(std::io::stderr(), "skipped: {why}")),
+        }
+    }
+}
+
+/// The place and the size of an object: left, top, right, bottom.
+fn frame(document: &Document, object: Id) -> [i64; 4] {
+    let number = |id: Id, key: &str| document.attribute(id, key).and_then(|n| n.parse::<i64>().ok()).expect("a number");
+    let at = document.child(object, "position").expect("a place");
+    let (x, y) = (number(at, "x"), number(at, "y"));
+    [x, y, x + number(object, "width"), y + number(object, "height")]
+}
+
+fn point(document: &Document, id: Id) -> (i64, i64) {
+    let number = |key| document.attribute(id, key).and_then(|n| n.parse::<i64>().ok()).expect("a number");
+    (number("x"), number("y"))
+}
+
+#[test]
+fn nothing_stands_on_something_else() {
+    for (name, text) in NEUTRAL.iter() {
+        let document = Document::read(text).expect("XML");
+        let body = document.all("SFC").next().expect("a chart");
+        let mut frames: Vec<[i64; 4]> = document.get(body).children.iter().map(|id| frame(&document, *id)).collect();
+        assert!(frames.iter().all(|[left, top, ..]| *left >= 0 && *top >= 0), "{name}: off the sheet");
+        frames.sort_unstable_by_key(|frame| frame[1]);
+        for (place, a) in frames.iter().enumerate() {
+            // Only what begins above the lower end can touch it.
+            for b in frames[place + 1..].iter().take_while(|b| b[1] <= a[3]) {
+                assert!(a[2] < b[0] || b[2] < a[0], "{name}: {a:?} and {b:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn wires_end_at_pins_and_run_square_and_down() {
+    for (name, text) in NEUTRAL.iter() {
+        let document = Document::read(text).expect("XML");
+        let body = document.all("SFC").next().expect("a chart");
+        let objects: BTreeMap<&str, Id> = document
+            .get(body)
+            .children
+            .iter()
+            .filter_map(|id| Some((document.attribute(*id, "localId")?, *id)))
+            .collect();
+        let pin = |object: Id, pin: Id| {
+            let [left, top, ..] = frame(&document, object);
+            let (x, y) = point(&document, document.child(pin, "relPosition").expect("a pin's place"));
+            (left + x, top + y)
+        };
+        for &object in &document.get(body).children {
+            for input in document.children(object, "connectionPointIn") {
+                for wire in document.children(input, "connection") {
+                    let points: Vec<_> = document.children(wire, "position").map(|id| point(&document, id)).collect();
+                    let from = objects[document.attribute(wire, "refLocalId").expect("from something")];
+                    let outputs = ["connectionPointOut", "connectionPointOutAction"];
+                    let ends: Vec<_> =
+                        outputs.iter().flat_map(|kind| document.children(from, kind)).map(|id| pin(from, id)).collect();
+                    assert_eq!(points.first(), Some(&pin(object, input)), "{name}");
+                    assert!(points.last().is_some_and(|end| ends.contains(end)), "{name}: {points:?} from {ends:?}");
+                    for pair in points.windows(2) {
+                        assert!(pair[0].0 == pair[1].0 || pair[0].1 == pair[1].1, "{name}: {points:?}");
+                        assert!(pair[0].1 >= pair[1].1, "{name}: {points:?} leads up");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_leads_far_down_is_a_jump() {
+    let steps: String = (1..60).map(|n| format!("step {}\ntransition {n} -> {} : a\n", n + 1, n + 1)).collect();
+    let far = |to: usize| format!("transition 1 -> {to} : not a\ntransition 60 -> 1 : a\n");
+    let draw = |to| {
+        let text = format!("input a : bool\noutput w : bool\ninitial step 1 {{ w }}\n{steps}{}", far(to));
+        draw(&text, Evolution::Scan, Dialect::Neutral).expect("a drawing")
+    };
+    // Step n stands in layer 2n - 2, the transition after step 1 in layer 1.
+    let count = |text: &str, name: &str| Document::read(text).expect("XML").all(name).count();
+    for (to, jumps) in [(21, 1), (22, 2)] {
+        let text = draw(to);
+        assert_eq!([count(&text, "jumpStep"), count(&text, "selectionConvergence")], [jumps, 2 - jumps], "to {to}");
+    }
+}
+
+#[test]
+fn a_drawing_is_the_chart() {
+    let text = draw(MIX, Evolution::Scan, Dialect::Neutral).expect("a drawing");
+    let document = Document::read(&text).expect("XML");
+    let count = |name: &str| document.all(name).count();
+    // As the chart has them: a choice after 1, 7 and 8; a fork and a join; ways to 7 from 6 and 8; loops to 1, 1 and 6.
+    assert_eq!([count("step"), count("transition")], [9, 11]);
+    assert_eq!([count("selectionDivergence"), count("selectionConvergence")], [3, 1]);
+    assert_eq!([count("simultaneousDivergence"), count("simultaneousConvergence")], [1, 1]);
+    let mut jumps: Vec<&str> = document.all("jumpStep").filter_map(|id| document.attribute(id, "targetName")).collect();
+    jumps.sort_unstable();
+    assert_eq!(jumps, ["X1", "X1", "X6"]);
+    for expected in [
+        "<![CDATA[go AND ready AND NOT test]]>",
+        "<![CDATA[X6.T >= T#5s]]>",
+        "<![CDATA[pump := X6.X AND (level > 5);]]>",
+        "<![CDATA[motor := at_2 OR at_6;]]>",
+        "<![CDATA[batches := batches + 1;]]>",
+        "<reference name=\"tip\"/>",
+    ] {
+        assert!(text.contains(expected), "{expected} in {text}");
+    }
+    // A step brings its own variables along.
+    assert!(!text.contains("variable name=\"X1\""), "{text}");
+    assert!(text.contains("variable name=\"at_2\""), "{text}");
+}
+
+#[test]
+fn a_tree_is_the_chart() {
+    let text = draw(MIX, Evolution::Scan, Dialect::Codesys).expect("a drawing");
+    let document = Document::read(&text).expect("XML");
+    let count = |name: &str| document.all(name).count();
+    assert_eq!([count("step"), count("transition")], [9, 11]);
+    // Each of the choices after 1, 7 and 8 is closed, and the fork after 1.
+    assert_eq!([count("selectionDivergence"), count("selectionConvergence")], [3, 3]);
+    assert_eq!([count("simultaneousDivergence"), count("simultaneousConvergence")], [1, 1]);
+    for expected in [
+        "<expression>go AND ready AND NOT test</expression>",
+        "<action name=\"set_motor\">",
+        "motor := at_2 OR at_6;",
+        "<action name=\"X7_entry\">",
+        "<attribute guid=\"a6b08bd8-b696-47e3-9cbf-7408b61c9ff8\">X7_entry</attribute>",
+        "<reference name=\"tip\"/>",
+    ] {
+        assert!(text.contains(expected), "{expected} in {text}");
+    }
+    // There is no such qualifier: the last run of an action, after its step, does the same.
+    assert!(!text.contains("\"P0\"") && !text.contains("\"P1\""), "{text}");
+}
+
+/// A chart without nesting, and what is said of it.
+const NOT_NESTED: &[(&str, &str)] = &[
+    (
+        "initial step 1\nstep 2\ntransition 1 -> 2 : a\ntransition 2 -> 1 : b\n\
+         initial step 3\nstep 4\ntransition 3 -> 4 : a\ntransition 4 -> 3 : b",
+        "a second initial step",
+    ),
+    (
+        "initial step 1\nstep 2\nstep 3\nstep 4\nstep 5\nstep 6\ntransition 1 -> 2, 3, 4 : a\n\
+         transition 2, 3 -> 5 : a\ntransition 5, 4 -> 1 : b\nstep 7\ntransition 6 -> 7 : a\ntransition 7 -> 6 : a",
+        "do not end in one transition",
+    ),
+    (
+        "initial step 1\nstep 2\nstep 3\ntransition 1 -> 2 : a\ntransition 2 -> 1 : b\ntransition 3 -> 1 : b and not a",
+        "nothing leads to this step",
+    ),
+];
+
+#[test]
+fn what_is_not_nested_is_refused_with_its_reason() {
+    for (chart, reason) in NOT_NESTED {
+        let text = format!("input a, b : bool\n{chart}\n");
+        let said = match draw(&text, Evolution::Scan, Dialect::Codesys) {
+            Ok(_) => panic!("drawn: {chart}"),
+            Err(said) => said,
+        };
+        let found = said.iter().any(|d| d.code == Code::E0503 && d.primary.text.contains(reason));
+        assert!(found, "{chart}: {said:?}");
+    }
+}
+
+/// A chart that holds what cannot be drawn, and the reason.
+const REFUSED: &[(&str, &str)] = &[
+    (
+        "initial step 1\nstep 2\ntransition 1 -> 2 : a\ntransition 1 -> 2 : b\ntransition -> 2 : a",
+        "a source transition",
+    ),
+    ("initial step 1\nstep 2\ntransition 1 -> : a\ntransition 2 -> 1 : b", "a sink transition"),
+    ("initial step 1\nstep 2\ntransition 1 -> 1 : a\ntransition 2 -> 1 : b", "leads back to a step that it leaves"),
+    ("initial step 1\nstep 2\nstep 3\ntransition 1 -> 2 : a\ntransition 1 -> 3 : b", "may clear together"),
+    (
+        "initial step 1\ninitial step 2\nstep 3\ntransition 1, 2 -> 3 : a\ntransition 1 -> 3 : not a",
+        "joins a step that another transition leaves",
+    ),
+    (
+        "initial step 1\ninitial step 2\nstep 3\ntransition 1 -> 2 : a\ntransition 2 -> 3 : b",
+        "may lead to step `2` while it is active",
+    ),
+    ("initial step 1\nstep 2\ntransition 1 -> 2 : ↑a\ntransition 2 -> 1 : b", "an edge"),
+    (
+        "initial step 1\nstep 2\ntransition 1 -> 2 : 2s/a\ntransition 2 -> 1 : b",
+        "a delay of something other than a step",
+    ),
+    ("initial step 1\nstep 2\ntransition 1 -> 2 : 2s/X1\ntransition 2 -> 1 : b", "`[T1 >= …]` begins with it"),
+    ("initial step 1\nstep 2\ntransition 1 -> 2 : X1/2s\ntransition 2 -> 1 : b", "an off-delay"),
+    ("initial step 1\nstep 2\ntransition 1 -> 2 : [n / i > 1]\ntransition 2 -> 1 : b", "a division"),
+    ("initial step 1\nstep 2\ntransition 1 -> 2 : [n + i * 2 > 1]\ntransition 2 -> 1 : b", "an intermediate result"),
+    (
+        "initial step 1 { w }\nstep 2\ntransition 1 -> 2 : a and w\ntransition 2 -> 1 : b",
+        "reads what continuous actions set",
+    ),
+    (
+        "initial step 1\nstep 2 { n := n + 1 on event ↑a }\ntransition 1 -> 2 : a\ntransition 2 -> 1 : b",
+        "an action on an event",
+    ),
+    (
+        "initial step 1 { n := 1 on activation }\nstep 2\ntransition 1 -> 2 : a\ntransition 2 -> 1 : b",
+        "the activation of an initial step",
+    ),
+    (
+        "initial step 1\nstep 2 { n := 1 on activation  n := 2 on deactivation }\ntransition 1 -> 2 : a\ntransition 2 -> 1 : b",
+        "stores on deactivation what another action stores on activation",
+    ),
+    (
+        "initial step 1\nstep 2 { n := 1 on activation  m := n on activation }\ntransition 1 -> 2 : a\ntransition 2 -> 1 : b",
+        "reads what another action stores",
+    ),
+    (
+        "initial step 1\nstep 2\ntransition 1 -> 2 : [T2 > 1s]\ntransition 2 -> 1 : b",
+        "the time of a step other than the one right before it",
+    ),
+    (
+        "grafcet G1 {\n initial step 1 { force G2{} }\n step 2\n transition 1 -> 2 : a\n}\ngrafcet G2 {\n initial step 3\n}",
+        "a forcing order",
+    ),
+];
+
+#[test]
+fn what_cannot_be_drawn_is_refused_with_its_reason() {
+    let declared = "input a, b : bool\ninput i : int\noutput w : bool\noutput n, m : int\n";
+    for (chart, reason) in REFUSED {
+        let said = draw(&format!("{declared}{chart}\n"), Evolution::Scan, Dialect::Neutral).expect_err(chart);
+        let refused: Vec<&Diagnostic> = said.iter().filter(|d| d.code == Code::E0503).collect();
+        let [refused] = refused[..] else { panic!("{chart}: {said:?}") };
+        let labels = std::iter::once(&refused.primary).chain(&refused.secondary);
+        assert!(labels.clone().any(|label| label.text.contains(reason)), "{chart}: {refused:?}");
+        assert!(labels.clone().all(|label| label.span.end > label.span.start), "{chart}: a reason without a place");
+    }
+}
+
+#[test]
+fn every_reason_is_named_at_once() {
+    let chart = "input a, b : bool\noutput n : int\ninitial step 1\nstep 2 { n := 1 on event ↑b }\n\
+                 transition 1 -> 2 : ↑a\ntransition 2 -> 1 : 1s/b\n";
+    let said = draw(chart, Evolution::Stable, Dialect::Neutral).expect_err("four reasons");
+    let refused = said.iter().find(|d| d.code == Code::E0503).expect("a refusal");
+    let texts: Vec<&str> =
+        std::iter::once(&refused.primary).chain(&refused.secondary).map(|label| label.text.as_str()).collect();
+    for reason in ["an edge", "a delay", "an action on an event", "several evolutions"] {
+        assert!(texts.iter().any(|text| text.contains(reason)), "{reason} in {texts:?}");
+    }
+}
