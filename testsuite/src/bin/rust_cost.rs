@@ -132,12 +132,12 @@ fn run(options: Options, tools: &Tools) -> Result<(), String> {
         println!("{all:#}");
     } else {
         println!("{rustc} -C opt-level=3, ns a scan, median of {}", job.repetitions);
-        table(&rows, job.limit);
+        table(&rows);
     }
     Ok(())
 }
 
-fn table(rows: &[Row], limit: Duration) {
+fn table(rows: &[Row]) {
     let columns = format!("{:>10} {:>6} {:>6} {:>7}", "ns", "match", BASE, "SFC");
     println!("\n{:27} {:^32} {:^32}", "", "idle, and its ratios to", "clearing, and its ratios to");
     println!("{:>6} {:>6}  {:19} {columns} {columns} {:>7} {:>7}", "steps", "tokens", "", "bytes", "rustc/s");
@@ -149,8 +149,8 @@ fn table(rows: &[Row], limit: Duration) {
         before = Some(rings);
         let head = format!("{:6} {:6}  {spelling:19}", rings.steps, rings.tokens);
         match figures {
-            None => println!("{head} rustc was stopped after {} s", limit.as_secs()),
-            Some(figures) => {
+            Err(why) => println!("{head} {why}"),
+            Ok(figures) => {
                 let rustc = figures.rustc.map_or(String::new(), |seconds| format!("{seconds:.1}"));
                 let (idle, clearing) = (spell(&figures.idle), spell(&figures.clearing));
                 println!("{head} {idle} {clearing} {:7} {rustc:>7}", figures.bytes);

@@ -3,8 +3,8 @@
 //!
 //! Names and the signature of a scan are those of generated code, so that one program times both. The outputs of the
 //! initial steps are set from the start. Each ring has a function that says whether a transition cleared, and the
-//! evolution to stability calls them until none has. That these are not inlined makes them faster: in a loop around the
-//! `match`, rustc would read all inputs before the loop, as many as there are steps.
+//! evolution to stability calls them until none has. That this is not inlined makes it faster: with the `match` in the
+//! loop, rustc would read all inputs before it, as many as there are steps.
 
 use crate::rings::Rings;
 use grafc_model::reaction::Evolution;
@@ -52,28 +52,27 @@ pub(super) fn write(rings: Rings, evolution: Evolution) -> String {
 
 fn write_scan(out: &mut String, rings: Rings, evolution: Evolution) {
     out.push_str("    pub fn scan(&mut self, inputs: &Inputs, _now: u32) -> &Outputs {\n");
-    let calls = |indent: &str, before: &str| -> String {
-        (0..rings.tokens).map(|ring| format!("{indent}{before}self.scan_{ring}(inputs);\n")).collect()
+    let calls = |before: &str| -> String {
+        (0..rings.tokens).map(|ring| format!("        {before}self.scan_{ring}(inputs);\n")).collect()
     };
+    let end = "        &self.outputs\n    }\n";
     match evolution {
-        Evolution::Scan => out.push_str(&calls("        ", "")),
+        Evolution::Scan => {
+            out.push_str(&calls(""));
+            out.push_str(end);
+        }
         Evolution::Stable => {
-            out.push_str("        loop {\n            let mut again = false;\n");
-            out.push_str(&calls("            ", "again |= "));
-            out.push_str("            if !again {\n                break;\n            }\n        }\n");
+            let _ = writeln!(out, "        while self.micro_step(inputs) {{}}\n{end}\n    #[inline(never)]");
+            out.push_str("    fn micro_step(&mut self, inputs: &Inputs) -> bool {\n        let mut again = false;\n");
+            out.push_str(&calls("again |= "));
+            out.push_str("        again\n    }\n");
         }
     }
-    out.push_str("        &self.outputs\n    }\n");
 }
 
 fn write_ring(out: &mut String, rings: Rings, ring: usize) {
-    let _ = writeln!(
-        out,
-        "
-    #[inline(never)]
-    fn scan_{ring}(&mut self, inputs: &Inputs) -> bool {{
-        match self.ring_{ring} {{"
-    );
+    let _ = writeln!(out, "\n    fn scan_{ring}(&mut self, inputs: &Inputs) -> bool {{");
+    let _ = writeln!(out, "        match self.ring_{ring} {{");
     for step in steps(rings, ring) {
         let next = rings.next(step);
         let _ = writeln!(

@@ -21,7 +21,7 @@ use grafc_model::reaction::{Evolution, Profile};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use tools::Built;
+use tools::{Built, Call};
 
 /// The size that others are compared with: the growth of a spelling.
 pub const BASE: usize = 100;
@@ -79,8 +79,8 @@ pub struct Row {
     pub rings: Rings,
     /// The spelling's name.
     pub spelling: String,
-    /// None where rustc was stopped.
-    pub figures: Option<Figures>,
+    /// The figures, or why there are none.
+    pub figures: Result<Figures, String>,
 }
 
 /// The figures of one spelling.
@@ -127,8 +127,8 @@ pub fn measure(
     job: &Job,
     progress: &dyn Fn(&str),
 ) -> Result<Vec<Row>, String> {
-    // In the order of the table; none where rustc was stopped.
-    let mut all: Vec<(Rings, Spelling, Option<usize>)> = Vec::new();
+    // In the order of the table; without a program where rustc did not come to an end.
+    let mut all: Vec<(Rings, Spelling, Result<usize, String>)> = Vec::new();
     let mut timed: Vec<Timed> = Vec::new();
     for &rings in &job.rings {
         for spelling in spellings(job, rings, library) {
@@ -136,17 +136,20 @@ pub fn measure(
             let named = |said: String| format!("{}, {rings:?}: {said}", spelling.name());
             progress(&format!("building {}, {} steps, {} tokens", spelling.name(), rings.steps, rings.tokens));
             let built = build(tools, library, &place, rings, spelling, job.limit).map_err(named)?;
-            let index = built.map(|(program, rustc)| {
-                timed.push(Timed { rings, spelling, program, rustc });
-                timed.len() - 1
-            });
+            let index = match built {
+                Built::Program(program, rustc) => {
+                    timed.push(Timed { rings, spelling, program, rustc });
+                    Ok(timed.len() - 1)
+                }
+                Built::Without(why) => Err(why),
+            };
             all.push((rings, spelling, index));
         }
     }
     progress(&format!("timing {} programs", timed.len()));
     let programs: Vec<PathBuf> = timed.iter().map(|timed| timed.program.clone()).collect();
     let samples = turns::take(&programs, job.repetitions)?;
-    let row = |(rings, spelling, index): (Rings, Spelling, Option<usize>)| Row {
+    let row = |(rings, spelling, index): (Rings, Spelling, Result<usize, String>)| Row {
         rings,
         spelling: spelling.name(),
         figures: index.map(|index| figures(&timed, &samples, index)),
@@ -164,7 +167,6 @@ fn spellings(job: &Job, rings: Rings, library: Option<&Library>) -> Vec<Spelling
     spellings
 }
 
-/// The program and the seconds that rustc took, or none if it was stopped.
 fn build(
     tools: &Tools,
     library: Option<&Library>,
@@ -172,19 +174,16 @@ fn build(
     rings: Rings,
     spelling: Spelling,
     limit: Duration,
-) -> Result<Option<(PathBuf, Option<f64>)>, String> {
-    let chart = match spelling {
-        Spelling::ByHand(evolution) => by_hand::write(rings, evolution),
-        Spelling::Grafc(encoding, evolution) => by_grafc(rings, encoding, evolution)?,
+) -> Result<Built, String> {
+    let (chart, more_stack) = match spelling {
+        Spelling::ByHand(evolution) => (by_hand::write(rings, evolution), true),
+        Spelling::Grafc(encoding, evolution) => (by_grafc(rings, encoding, evolution)?, false),
         Spelling::Sfc => {
             let library = library.ok_or("no library of MATIEC")?;
-            return library.build(place, &texts::sfc(rings), rings).map(|program| Some((program, None)));
+            return library.build(place, &texts::sfc(rings), rings).map(|program| Built::Program(program, None));
         }
     };
-    match tools::build(tools, place, &chart, &driver::write(rings), limit)? {
-        Built::Program(program, seconds) => Ok(Some((program, Some(seconds)))),
-        Built::OverLimit => Ok(None),
-    }
+    tools::build(tools, place, &chart, &driver::write(rings), Call { limit, more_stack })
 }
 
 fn by_grafc(rings: Rings, encoding: Encoding, evolution: Evolution) -> Result<String, String> {
@@ -222,6 +221,8 @@ fn figures(timed: &[Timed], samples: &[Vec<Sample>], index: usize) -> Figures {
 mod tests {
     use super::*;
 
+    const CALL: Call = Call { limit: Duration::from_secs(300), more_stack: false };
+
     /// The programs themselves compare the outputs of both machines with what they must be, some hundred scans long.
     #[test]
     fn generated_and_by_hand_go_around_the_rings() {
@@ -251,7 +252,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let rings = Rings::one(4);
         let text = by_hand::write(rings, Evolution::Scan).replace("if inputs.x_2 {", "if inputs.x_2 && inputs.x_0 {");
-        let built = tools::build(&tools, folder.path(), &text, &driver::write(rings), Duration::from_secs(300));
+        let built = tools::build(&tools, folder.path(), &text, &driver::write(rings), CALL);
         let Ok(Built::Program(program, _)) = built else { panic!("it is built") };
         let said = turns::take(&[program], 1).expect_err("it does not go around the ring");
         assert!(said.contains("tokens at 3: output 2"), "{said}");
@@ -263,8 +264,10 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let rings = Rings::one(10);
         let text = by_hand::write(rings, Evolution::Scan);
-        let built = tools::build(&tools, folder.path(), &text, &driver::write(rings), Duration::ZERO);
-        assert!(matches!(built, Ok(Built::OverLimit)));
+        let call = Call { limit: Duration::ZERO, ..CALL };
+        let built = tools::build(&tools, folder.path(), &text, &driver::write(rings), call);
+        let Ok(Built::Without(why)) = built else { panic!("rustc takes some time") };
+        assert_eq!(why, "rustc was stopped after 0 s");
         assert!(!folder.path().join("main").exists());
     }
 }

@@ -1,7 +1,8 @@
 //! Builds the program of one spelling: the chart as a crate of its own, whose compilation is timed, and a program
 //! around it.
 //!
-//! Both with `-C opt-level=3`, and otherwise as rustc does by default.
+//! Both with `-C opt-level=3`, and otherwise as rustc does by default. What is written by hand gets a larger stack for
+//! rustc, which overflows on a function of some thousand arms: an engineer would do as its message says.
 
 use crate::matiec::call;
 use crate::rust::Tools;
@@ -16,23 +17,35 @@ const PAUSE: Duration = Duration::from_millis(5);
 
 const RUSTC: [&str; 4] = ["--edition", "2024", "-C", "opt-level=3"];
 
+/// The stack for rustc, in bytes, where it is to have more than usual.
+const STACK: &str = "1000000000";
+
+/// How rustc is called for a chart.
+#[derive(Clone, Copy)]
+pub(super) struct Call {
+    /// How long it may take.
+    pub(super) limit: Duration,
+    /// Whether it has a larger stack than usual.
+    pub(super) more_stack: bool,
+}
+
 /// What came of a chart.
 pub(super) enum Built {
-    /// A program, and the seconds that rustc took for the chart's crate.
-    Program(PathBuf, f64),
-    /// rustc was stopped.
-    OverLimit,
+    /// A program, and the seconds of rustc for the chart's crate, if it was rustc.
+    Program(PathBuf, Option<f64>),
+    /// rustc did not come to an end: why.
+    Without(String),
 }
 
 /// Builds in a folder of its own, unless the program is there already.
-pub(super) fn build(tools: &Tools, folder: &Path, chart: &str, main: &str, limit: Duration) -> Result<Built, String> {
+pub(super) fn build(tools: &Tools, folder: &Path, chart: &str, main: &str, with: Call) -> Result<Built, String> {
     let place = |name: &str| folder.join(name);
     let failed = |path: &Path, e: std::io::Error| format!("{}: {e}", path.display());
     let program = place("main");
     let same = |name: &str, text: &str| fs::read_to_string(place(name)).is_ok_and(|old| old == text);
     if same("chart.rs", chart) && same("main.rs", main) && program.is_file() {
         let seconds = fs::read_to_string(place("seconds")).ok().and_then(|text| text.parse().ok());
-        if let Some(seconds) = seconds {
+        if seconds.is_some() {
             return Ok(Built::Program(program, seconds));
         }
     }
@@ -45,31 +58,40 @@ pub(super) fn build(tools: &Tools, folder: &Path, chart: &str, main: &str, limit
     }
     let mut rustc = tools.command();
     rustc.args(RUSTC).args(["--crate-type", "rlib", "--crate-name", "chart", "chart.rs"]).current_dir(folder);
-    let Some(seconds) = timed(rustc, &place("said"), limit)? else { return Ok(Built::OverLimit) };
+    if with.more_stack {
+        rustc.env("RUST_MIN_STACK", STACK);
+    }
+    let seconds = match timed(rustc, &place("said"), with.limit)? {
+        Ok(seconds) => seconds,
+        Err(why) => return Ok(Built::Without(why)),
+    };
     fs::write(place("seconds"), seconds.to_string()).map_err(|e| failed(&place("seconds"), e))?;
     let mut rustc = tools.command();
     rustc.args(RUSTC).args(["--extern", "chart=libchart.rlib", "-o", "main", "main.rs"]).current_dir(folder);
     call(&mut rustc)?;
-    Ok(Built::Program(program, seconds))
+    Ok(Built::Program(program, Some(seconds)))
 }
 
-/// The seconds that a command takes, or none if it was stopped. What it says goes into a file: nobody reads a pipe.
-fn timed(mut command: Command, said: &Path, limit: Duration) -> Result<Option<f64>, String> {
+/// The seconds that rustc takes, or why it did not come to an end. What it says goes into a file: nobody reads a pipe.
+fn timed(mut rustc: Command, said: &Path, limit: Duration) -> Result<Result<f64, String>, String> {
     let failed = |e: std::io::Error| format!("rustc: {e}");
     let file = File::create(said).map_err(failed)?;
     let begin = Instant::now();
-    let mut child = command.stdout(Stdio::null()).stderr(file).spawn().map_err(failed)?;
+    let mut child = rustc.stdout(Stdio::null()).stderr(file).spawn().map_err(failed)?;
     loop {
         if let Some(status) = child.try_wait().map_err(failed)? {
-            if status.success() {
-                return Ok(Some(begin.elapsed().as_secs_f64()));
-            }
-            return Err(format!("rustc: {status}\n{}", fs::read_to_string(said).unwrap_or_default()));
+            let taken = begin.elapsed().as_secs_f64();
+            return match status.code() {
+                Some(0) => Ok(Ok(taken)),
+                Some(_) => Err(format!("rustc: {status}\n{}", fs::read_to_string(said).unwrap_or_default())),
+                // A signal: its stack or the machine's memory was not enough.
+                None => Ok(Err(format!("rustc broke down after {taken:.0} s: {status}"))),
+            };
         }
         if begin.elapsed() >= limit {
             child.kill().map_err(failed)?;
             child.wait().map_err(failed)?;
-            return Ok(None);
+            return Ok(Err(format!("rustc was stopped after {} s", limit.as_secs())));
         }
         sleep(PAUSE);
     }
