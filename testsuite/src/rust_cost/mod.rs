@@ -2,7 +2,7 @@
 //!
 //! The chart ([`crate::rings`]), the two figures and the way they are taken are those of [`crate::scan_cost`]. Each
 //! spelling is a crate of its own, so that the time that rustc takes for it can be told (`tools`), with a program around it
-//! that checks and times it (`driver`). The programs of all sizes take turns ([`crate::turns`]): ratios hold between
+//! that checks and times it (`driver`). The programs of all sizes take turns (`crate::turns`): ratios hold between
 //! sizes as well as between spellings.
 
 mod by_hand;
