@@ -1,5 +1,5 @@
-//! The rings as an engineer would write them in Rust: an enum a ring says which step is active, and a `match` has an arm
-//! a step, in which a transition moves the enum and two outputs.
+//! The rings as an engineer would write them in Rust: an enum a ring says which step is active, and a `match` has an
+//! arm a step, in which a transition moves the enum and two outputs.
 //!
 //! Names and the signature of a scan are those of generated code, so that one program times both. The outputs of the
 //! initial steps are set from the start. Each ring has a function that says whether a transition cleared, and the

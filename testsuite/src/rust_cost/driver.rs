@@ -1,10 +1,11 @@
 //! The Rust program that checks and times one spelling.
 //!
 //! It does what the C program of [`crate::scan_cost`] does. The scan is called through a pointer that rustc cannot see
-//! through, so that it is not inlined, and the same loop without a call is subtracted. The call itself counts, which takes a
-//! nanosecond or two: the processor does what surrounds it at the same time as a scan so short, and what would be left
-//! without it would be noise. Of many short slices the least counts. Before anything is timed, the outputs are compared with what they must be, some hundred scans
-//! long and with inputs that must not matter; and once more after all that was timed.
+//! through, so that it is not inlined, and the same loop without a call is subtracted. The call itself counts, which
+//! takes a nanosecond or two: the processor does what surrounds it at the same time as a scan so short, and what would
+//! be left without it would be noise. Of many short slices the least counts. Before anything is timed, the outputs are
+//! compared with what they must be, some hundred scans long and with inputs that must not matter; and once more after
+//! all that was timed.
 
 use crate::rings::Rings;
 use std::fmt::Write as _;

@@ -1,9 +1,9 @@
 //! What a scan of generated Rust costs: rings of steps as grafc writes them, beside a `match` by hand and MATIEC's C.
 //!
 //! The chart ([`crate::rings`]), the two figures and the way they are taken are those of [`crate::scan_cost`]. Each
-//! spelling is a crate of its own, so that the time that rustc takes for it can be told (`tools`), with a program around it
-//! that checks and times it (`driver`). The programs of all sizes take turns (`crate::turns`): ratios hold between
-//! sizes as well as between spellings.
+//! spelling is a crate of its own, so that the time that rustc takes for it can be told (`tools`), with a program
+//! around it that checks and times it (`driver`). The programs of all sizes take turns (`crate::turns`): ratios hold
+//! between sizes as well as between spellings.
 
 mod by_hand;
 mod driver;
@@ -118,8 +118,8 @@ struct Timed {
 }
 
 /// Measures all charts in all spellings; with MATIEC's library also its SFC, up to the size that its tools can take.
-/// `progress` is told what is done. Texts and programs are left in the folder; what is there already and has not changed is
-/// not built again.
+/// `progress` is told what is done. Texts and programs are left in the folder; what is there already and has not
+/// changed is not built again.
 pub fn measure(
     tools: &Tools,
     library: Option<&Library>,
