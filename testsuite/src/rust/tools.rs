@@ -8,6 +8,7 @@ use std::process::Command;
 /// rustc, if it can be called.
 pub struct Tools {
     rustc: PathBuf,
+    version: String,
 }
 
 impl Tools {
@@ -15,7 +16,10 @@ impl Tools {
     pub fn find() -> Result<Tools, String> {
         let rustc = PathBuf::from(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
         match Command::new(&rustc).arg("--version").output() {
-            Ok(output) if output.status.success() => Ok(Tools { rustc }),
+            Ok(output) if output.status.success() => {
+                let version = String::from_utf8_lossy(&output.stdout).trim().to_owned();
+                Ok(Tools { rustc, version })
+            }
             Ok(_) | Err(_) => Err("rustc cannot be called".to_string()),
         }
     }
@@ -23,6 +27,11 @@ impl Tools {
     /// rustc, or nothing and a line on standard error that says why the test that wants it does nothing.
     pub fn find_or_skip() -> Option<Tools> {
         Tools::find().map_err(|missing| writeln!(std::io::stderr(), "skipped: {missing}")).ok()
+    }
+
+    /// What rustc says of itself.
+    pub fn version(&self) -> &str {
+        &self.version
     }
 
     /// Compiles `main.rs` with all checks that rustc can put in.

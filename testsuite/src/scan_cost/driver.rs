@@ -1,11 +1,12 @@
-//! The C program that times one spelling, and the reading of what it prints.
+//! The C program that times one spelling.
 //!
 //! The block is called through a pointer that the C compiler cannot see through, as a PLC's runtime calls a program: so
 //! the call is not inlined, and the same loop around a function that does nothing is what has to be subtracted. A scan that
-//! clears costs the driver one input that is set and taken back. Time is that of the process, not of the clock on the
+//! clears costs the driver an input a ring that is set and taken back. Time is that of the process, not of the clock on the
 //! wall, and of some short slices the least counts. Before anything is timed, the outputs are compared with the inputs
-//! given, around the ring and a bit further.
+//! given, around the rings and a bit further.
 
+use crate::rings::Rings;
 use std::fmt::Write as _;
 
 /// Slices of a millisecond or two in which a program times one thing.
@@ -30,12 +31,18 @@ static void idle(long scans) {
   while (scans--) scan(&d);
 }
 
+/* The input that leaves the active step of each ring. */
+static void put(BOOL value) {
+  long ring;
+  for (ring = 0; ring < RINGS; ring++) *input[ring * LENGTH + at] = value;
+}
+
 static void clearing(long scans) {
   while (scans--) {
-    *input[at] = 1;
+    put(1);
     scan(&d);
-    *input[at] = 0;
-    at = at + 1 == STEPS ? 0 : at + 1;
+    put(0);
+    at = at + 1 == LENGTH ? 0 : at + 1;
   }
 }
 
@@ -77,7 +84,7 @@ static double cost(void (*what)(long)) {
 static int only(long step) {
   long i;
   for (i = 0; i < STEPS; i++)
-    if (*output[i] != (i == step)) return 0;
+    if (*output[i] != (i % LENGTH == step)) return 0;
   return 1;
 }
 
@@ -86,49 +93,35 @@ int main(void) {
   INIT(&d, 0);
   scan = BODY;
   idle(2);
-  for (done = 0; done < 2 * STEPS + 1; done++) {
+  for (done = 0; done < 2 * LENGTH + 1; done++) {
     if (!only(at)) {
-      fprintf(stderr, \"after %ld clearings, other outputs than that of step %ld alone\\n\", done, at);
+      fprintf(stderr, \"after %ld clearings, other outputs than those of step %ld of each ring\\n\", done, at);
       return 1;
     }
     clearing(1);
     idle(1);
   }
   printf(\"%.4f\", cost(idle));
-  printf(\" %.4f\\n\", cost(clearing));
+  printf(\" %.4f %lu\\n\", cost(clearing), (unsigned long)sizeof d);
   return 0;
 }
 ";
 
 /// The C program for the function block of a name.
-pub(super) fn write(block: &str, steps: usize) -> String {
+pub(super) fn write(block: &str, rings: Rings) -> String {
     let block = block.to_uppercase();
     let mut out = HEAD.to_owned();
-    let _ = writeln!(out, "#define STEPS {steps}L\n#define SLICES {SLICES}");
+    let _ = writeln!(out, "#define STEPS {}L\n#define RINGS {}L", rings.steps, rings.tokens);
+    let _ = writeln!(out, "#define LENGTH {}L\n#define SLICES {SLICES}", rings.length());
     let _ = writeln!(out, "typedef {block} BLOCK;\n#define INIT {block}_init__\n#define BODY {block}_body__");
     out.push_str("static BLOCK d;\n");
     for (name, letter) in [("input", 'X'), ("output", 'W')] {
         let _ = writeln!(out, "static BOOL *const {name}[STEPS] = {{");
-        for i in 0..steps {
+        for i in 0..rings.steps {
             let _ = writeln!(out, "  &d.{letter}_{i}.value,");
         }
         out.push_str("};\n");
     }
     out.push_str(BODY);
     out
-}
-
-/// What a program says of one run, in ns a scan.
-pub(super) struct Sample {
-    pub(super) idle: f64,
-    pub(super) clearing: f64,
-}
-
-/// Reads what a program printed.
-pub(super) fn read(printed: &str) -> Result<Sample, String> {
-    let numbers: Vec<f64> = printed.split_whitespace().filter_map(|word| word.parse().ok()).collect();
-    match numbers.as_slice() {
-        [idle, clearing] => Ok(Sample { idle: *idle, clearing: *clearing }),
-        _ => Err(format!("`{printed}` is not what a driver prints")),
-    }
 }

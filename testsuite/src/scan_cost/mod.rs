@@ -1,17 +1,18 @@
 //! What a scan costs: one ring of steps in several spellings, each compiled by MATIEC and `gcc -O2` and timed.
 //!
-//! The ring has an input a transition and an output a step, so that a spelling can hide nothing: all that a scan does is
-//! to look for the one transition that may clear, and to move one output. What grafc writes stands beside what an
-//! engineer would write (`texts`), and each ratio is one to the spelling by hand that holds the situation in the same way.
+//! What grafc writes for the ring ([`crate::rings`]) stands beside what an engineer would write (`texts`), and each ratio
+//! is one to the spelling by hand that holds the situation in the same way.
 //!
 //! Two figures: a scan in which nothing happens, which is nearly every scan of a plant, and one in which the active step
-//! is left. Each program times itself, less the loop around the calls (`driver`); programs take turns, and a figure is
-//! the median of the repetitions.
+//! is left. Each program times itself, less the loop around the calls (`driver`); programs take turns
+//! (`crate::turns`), and a figure is the median of the repetitions.
 
 mod driver;
-mod texts;
+pub(crate) mod texts;
 mod tools;
 
+use crate::rings::Rings;
+use crate::turns::{self, Sample};
 use std::path::Path;
 use texts::Spelling;
 pub use tools::Library;
@@ -61,24 +62,21 @@ pub fn measure(library: &Library, folder: &Path, job: &Job) -> Result<Vec<Figure
     });
     spellings.extend(job.others.iter().map(|(name, text)| Spelling::other(name, text)));
 
+    let rings = Rings::one(job.steps);
     let mut programs = Vec::new();
     for (index, spelling) in spellings.iter().enumerate() {
         let place = folder.join(format!("{}_{index}", job.steps));
-        let built = library.build(&place, &spelling.text, job.steps);
+        let built = library.build(&place, &spelling.text, rings);
         programs.push(built.map_err(|said| format!("{}, {} steps: {said}", spelling.name, job.steps))?);
     }
-    let mut samples: Vec<Vec<driver::Sample>> = programs.iter().map(|_| Vec::new()).collect();
-    for _ in 0..job.repetitions {
-        for (program, samples) in programs.iter().zip(&mut samples) {
-            samples.push(driver::read(&tools::play(program)?)?);
-        }
-    }
+    let samples = turns::take(&programs, job.repetitions)?;
 
-    let figure = |index: usize, of: fn(&driver::Sample) -> f64| {
+    let figure = |index: usize, of: fn(&Sample) -> f64| {
         let against = spellings[index].against.and_then(|name| spellings.iter().position(|s| s.name == name));
-        let ratios = against
-            .map(|other| samples[index].iter().zip(&samples[other]).map(|(own, other)| of(own) / of(other)).collect());
-        Figure { nanoseconds: median(samples[index].iter().map(of).collect()), ratio: ratios.map(median) }
+        Figure {
+            nanoseconds: turns::figure(&samples[index], of),
+            ratio: against.map(|other| turns::ratio(&samples[index], &samples[other], of)),
+        }
     };
     Ok(spellings
         .iter()
@@ -92,15 +90,6 @@ pub fn measure(library: &Library, folder: &Path, job: &Job) -> Result<Vec<Figure
         .collect())
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    match values.len() {
-        0 => f64::NAN,
-        n if n % 2 == 1 => values[n / 2],
-        n => f64::midpoint(values[n / 2 - 1], values[n / 2]),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -108,12 +97,6 @@ mod tests {
 
     fn library_or_skip() -> Option<Library> {
         Tools::find_or_skip().map(|_| Library::find().expect("the library of the tools"))
-    }
-
-    #[test]
-    fn the_median_is_the_middle_one() {
-        assert_eq!(median(vec![9.0, 1.0, 2.0]), 2.0);
-        assert_eq!(median(vec![9.0, 1.0, 2.0, 4.0]), 3.0);
     }
 
     /// The driver itself checks that the outputs follow the inputs once around the ring and more.
@@ -137,8 +120,8 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         // Step 0 is never left.
         let text = texts::case_by_hand(4).replace("IF x_0 THEN", "IF x_0 AND FALSE THEN");
-        let program = library.build(folder.path(), &text, 4).expect("it is built");
-        let said = tools::play(&program).expect_err("it does not go around the ring");
+        let program = library.build(folder.path(), &text, Rings::one(4)).expect("it is built");
+        let said = turns::take(&[program], 1).expect_err("it does not go around the ring");
         assert!(said.contains("after 1 clearings"), "{said}");
     }
 }

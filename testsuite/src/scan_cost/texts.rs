@@ -1,9 +1,8 @@
 //! The ring in all spellings: by hand, by grafc, and as MATIEC's own SFC.
-//!
-//! Step i is left by input `x_i` and sets output `w_i`; step 0 is the initial one.
 
 use crate::charts;
 use crate::differential::compile;
+use crate::rings::Rings;
 use grafc_backends::st;
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::{Evolution, Profile};
@@ -16,7 +15,7 @@ pub(super) const CASE: &str = "CASE by hand";
 pub(super) const EQUATIONS: &str = "equations by hand";
 
 /// MATIEC takes minutes for a text of more bits than this, and `gcc` for what comes out of it.
-const MANY_BITS: usize = 1_000;
+pub(crate) const MANY_BITS: usize = 1_000;
 
 /// One way to spell the ring.
 pub(super) struct Spelling {
@@ -61,7 +60,7 @@ pub(super) fn all(steps: usize) -> Result<Vec<Spelling>, String> {
         against: Some(EQUATIONS),
         is_sfc: true,
         most_steps: MANY_BITS,
-        text: sfc(steps),
+        text: sfc(Rings::one(steps)),
     });
     Ok(all)
 }
@@ -73,7 +72,7 @@ fn by_grafc(
     against: &'static str,
     most_steps: usize,
 ) -> Result<Vec<Spelling>, String> {
-    let chart = charts::check("ring", &chart(steps))?;
+    let chart = charts::check("ring", &Rings::one(steps).chart())?;
     let mut spellings = Vec::new();
     for (evolution, remark) in [(Evolution::Stable, ""), (Evolution::Scan, ", scan")] {
         let profile = Profile { evolution, ..Profile::default() };
@@ -83,21 +82,6 @@ fn by_grafc(
         spellings.push(Spelling { name, against: Some(against), is_sfc: false, most_steps, text });
     }
     Ok(spellings)
-}
-
-fn chart(steps: usize) -> String {
-    let mut out = String::from("chart Ring\n\n");
-    for i in 0..steps {
-        let _ = writeln!(out, "input x_{i} : bool\noutput w_{i} : bool");
-    }
-    for i in 0..steps {
-        let initial = if i == 0 { "initial " } else { "" };
-        let _ = writeln!(out, "{initial}step {i} {{ w_{i} }}");
-    }
-    for i in 0..steps {
-        let _ = writeln!(out, "transition {i} -> {} : x_{i}", (i + 1) % steps);
-    }
-    out
 }
 
 /// A number says which step is active, and a transition moves it and the outputs.
@@ -140,14 +124,15 @@ fn equations_by_hand(steps: usize) -> String {
     out
 }
 
-fn sfc(steps: usize) -> String {
-    let mut out = interface(steps, "");
-    for i in 0..steps {
-        let kind = if i == 0 { "INITIAL_STEP" } else { "STEP" };
+/// An SFC, or several side by side in one function block.
+pub(crate) fn sfc(rings: Rings) -> String {
+    let mut out = interface(rings.steps, "");
+    for i in 0..rings.steps {
+        let kind = if rings.is_initial(i) { "INITIAL_STEP" } else { "STEP" };
         let _ = writeln!(out, "{kind} s_{i}:\n    w_{i}(N);\nEND_STEP");
     }
-    for i in 0..steps {
-        let _ = writeln!(out, "TRANSITION FROM s_{i} TO s_{} := x_{i};\nEND_TRANSITION", (i + 1) % steps);
+    for i in 0..rings.steps {
+        let _ = writeln!(out, "TRANSITION FROM s_{i} TO s_{} := x_{i};\nEND_TRANSITION", rings.next(i));
     }
     out.push_str("\nEND_FUNCTION_BLOCK\n");
     out

@@ -3,7 +3,8 @@
 //! The tests build with `-O0`, where compiling is what takes the time; here it is running.
 
 use super::driver;
-use crate::matiec::Tools;
+use crate::matiec::{Tools, call};
+use crate::rings::Rings;
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -33,13 +34,13 @@ impl Library {
     }
 
     /// Builds the program of a text in a folder of its own, unless it is there already.
-    pub(super) fn build(&self, folder: &Path, text: &str, steps: usize) -> Result<PathBuf, String> {
+    pub(crate) fn build(&self, folder: &Path, text: &str, rings: Rings) -> Result<PathBuf, String> {
         let block = text
             .lines()
             .find_map(|line| line.trim().strip_prefix("FUNCTION_BLOCK "))
             .ok_or("the text has no function block")?
             .trim();
-        let main = driver::write(block, steps);
+        let main = driver::write(block, rings);
         let program = folder.join("main");
         let same = |name: &str, text: &str| fs::read_to_string(folder.join(name)).is_ok_and(|old| old == text);
         if program.is_file() && same("charts.st", text) && same("main.c", &main) {
@@ -61,20 +62,5 @@ impl Library {
         gcc.arg("-I").arg(folder).arg(folder.join("main.c")).arg("-lm");
         call(&mut gcc)?;
         Ok(program)
-    }
-}
-
-/// Runs what was built once.
-pub(super) fn play(program: &Path) -> Result<String, String> {
-    call(&mut Command::new(program))
-}
-
-fn call(command: &mut Command) -> Result<String, String> {
-    let output = command.output().map_err(|e| format!("{command:?}: {e}"))?;
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    if output.status.success() {
-        Ok(text(&output.stdout))
-    } else {
-        Err(format!("{command:?}: {}\n{}{}", output.status, text(&output.stdout), text(&output.stderr)))
     }
 }
