@@ -75,7 +75,7 @@ impl Chart<'_> {
             }
             None => out.line("/// The chart, with its state between two scans; see [`Self::scan`]."),
         }
-        out.line("#[derive(Clone, Debug, PartialEq)]");
+        out.line("#[derive(Clone, Debug)]");
         out.open(&format!("pub struct {} {{", self.names.chart));
         if words(self.program) > 0 {
             out.comment("which steps are active, a bit each");

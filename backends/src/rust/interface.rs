@@ -19,11 +19,15 @@ pub(super) fn constants(out: &mut Writer, program: &Program, names: &Names) {
 
 /// Writes the three structs of variables; the internal ones only where there are any.
 pub(super) fn structs(out: &mut Writer, program: &Program, names: &Names) {
-    let derived = "#[derive(Clone, Copy, Debug, PartialEq)]";
+    let derived = |default: bool, role| {
+        let default = if default { ", Default" } else { "" };
+        let equal = if of(program, role).count() <= MOST_COMPARED { ", PartialEq" } else { "" };
+        format!("#[derive(Clone, Copy, Debug{default}{equal})]")
+    };
     // Inputs may have values of their own before they are first read.
     let plain = of(program, Role::Input).all(|(_, v)| literal(v.initial, v.ty) == zero(v.ty));
-    let of_inputs = if plain { "#[derive(Clone, Copy, Debug, Default, PartialEq)]" } else { derived };
-    structure(out, program, names, Role::Input, "Inputs", "What is read from the plant for a scan.", of_inputs);
+    let of_inputs = derived(plain, Role::Input);
+    structure(out, program, names, Role::Input, "Inputs", "What is read from the plant for a scan.", &of_inputs);
     if !plain {
         out.blank();
         out.open("impl Default for Inputs {");
@@ -32,10 +36,18 @@ pub(super) fn structs(out: &mut Writer, program: &Program, names: &Names) {
         out.close("}");
         out.close("}");
     }
-    structure(out, program, names, Role::Output, "Outputs", "What a scan gives to the plant.", derived);
+    structure(
+        out,
+        program,
+        names,
+        Role::Output,
+        "Outputs",
+        "What a scan gives to the plant.",
+        &derived(false, Role::Output),
+    );
     if has_variables(program) {
         let about = "The internal variables of the chart.";
-        structure(out, program, names, Role::Internal, "Variables", about, derived);
+        structure(out, program, names, Role::Internal, "Variables", about, &derived(false, Role::Internal));
     }
 }
 
@@ -96,3 +108,6 @@ pub(super) fn fields(out: &mut Writer, head: &str, values: &[(String, String)], 
 
 /// rustfmt writes shorter struct expressions on one line.
 const LONGEST_FLAT_STRUCT: usize = 18;
+
+/// Structs with more fields cannot be compared: rustc runs out of stack where thousands of fields are.
+const MOST_COMPARED: usize = 1000;

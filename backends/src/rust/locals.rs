@@ -13,20 +13,11 @@ use rustc_hash::FxHashMap;
 /// The block of the whole function.
 pub(super) const ROOT: usize = 0;
 
-/// A declaration before a statement.
-#[derive(Clone, Copy)]
-pub(super) struct Declared {
-    /// What is declared.
-    pub variable: VarId,
-    /// Whether it has no value yet, because the loop gives it one for certain.
-    pub later: bool,
-}
-
 /// The declarations of one program.
 #[derive(Default)]
 pub(super) struct Locals {
     /// Variables to be declared before a statement, by block and place in it.
-    before: FxHashMap<(usize, usize), Vec<Declared>>,
+    before: FxHashMap<(usize, usize), Vec<VarId>>,
     /// Assignments that declare their target, and whether it is written again.
     with: FxHashMap<(VarId, usize, usize), bool>,
     /// Quotients that nothing reads: they may raise a flag.
@@ -36,20 +27,15 @@ pub(super) struct Locals {
 impl Locals {
     /// Finds all declarations of a function; what is shared with others is declared elsewhere.
     pub fn new(program: &Program, code: &[Code], shared: &[VarId]) -> Self {
-        let mut finder = Finder {
-            program,
-            blocks: vec![Block::default()],
-            looped: None,
-            uses: FxHashMap::default(),
-            read: FxHashMap::default(),
-        };
+        let mut finder =
+            Finder { program, blocks: vec![Block::default()], uses: FxHashMap::default(), read: FxHashMap::default() };
         finder.code(ROOT, code);
         shared.iter().for_each(|v| _ = finder.uses.remove(v));
         finder.locals()
     }
 
     /// The variables to be declared before a statement.
-    pub fn before(&self, block: usize, place: usize) -> &[Declared] {
+    pub fn before(&self, block: usize, place: usize) -> &[VarId] {
         self.before.get(&(block, place)).map_or(&[], Vec::as_slice)
     }
 
@@ -85,8 +71,6 @@ struct Use {
 struct Finder<'p> {
     program: &'p Program,
     blocks: Vec<Block>,
-    /// The block of the loop.
-    looped: Option<usize>,
     /// In the order of the text; reading comes before writing.
     uses: FxHashMap<VarId, Vec<Use>>,
     /// The temporaries that a formula reads.
@@ -105,18 +89,13 @@ impl Finder<'_> {
         for (place, code) in code.iter().enumerate() {
             match code {
                 Code::Plain(statement) => self.statement(block, place, statement),
-                Code::Loop(body) => {
-                    let inside = self.block(block, place);
-                    self.looped = Some(inside);
-                    self.code(inside, body);
-                    if let Some(repeat) = self.program.repeat {
-                        self.uses(inside, body.len(), repeat.again, false);
-                        if let Some(limit) = repeat.limit {
-                            // It counts from one micro-step to the next.
-                            self.uses(block, place, limit.count, false);
-                        }
+                // The limit counts from one micro-step to the next.
+                Code::Loop(_) => {
+                    if let Some(limit) = self.program.repeat.and_then(|repeat| repeat.limit) {
+                        self.uses(block, place, limit.count, false);
                     }
                 }
+                Code::Again(again) => self.uses(block, place, *again, false),
                 Code::Call(_) => {}
                 Code::If(branches, otherwise) => {
                     for (when, body) in branches {
@@ -208,8 +187,7 @@ impl Finder<'_> {
                 locals.with.extend(declarations.into_iter().map(|(u, again)| ((v, u.block, u.place), again)));
             } else {
                 let (block, place) = self.innermost(&uses);
-                let later = uses.first().is_some_and(|u| u.assigned && Some(u.block) == self.looped);
-                locals.before.entry((block, place)).or_default().push(Declared { variable: v, later });
+                locals.before.entry((block, place)).or_default().push(v);
             }
         }
         locals

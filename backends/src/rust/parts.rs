@@ -16,6 +16,9 @@ const LARGE: usize = 3;
 /// Operands that weigh as much as a statement.
 const FORMULA: usize = 8;
 
+/// What stands above the function of a micro-step.
+const MICRO_STEP: &str = "one micro-step; true if another is needed";
+
 /// A function.
 #[derive(Default)]
 pub(super) struct Function<'p> {
@@ -50,8 +53,10 @@ impl Needs {
 pub(super) enum Code<'p> {
     /// As it stands.
     Plain(&'p Statement),
-    /// The stability loop.
-    Loop(Vec<Code<'p>>),
+    /// The stability loop, with the function of its micro-step.
+    Loop(usize),
+    /// Whether another micro-step is needed, which the function of a micro-step tells.
+    Again(VarId),
     /// The call of a function.
     Call(usize),
     /// Branches and what else.
@@ -65,6 +70,8 @@ pub(super) enum Code<'p> {
 /// The functions of a scan; the first is the scan itself.
 pub(super) struct Parts<'p> {
     pub functions: Vec<Function<'p>>,
+    /// The function of a micro-step, if there is a loop.
+    pub micro_step: Option<usize>,
     /// Temporaries that several functions need, in order.
     pub shared: Vec<VarId>,
     /// Statements of a function, about.
@@ -84,18 +91,30 @@ impl<'p> Parts<'p> {
             Splitter { places, weights, large, longest, group, functions: vec![Function::default()], about: None };
         let mut code = splitter.block(&program.first);
         code.extend(splitter.block(&program.before));
-        let micro_step = splitter.block(&program.micro_step);
-        match program.repeat {
-            Some(_) => code.push(Code::Loop(micro_step)),
-            None => code.extend(micro_step),
+        let micro_step = program.repeat.map(|repeat| {
+            // In a function of its own whatever its length: put into the loop, it would make LLVM read all inputs first.
+            let function = splitter.reserve();
+            let mut code = splitter.block(&program.micro_step);
+            code.push(Code::Again(repeat.again));
+            splitter.functions[function] = Function { about: Some(MICRO_STEP), code, needs: Needs::default() };
+            function
+        });
+        match micro_step {
+            Some(function) => code.push(Code::Loop(function)),
+            None => code.extend(splitter.block(&program.micro_step)),
         }
         code.extend(splitter.block(&program.after));
         splitter.functions[0].code = code;
         let functions = splitter.functions;
         let uses: Vec<Uses> = functions.iter().map(|function| Uses::of(program, places, &function.code)).collect();
-        let mut parts = Parts { functions, shared: shared(program, &uses), longest, group };
+        let mut parts = Parts { functions, micro_step, shared: shared(program, &uses), longest, group };
         parts.tell_needs(&uses);
         parts
+    }
+
+    /// What a function is called.
+    pub fn name(&self, function: usize) -> String {
+        if self.micro_step == Some(function) { "micro_step".to_owned() } else { format!("part_{function}") }
     }
 
     /// Functions call only those after them.
@@ -263,13 +282,12 @@ impl<'p> Uses<'p> {
         for code in code {
             match code {
                 Code::Plain(statement) => self.statement(places, statement),
-                Code::Loop(body) => {
-                    if let Some(repeat) = self.program.repeat {
-                        self.variable(places, repeat.again);
-                        repeat.limit.iter().for_each(|limit| self.variable(places, limit.count));
-                    }
-                    self.all(places, body);
+                Code::Loop(function) => {
+                    let limit = self.program.repeat.and_then(|repeat| repeat.limit);
+                    limit.iter().for_each(|limit| self.variable(places, limit.count));
+                    self.calls.push(*function);
                 }
+                Code::Again(again) => self.variable(places, *again),
                 Code::Call(function) => self.calls.push(*function),
                 Code::If(branches, otherwise) => {
                     for (when, body) in branches {

@@ -9,7 +9,7 @@ use super::parts::{Code, Needs, Parts};
 use super::places::Places;
 use crate::comment::clean;
 use crate::writer::Writer;
-use grafc_logic::formula::{Arithmetic, Formula, FormulaId, Type};
+use grafc_logic::formula::{Arithmetic, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::{Arm, Flag, Program, Role, Statement, TimerId, VarId};
 use std::cell::Cell;
 
@@ -39,7 +39,8 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
                 function.needs.values.then_some("values: &mut Values"),
             ];
             let parameters: String = parameters.into_iter().flatten().map(|word| format!(", {word}")).collect();
-            out.open(&format!("fn part_{index}(&mut self{parameters}) {{"));
+            let gives = if parts.micro_step == Some(index) { " -> bool" } else { "" };
+            out.open(&format!("fn {}(&mut self{parameters}){gives} {{", parts.name(index)));
             body.function(out, &function.code, function.needs);
             out.close("}");
         }
@@ -109,7 +110,11 @@ impl Body<'_> {
             self.declare(out, block, place);
             match code {
                 Code::Plain(statement) => self.statement(out, block, place, statement),
-                Code::Loop(body) => self.repeat(out, body),
+                Code::Loop(micro_step) => self.repeat(out, *micro_step),
+                Code::Again(again) => {
+                    out.blank();
+                    out.line(self.places.read(*again));
+                }
                 Code::Call(function) => out.line(&format!("{};", self.call(*function))),
                 Code::If(branches, otherwise) => {
                     let mut head = "if";
@@ -149,39 +154,32 @@ impl Body<'_> {
         let arguments =
             [needs.inputs.then_some("inputs"), needs.now.then_some("now"), needs.values.then_some("values")];
         let arguments: Vec<&str> = arguments.into_iter().flatten().collect();
-        format!("self.part_{function}({})", arguments.join(", "))
+        format!("self.{}({})", self.parts.name(function), arguments.join(", "))
     }
 
     /// The stability loop (R9); where it has a limit, the flag when it was cut off.
-    fn repeat(&self, out: &mut Writer, code: &[Code]) {
+    fn repeat(&self, out: &mut Writer, micro_step: usize) {
         let Some(repeat) = self.program.repeat else { return };
-        let again = self.places.read(repeat.again);
-        let limit = repeat.limit.map(|limit| (self.places.read(limit.count), limit.bound));
         out.blank();
-        out.open("loop {");
-        let inside = self.block();
-        if let Some((count, _)) = limit {
-            out.line(&format!("{count} += 1;"));
-        }
-        self.code(out, inside, code);
-        out.blank();
-        self.declare(out, inside, code.len());
-        out.open(&format!("if !{again} {{"));
-        out.line("break;");
-        out.close("}");
-        if let Some((count, bound)) = limit {
-            out.open(&format!(
-                "if {count} >= {} {{",
-                literal(grafc_logic::formula::Value::Int(bound.into()), Type::Dint)
-            ));
-            let flags = self.program.variables.iter_enumerated();
-            for (flag, _) in flags.filter(|(_, v)| v.role == Role::Flag(Flag::Livelock)) {
-                out.line(&format!("{} = true;", self.places.read(flag)));
+        let again = format!("while {}", self.call(micro_step));
+        match repeat.limit {
+            None => out.line(&format!("{again} {{}}")),
+            Some(limit) => {
+                let count = self.places.read(limit.count);
+                let bound = literal(Value::Int(limit.bound.into()), Type::Dint);
+                out.open(&format!("{again} {{"));
+                out.line(&format!("{count} += 1;"));
+                out.open(&format!("if {count} >= {bound} {{"));
+                for (flag, v) in self.program.variables.iter_enumerated() {
+                    if v.role == Role::Flag(Flag::Livelock) {
+                        out.line(&format!("{} = true;", self.places.read(flag)));
+                    }
+                }
+                out.line("break;");
+                out.close("}");
+                out.close("}");
             }
-            out.line("break;");
-            out.close("}");
         }
-        out.close("}");
         out.blank();
     }
 
@@ -192,14 +190,9 @@ impl Body<'_> {
 
     /// Declares variables that no assignment declares.
     fn declare(&self, out: &mut Writer, block: usize, place: usize) {
-        for declared in self.locals.before(block, place) {
-            let v = declared.variable;
+        for v in self.locals.before(block, place).iter().copied() {
             let name = &self.names.variables[v];
             let ty = self.program.variables[v].ty;
-            if declared.later {
-                out.line(&format!("let mut {name};"));
-                continue;
-            }
             match self.places.state(v) {
                 // It gets a value before it is read.
                 Some(state) => {
