@@ -21,6 +21,8 @@ fn a_chart_has_a_row_for_each_encoding() {
     let names: Vec<&str> = table.lines().skip(3).take(5).filter_map(|line| line.split(' ').next()).collect();
     assert_eq!(names, ["single-phase", "r-trigger", "s-trigger", "sequent", "switch"]);
     assert_eq!(row(&table, "switch")[..2], ["0", "1"]);
+    // A byte of state, V, four flags, the mark of the first call.
+    assert!(table.contains("\nbytes in Rust\n  single-phase 12, ") && table.contains(", switch 7\n"), "{table}");
     let bits: usize = row(&table, "r-trigger")[0].parse().unwrap();
     assert!(bits > 2, "a ring of two steps gets a further one: {table}");
 }
@@ -61,6 +63,8 @@ fn json_is_one_object_with_keys_that_stay() {
     let single_phase = json!({
         "encoding": "single-phase", "state_bits": 2, "states": [], "auxiliary_bits": 3, "auxiliary_numbers": 0,
         "delays": 0, "loop": { "bound": 200 }, "statements": 6, "instructions": 19,
+        // A word for the steps, V, four flags, the mark of the first call; aligned to the word.
+        "rust_bytes": 12,
     });
     assert_eq!(figures["encodings"][0], single_phase);
     assert_eq!(figures["switch"]["states"][0]["steps"], json!(["1", "2"]));

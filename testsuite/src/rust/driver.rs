@@ -1,7 +1,7 @@
 //! The Rust code that plays traces and prints what [`crate::jobs`] reads.
 
 use crate::jobs::{flags, outputs};
-use grafc_backends::rust::Names;
+use grafc_backends::rust::{Names, size_of};
 use grafc_logic::scan::{Flag, Program, Role, VarId};
 use grafc_model::chart::{Type, Value};
 use grafc_model::reaction::Stimulus;
@@ -26,6 +26,9 @@ pub(super) fn write(index: usize, program: &Program, names: &Names, stimuli: &[S
     let (module, chart) = (module(index), &names.chart);
     let mut out =
         format!("#[allow(clippy::all)]\nfn play_{index}() {{\n    let mut chart = {module}::{chart}::new();\n");
+    // What `grafc stats` says of the chart's size.
+    let bytes = size_of(program);
+    let _ = writeln!(out, "    #[cfg(target_pointer_width = \"64\")]\n    assert_eq!(size_of_val(&chart), {bytes});");
     let inputs: Vec<(VarId, Type)> = program
         .variables
         .iter_enumerated()
@@ -93,7 +96,7 @@ fn flag_name(flag: Flag) -> &'static str {
     }
 }
 
-/// The end of the program: plays all jobs of a batch, and says how large the charts are.
+/// The end of the program: plays all jobs of a batch.
 pub(super) fn main(batch: &[usize]) -> String {
     let calls: String = batch.iter().map(|index| format!("    play_{index}();\n")).collect();
     format!("fn main() {{\n{calls}}}\n")

@@ -6,6 +6,7 @@ use crate::files::{Place, print};
 use crate::pipeline;
 use crate::report::{Failure, Format, Report};
 use clap::{Args, ValueEnum};
+use grafc_backends::rust;
 use grafc_diagnostics::{Diagnostics, FileId, Severity};
 use grafc_logic::scan::{Program, State};
 use grafc_logic::{Encoding, Measure, Options, arrow, compile, measure};
@@ -103,6 +104,8 @@ struct Row {
     repeat: Option<Repeat>,
     statements: u64,
     instructions: u64,
+    /// What `size_of` gives for the chart's struct in Rust.
+    rust_bytes: usize,
 }
 
 /// The stability loop.
@@ -206,6 +209,7 @@ impl Row {
             repeat: program.repeat.map(|repeat| Repeat { bound: repeat.limit.map(|limit| limit.bound) }),
             statements,
             instructions,
+            rust_bytes: rust::size_of(program),
         }
     }
 }
@@ -253,6 +257,9 @@ impl Figures {
             }
             out.push('\n');
         }
+        let bytes: Vec<String> =
+            self.encodings.iter().map(|row| format!("{} {}", row.encoding, row.rust_bytes)).collect();
+        out.push_str(&format!("\nbytes in Rust\n  {}\n", bytes.join(", ")));
         self.transients.list(&mut out);
         self.switch.list(&mut out);
         out
