@@ -7,7 +7,7 @@
 
 use expect_test::expect_file;
 use grafc::pipeline::{self, Options, Product};
-use grafc_backends::st;
+use grafc_backends::{rust, st};
 use grafc_diagnostics::FileId;
 use grafc_logic::{Encoding, Options as Lowering};
 use grafc_net::passes;
@@ -20,6 +20,9 @@ const IN_EVERY_ENCODING: [&str; 4] = ["figure_12_6", "weigh_mix_b4", "weigh_mix_
 
 /// Charts whose way through the compiler is kept: a choice, branches in parallel, orders.
 const STAGE_BY_STAGE: [&str; 3] = ["figure_12_6", "lock_12_2", "weigh_mix_b5"];
+
+/// Charts whose code is kept in Rust as well: delays and branches in parallel, enclosures and orders.
+const IN_RUST: [&str; 2] = ["weigh_mix_b4", "weigh_mix_b5"];
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("golden")
@@ -51,6 +54,14 @@ impl Golden {
     fn code(&mut self, case: &Case, encoding: Encoding, simplify: bool, file: String) {
         let header = vec![format!("from {}.gct", case.name)];
         let text = self.made(case, encoding, simplify, Product::St(st::Options { header, ..st::Options::default() }));
+        self.expect(file, &text);
+    }
+
+    /// The same in Rust.
+    fn rust(&mut self, case: &Case, encoding: Encoding, file: String) {
+        let header = vec![format!("from {}.gct", case.name)];
+        let options = rust::Options { header, ..rust::Options::default() };
+        let text = self.made(case, encoding, true, Product::Rust(options));
         self.expect(file, &text);
     }
 
@@ -90,6 +101,11 @@ fn what_the_compiler_writes_is_as_it_was_read_last() {
             }
             golden.code(&case, Encoding::default(), false, format!("not-optimized/{}.st", case.name));
         }
+        if IN_RUST.contains(&case.name.as_str()) {
+            for encoding in Encoding::ALL {
+                golden.rust(&case, encoding, format!("rust/{}_{}.rs", case.name, encoding.name().replace('-', "_")));
+            }
+        }
         if STAGE_BY_STAGE.contains(&case.name.as_str()) {
             golden.stages(&case);
         }
@@ -97,6 +113,7 @@ fn what_the_compiler_writes_is_as_it_was_read_last() {
     let count = |start: &str| golden.files.iter().filter(|file| file.starts_with(start)).count();
     assert!(golden.files.iter().filter(|file| !file.contains('/')).count() >= 16, "charts are missing");
     assert_eq!(count("switch/"), IN_EVERY_ENCODING.len());
+    assert_eq!(count("rust/"), IN_RUST.len() * Encoding::ALL.len());
     assert_eq!(count("dumps/"), STAGE_BY_STAGE.len() * (6 + passes::ORDER.len()));
     assert_eq!(present(), golden.files, "golden files without a chart");
 }

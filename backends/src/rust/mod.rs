@@ -71,7 +71,8 @@ const LINTS: &str = "\
 #![allow(
     clippy::collapsible_if,
     clippy::collapsible_match,
-    reason = \"an arm for each step, an `if` for each transition\"
+    clippy::let_and_return,
+    reason = \"an arm for each step, an `if` for each transition, a name for each value\"
 )]
 #![allow(
     unused_comparisons,

@@ -86,7 +86,7 @@ impl<'p> Parts<'p> {
         let sections = [&program.first, &program.before, &program.micro_step, &program.after];
         let weights = Weights { sizes: limits::sizes(program) };
         let large = sections.iter().map(|section| weights.all(section)).sum::<usize>() > longest.saturating_mul(LARGE);
-        let group = (longest / 2).max(1);
+        let group = (longest / 2).max(2);
         let mut splitter =
             Splitter { places, weights, large, longest, group, functions: vec![Function::default()], about: None };
         let mut code = splitter.block(&program.first);

@@ -7,6 +7,9 @@ use crate::comment::clean;
 use crate::writer::Writer;
 use grafc_logic::scan::Program;
 
+/// rustfmt puts many literals on a line if none is longer, without its quotes.
+const SHORT: usize = 10;
+
 /// Writes `Step`.
 pub(super) fn steps(out: &mut Writer, program: &Program, names: &Names) {
     out.blank();
@@ -25,7 +28,12 @@ pub(super) fn steps(out: &mut Writer, program: &Program, names: &Names) {
     list(out, &format!("pub const ALL: [Self; {}] =", items.len()), &items);
     out.blank();
     let labels: Vec<String> = program.steps.iter().map(|step| quoted(&step.label)).collect();
-    list(out, &format!("const LABELS: [&'static str; {}] =", labels.len()), &labels);
+    let head = format!("const LABELS: [&'static str; {}] =", labels.len());
+    if labels.iter().all(|label| label.len() <= SHORT + 2) {
+        filled(out, &head, &labels)
+    } else {
+        list(out, &head, &labels)
+    }
     out.blank();
     out.line("/// The label in the chart.");
     out.open("pub const fn label(self) -> &'static str {");
@@ -92,19 +100,48 @@ fn variants(out: &mut Writer, names: &StateNames) {
 
 /// Writes a constant list as rustfmt lays it out.
 fn list(out: &mut Writer, head: &str, items: &[String]) {
-    let flat = items.join(", ");
-    if flat.len() <= SMALL {
-        let line = format!("{head} [{flat}];");
-        if out.indent() + line.len() <= WIDTH {
-            return out.line(&line);
-        }
-        out.open(head);
-        out.line(&format!("[{flat}];"));
-        return out.leave();
+    if flat(out, head, items) {
+        return;
     }
     out.open(&format!("{head} ["));
     for item in items {
         out.line(&format!("{item},"));
     }
     out.close("];");
+}
+
+/// The same of short literals, with many on a line.
+fn filled(out: &mut Writer, head: &str, items: &[String]) {
+    if flat(out, head, items) {
+        return;
+    }
+    out.open(&format!("{head} ["));
+    let mut line = String::new();
+    for item in items {
+        if !line.is_empty() && out.indent() + line.len() + item.len() + 2 > WIDTH {
+            out.line(&std::mem::take(&mut line));
+        }
+        line.push_str(if line.is_empty() { "" } else { " " });
+        line.push_str(item);
+        line.push(',');
+    }
+    out.line(&line);
+    out.close("];");
+}
+
+/// Writes a list that fits on one line; whether it does.
+fn flat(out: &mut Writer, head: &str, items: &[String]) -> bool {
+    let flat = items.join(", ");
+    if flat.len() > SMALL {
+        return false;
+    }
+    let line = format!("{head} [{flat}];");
+    if out.indent() + line.len() <= WIDTH {
+        out.line(&line);
+    } else {
+        out.open(head);
+        out.line(&format!("[{flat}];"));
+        out.leave();
+    }
+    true
 }

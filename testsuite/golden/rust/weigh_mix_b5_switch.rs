@@ -1,0 +1,886 @@
+//! Weigh_mix_b5: weighing and mixing, modes by forcing orders, IEC 60848 annex B.5
+//!
+//! from weigh_mix_b5.gct
+
+#![forbid(unsafe_code)]
+#![allow(dead_code, reason = "a program need not use all of it")]
+#![allow(
+    clippy::collapsible_if,
+    clippy::collapsible_match,
+    clippy::let_and_return,
+    reason = "an arm for each step, an `if` for each transition, a name for each value"
+)]
+#![allow(
+    unused_comparisons,
+    clippy::absurd_extreme_comparisons,
+    clippy::eq_op,
+    clippy::if_same_then_else,
+    clippy::manual_range_contains,
+    clippy::neg_cmp_op_on_partial_ord,
+    clippy::nonminimal_bool,
+    clippy::overly_complex_bool_expr,
+    reason = "conditions are those of the chart"
+)]
+
+use self::runtime::{Flags, Restorer, Saver, Timer};
+
+/// `mix_time`, in milliseconds
+pub const MIX_TIME: i64 = 8000;
+
+/// What is read from the plant for a scan.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Inputs {
+    /// `CS`: cycle start
+    pub cs: bool,
+    /// `TD`: brick passes the detector
+    pub td: bool,
+    /// weight of A reached
+    pub a: bool,
+    /// weight of A + B reached
+    pub b: bool,
+    /// weighing unit empty
+    pub z: bool,
+    /// `S0`: mixer up
+    pub s0: bool,
+    /// `S1`: mixer down
+    pub s1: bool,
+    /// `PBES`: emergency stop button pressed
+    pub pbes: bool,
+    /// `SSAuto`: selector on automatic
+    pub ssauto: bool,
+    /// `SSManu`: selector on manual
+    pub ssmanu: bool,
+}
+
+/// What a scan gives to the plant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outputs {
+    /// `VA`: valve of product A
+    pub va: bool,
+    /// `VB`: valve of product B
+    pub vb: bool,
+    /// `VC`: valve of the weighing unit
+    pub vc: bool,
+    /// `BM`: belt motor
+    pub bm: bool,
+    /// `MR`: mixer rotation
+    pub mr: bool,
+    /// `TM_down`: tip the mixer
+    pub tm_down: bool,
+    /// `TM_up`: bring the mixer back
+    pub tm_up: bool,
+    /// `EMC`: manual control enabled
+    pub emc: bool,
+}
+
+/// The steps of the chart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Step {
+    /// step D1: stopped
+    D1,
+    /// step A6: initial state, manual control
+    A6,
+    /// step F1: normal production
+    F1,
+    /// step 1: ready
+    X1,
+    /// step 2: weigh A
+    X2,
+    /// step 3: weigh B
+    X3,
+    /// step 4: empty the weighing unit into the mixer
+    X4,
+    /// step 5: powder is in
+    X5,
+    /// step 6: first brick
+    X6,
+    /// step 7: second brick
+    X7,
+    /// step 8: bricks are in
+    X8,
+    /// step 9: mix
+    X9,
+    /// step 10: tip, still turning
+    X10,
+    /// step 11: come back up
+    X11,
+}
+
+impl Step {
+    /// All steps, in order of declaration.
+    pub const ALL: [Self; 14] = [
+        Self::D1,
+        Self::A6,
+        Self::F1,
+        Self::X1,
+        Self::X2,
+        Self::X3,
+        Self::X4,
+        Self::X5,
+        Self::X6,
+        Self::X7,
+        Self::X8,
+        Self::X9,
+        Self::X10,
+        Self::X11,
+    ];
+
+    const LABELS: [&'static str; 14] = [
+        "D1", "A6", "F1", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11",
+    ];
+
+    /// The label in the chart.
+    pub const fn label(self) -> &'static str {
+        Self::LABELS[self as usize]
+    }
+}
+
+/// Which of these steps is active.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum AtG1 {
+    /// step D1: stopped
+    D1,
+    /// step A6: initial state, manual control
+    A6,
+    /// step F1: normal production
+    F1,
+}
+
+impl AtG1 {
+    const ALL: [Self; 3] = [Self::D1, Self::A6, Self::F1];
+}
+
+/// Which of these steps is active.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum AtG10_1 {
+    /// none of them
+    None,
+    /// step 1: ready
+    X1,
+    /// step 2: weigh A
+    X2,
+    /// step 3: weigh B
+    X3,
+    /// step 4: empty the weighing unit into the mixer
+    X4,
+    /// step 5: powder is in
+    X5,
+    /// step 9: mix
+    X9,
+    /// step 10: tip, still turning
+    X10,
+    /// step 11: come back up
+    X11,
+}
+
+impl AtG10_1 {
+    const ALL: [Self; 9] = [
+        Self::None,
+        Self::X1,
+        Self::X2,
+        Self::X3,
+        Self::X4,
+        Self::X5,
+        Self::X9,
+        Self::X10,
+        Self::X11,
+    ];
+}
+
+/// Which of these steps is active.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum AtG10_2 {
+    /// none of them
+    None,
+    /// step 6: first brick
+    X6,
+    /// step 7: second brick
+    X7,
+    /// step 8: bricks are in
+    X8,
+}
+
+impl AtG10_2 {
+    const ALL: [Self; 4] = [Self::None, Self::X6, Self::X7, Self::X8];
+}
+
+/// weighing and mixing, modes by forcing orders, IEC 60848 annex B.5
+///
+/// Its state between two scans; see [`Self::scan`].
+#[derive(Clone, Debug)]
+pub struct WeighMixB5 {
+    // which step is active
+    at_g1: AtG1,
+    at_g10_1: AtG10_1,
+    at_g10_2: AtG10_2,
+    // memory from scan to scan
+    next_g1: AtG1,
+    next_g10_1: AtG10_1,
+    next_g10_2: AtG10_2,
+    old_td: bool,
+    /// false until the first call
+    started: bool,
+    // delays
+    on_x9: Timer,
+    // what can be seen from outside
+    outputs: Outputs,
+    flags: Flags,
+}
+
+impl Default for WeighMixB5 {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl WeighMixB5 {
+    /// The chart before its first scan.
+    pub const fn new() -> Self {
+        Self {
+            at_g1: AtG1::D1,
+            at_g10_1: AtG10_1::None,
+            at_g10_2: AtG10_2::None,
+            next_g1: AtG1::D1,
+            next_g10_1: AtG10_1::None,
+            next_g10_2: AtG10_2::None,
+            old_td: false,
+            started: false,
+            on_x9: Timer::new(),
+            outputs: Outputs {
+                va: false,
+                vb: false,
+                vc: false,
+                bm: false,
+                mr: false,
+                tm_down: false,
+                tm_up: false,
+                emc: false,
+            },
+            flags: Flags {
+                livelock: false,
+                alloc_conflict: false,
+                force_conflict: false,
+                div0: false,
+            },
+        }
+    }
+
+    /// One scan: from the inputs to the outputs.
+    ///
+    /// `now` is the time in milliseconds of a clock that never goes back. It may start anywhere
+    /// and wraps around after `u32::MAX`; there must be a scan at least every 49 days.
+    pub fn scan(&mut self, inputs: &Inputs, now: u32) -> &Outputs {
+        if !self.started {
+            self.started = true;
+            self.at_g1 = AtG1::D1;
+            self.next_g1 = AtG1::D1;
+            self.at_g10_1 = AtG10_1::None;
+            self.next_g10_1 = AtG10_1::None;
+            self.at_g10_2 = AtG10_2::None;
+            self.next_g10_2 = AtG10_2::None;
+            self.old_td = inputs.td;
+        }
+
+        while self.micro_step(inputs, now) {}
+
+        &self.outputs
+    }
+
+    // one micro-step; true if another is needed
+    #[inline(never)]
+    fn micro_step(&mut self, inputs: &Inputs, now: u32) -> bool {
+        // conditions
+        let rise_td = inputs.td && !self.old_td;
+        self.on_x9.call(self.at_g10_1 == AtG10_1::X9, now);
+
+        // memory of edges
+        let mut again = inputs.td != self.old_td;
+        self.old_td = inputs.td;
+
+        // transitions
+        let frozen_g10 = self.at_g1 == AtG1::D1 || self.at_g1 == AtG1::A6;
+        let mut moved = false;
+        match self.at_g1 {
+            // step D1: stopped
+            AtG1::D1 => {
+                if !inputs.pbes {
+                    // D1 -> A6
+                    self.next_g1 = AtG1::A6;
+                    moved = true;
+                    again = true;
+                }
+            }
+            // step A6: initial state, manual control
+            AtG1::A6 => {
+                if inputs.pbes {
+                    // A6 -> D1
+                    self.next_g1 = AtG1::D1;
+                    moved = true;
+                    again = true;
+                } else if inputs.ssauto && !inputs.ssmanu && !inputs.pbes {
+                    // A6 -> F1
+                    self.next_g1 = AtG1::F1;
+                    moved = true;
+                    again = true;
+                }
+            }
+            // step F1: normal production
+            AtG1::F1 => {
+                if inputs.ssmanu && !inputs.pbes {
+                    // F1 -> A6
+                    self.next_g1 = AtG1::A6;
+                    moved = true;
+                    again = true;
+                } else if inputs.pbes {
+                    // F1 -> D1
+                    self.next_g1 = AtG1::D1;
+                    moved = true;
+                    again = true;
+                }
+            }
+        }
+        match self.at_g10_1 {
+            // step 1: ready
+            AtG10_1::X1 => {
+                if !frozen_g10 && inputs.cs && inputs.z && inputs.s0 {
+                    // 1 -> 2, 6
+                    self.next_g10_1 = AtG10_1::X2;
+                    self.next_g10_2 = AtG10_2::X6;
+                    moved = true;
+                    again = true;
+                }
+            }
+            // step 2: weigh A
+            AtG10_1::X2 => {
+                if !frozen_g10 && inputs.a {
+                    // 2 -> 3
+                    self.next_g10_1 = AtG10_1::X3;
+                    moved = true;
+                    again = true;
+                }
+            }
+            // step 3: weigh B
+            AtG10_1::X3 => {
+                if !frozen_g10 && inputs.b {
+                    // 3 -> 4
+                    self.next_g10_1 = AtG10_1::X4;
+                    moved = true;
+                    again = true;
+                }
+            }
+            // step 4: empty the weighing unit into the mixer
+            AtG10_1::X4 => {
+                if !frozen_g10 && inputs.z {
+                    // 4 -> 5
+                    self.next_g10_1 = AtG10_1::X5;
+                    moved = true;
+                    again = true;
+                }
+            }
+            // step 5: powder is in
+            AtG10_1::X5 => {
+                if self.at_g10_2 == AtG10_2::X8 && !frozen_g10 {
+                    // 5, 8 -> 9
+                    self.next_g10_1 = AtG10_1::X9;
+                    self.next_g10_2 = AtG10_2::None;
+                    moved = true;
+                    again = true;
+                }
+            }
+            // step 9: mix
+            AtG10_1::X9 => {
+                if !frozen_g10 && self.on_x9.has_run(MIX_TIME) {
+                    // 9 -> 10
+                    self.next_g10_1 = AtG10_1::X10;
+                    moved = true;
+                    again = true;
+                }
+            }
+            // step 10: tip, still turning
+            AtG10_1::X10 => {
+                if !frozen_g10 && inputs.s1 {
+                    // 10 -> 11
+                    self.next_g10_1 = AtG10_1::X11;
+                    moved = true;
+                    again = true;
+                }
+            }
+            // step 11: come back up
+            AtG10_1::X11 => {
+                if !frozen_g10 && inputs.s0 {
+                    // 11 -> 1
+                    self.next_g10_1 = AtG10_1::X1;
+                    moved = true;
+                    again = true;
+                }
+            }
+            _ => {}
+        }
+        match self.at_g10_2 {
+            // step 6: first brick
+            AtG10_2::X6 => {
+                if !frozen_g10 && rise_td {
+                    // 6 -> 7
+                    self.next_g10_2 = AtG10_2::X7;
+                    moved = true;
+                    again = true;
+                }
+            }
+            // step 7: second brick
+            AtG10_2::X7 => {
+                if !frozen_g10 && rise_td {
+                    // 7 -> 8
+                    self.next_g10_2 = AtG10_2::X8;
+                    moved = true;
+                    again = true;
+                }
+            }
+            _ => {}
+        }
+
+        // what the clearings bring about
+        if moved {
+            // enclosures and orders
+            if self.next_g1 == AtG1::D1 {
+                self.next_g10_1 = AtG10_1::None;
+            } else if self.next_g1 == AtG1::A6 {
+                self.next_g10_1 = AtG10_1::X1;
+            }
+            if self.next_g1 == AtG1::D1 {
+                self.next_g10_2 = AtG10_2::None;
+            } else if self.next_g1 == AtG1::A6 {
+                self.next_g10_2 = AtG10_2::None;
+            }
+
+            // outputs of the steps left and entered
+            if self.next_g1 != self.at_g1 {
+                // step A6: initial state, manual control
+                if self.at_g1 == AtG1::A6 {
+                    self.outputs.emc = false;
+                }
+                // step A6: initial state, manual control
+                if self.next_g1 == AtG1::A6 {
+                    self.outputs.emc = true;
+                }
+            }
+            if self.next_g10_1 != self.at_g10_1 {
+                match self.at_g10_1 {
+                    // step 2: weigh A
+                    AtG10_1::X2 => {
+                        self.outputs.va = false;
+                    }
+                    // step 3: weigh B
+                    AtG10_1::X3 => {
+                        self.outputs.vb = false;
+                    }
+                    // step 4: empty the weighing unit into the mixer
+                    AtG10_1::X4 => {
+                        self.outputs.vc = false;
+                    }
+                    // step 9: mix
+                    AtG10_1::X9 => {
+                        self.outputs.mr = false;
+                    }
+                    // step 10: tip, still turning
+                    AtG10_1::X10 => {
+                        self.outputs.mr = false;
+                        self.outputs.tm_down = false;
+                    }
+                    // step 11: come back up
+                    AtG10_1::X11 => {
+                        self.outputs.tm_up = false;
+                    }
+                    _ => {}
+                }
+                match self.next_g10_1 {
+                    // step 2: weigh A
+                    AtG10_1::X2 => {
+                        self.outputs.va = true;
+                    }
+                    // step 3: weigh B
+                    AtG10_1::X3 => {
+                        self.outputs.vb = true;
+                    }
+                    // step 4: empty the weighing unit into the mixer
+                    AtG10_1::X4 => {
+                        self.outputs.vc = true;
+                    }
+                    // step 9: mix
+                    AtG10_1::X9 => {
+                        self.outputs.mr = true;
+                    }
+                    // step 10: tip, still turning
+                    AtG10_1::X10 => {
+                        self.outputs.mr = true;
+                        self.outputs.tm_down = true;
+                    }
+                    // step 11: come back up
+                    AtG10_1::X11 => {
+                        self.outputs.tm_up = true;
+                    }
+                    _ => {}
+                }
+            }
+            if self.next_g10_2 != self.at_g10_2 {
+                match self.at_g10_2 {
+                    // step 6: first brick
+                    AtG10_2::X6 => {
+                        self.outputs.bm = false;
+                    }
+                    // step 7: second brick
+                    AtG10_2::X7 => {
+                        self.outputs.bm = false;
+                    }
+                    _ => {}
+                }
+                match self.next_g10_2 {
+                    // step 6: first brick
+                    AtG10_2::X6 => {
+                        self.outputs.bm = true;
+                    }
+                    // step 7: second brick
+                    AtG10_2::X7 => {
+                        self.outputs.bm = true;
+                    }
+                    _ => {}
+                }
+            }
+
+            // situation
+            self.at_g10_1 = self.next_g10_1;
+            self.at_g10_2 = self.next_g10_2;
+            self.at_g1 = self.next_g1;
+        }
+
+        again
+    }
+
+    /// The outputs of the last scan.
+    pub const fn outputs(&self) -> &Outputs {
+        &self.outputs
+    }
+
+    /// What has gone wrong since the start, or since the flags were cleared.
+    pub const fn flags(&self) -> Flags {
+        self.flags
+    }
+
+    /// Lowers all flags.
+    pub const fn clear_flags(&mut self) {
+        self.flags.livelock = false;
+        self.flags.alloc_conflict = false;
+        self.flags.force_conflict = false;
+        self.flags.div0 = false;
+    }
+
+    /// Back to the state before the first scan; the next one is the initial reaction.
+    pub const fn reset(&mut self) {
+        *self = Self::new();
+    }
+
+    /// The situation: the active steps, in order of declaration.
+    pub fn active_steps(&self) -> impl Iterator<Item = Step> + '_ {
+        Step::ALL.into_iter().filter(|step| self.is_active(*step))
+    }
+
+    /// Whether a step is active; none is before the first scan.
+    pub fn is_active(&self, step: Step) -> bool {
+        if !self.started {
+            return false;
+        }
+        match step {
+            Step::D1 => self.at_g1 == AtG1::D1,
+            Step::A6 => self.at_g1 == AtG1::A6,
+            Step::F1 => self.at_g1 == AtG1::F1,
+            Step::X1 => self.at_g10_1 == AtG10_1::X1,
+            Step::X2 => self.at_g10_1 == AtG10_1::X2,
+            Step::X3 => self.at_g10_1 == AtG10_1::X3,
+            Step::X4 => self.at_g10_1 == AtG10_1::X4,
+            Step::X5 => self.at_g10_1 == AtG10_1::X5,
+            Step::X6 => self.at_g10_2 == AtG10_2::X6,
+            Step::X7 => self.at_g10_2 == AtG10_2::X7,
+            Step::X8 => self.at_g10_2 == AtG10_2::X8,
+            Step::X9 => self.at_g10_1 == AtG10_1::X9,
+            Step::X10 => self.at_g10_1 == AtG10_1::X10,
+            Step::X11 => self.at_g10_1 == AtG10_1::X11,
+        }
+    }
+
+    /// How many bytes the saved memory takes.
+    pub const SAVED_LEN: usize = 47;
+
+    /// Which chart, and which form of its memory, saved bytes belong to.
+    const FINGERPRINT: u32 = 0x85a6f0ef;
+
+    /// All memory as bytes, to be kept where power does not matter.
+    pub fn save(&self) -> [u8; Self::SAVED_LEN] {
+        let mut bytes = [0; Self::SAVED_LEN];
+        let mut out = Saver::new(&mut bytes);
+        out.put(Self::FINGERPRINT);
+        out.put(self.at_g1 as u32);
+        out.put(self.at_g10_1 as u32);
+        out.put(self.at_g10_2 as u32);
+        out.put(self.next_g1 as u32);
+        out.put(self.next_g10_1 as u32);
+        out.put(self.next_g10_2 as u32);
+        out.put(self.old_td);
+        out.put(self.started);
+        out.put(self.outputs.va);
+        out.put(self.outputs.vb);
+        out.put(self.outputs.vc);
+        out.put(self.outputs.bm);
+        out.put(self.outputs.mr);
+        out.put(self.outputs.tm_down);
+        out.put(self.outputs.tm_up);
+        out.put(self.outputs.emc);
+        out.put(self.on_x9.state().0);
+        out.put(self.on_x9.state().1);
+        bytes
+    }
+
+    /// The chart as it was saved; none if these are not the bytes of this chart. Delays go on at
+    /// `now`: the time in between does not count.
+    pub fn restore(bytes: &[u8], now: u32) -> Option<Self> {
+        let mut from = Restorer::new(bytes);
+        if bytes.len() != Self::SAVED_LEN || from.take() != Some(Self::FINGERPRINT) {
+            return None;
+        }
+        let mut chart = Self::new();
+        chart.at_g1 = *AtG1::ALL.get(from.take::<u32>()? as usize)?;
+        chart.at_g10_1 = *AtG10_1::ALL.get(from.take::<u32>()? as usize)?;
+        chart.at_g10_2 = *AtG10_2::ALL.get(from.take::<u32>()? as usize)?;
+        chart.next_g1 = *AtG1::ALL.get(from.take::<u32>()? as usize)?;
+        chart.next_g10_1 = *AtG10_1::ALL.get(from.take::<u32>()? as usize)?;
+        chart.next_g10_2 = *AtG10_2::ALL.get(from.take::<u32>()? as usize)?;
+        chart.old_td = from.take()?;
+        chart.started = from.take()?;
+        chart.outputs.va = from.take()?;
+        chart.outputs.vb = from.take()?;
+        chart.outputs.vc = from.take()?;
+        chart.outputs.bm = from.take()?;
+        chart.outputs.mr = from.take()?;
+        chart.outputs.tm_down = from.take()?;
+        chart.outputs.tm_up = from.take()?;
+        chart.outputs.emc = from.take()?;
+        chart.on_x9 = Timer::resumed((from.take()?, from.take()?), now);
+        Some(chart)
+    }
+}
+
+/// What the chart needs at run time.
+pub mod runtime {
+    /// What has gone wrong since the start or since the flags were last cleared. A
+    /// flag stays raised once it is.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub struct Flags {
+        /// LIVELOCK: the situation did not become stable within the bound of
+        /// micro-steps. The reaction stopped there, and the next call went on (R9).
+        pub livelock: bool,
+        /// ALLOC_CONFLICT: two stored actions gave one variable different values at
+        /// the same time; the last assignment won (R7).
+        pub alloc_conflict: bool,
+        /// FORCE_CONFLICT: two forcing orders asked for different situations of one
+        /// grafcet; the order of the highest grafcet, then the first, won (R2).
+        pub force_conflict: bool,
+        /// DIV0: something was divided by zero; the result was 0.
+        pub div0: bool,
+    }
+
+    impl Flags {
+        /// Whether any flag is raised.
+        #[inline]
+        pub const fn any(&self) -> bool {
+            self.livelock || self.alloc_conflict || self.force_conflict || self.div0
+        }
+    }
+
+    /// A value that can be saved in a fixed number of bytes.
+    pub trait Saved: Sized {
+        /// How many bytes it takes.
+        const LEN: usize;
+
+        /// Writes the value to the first `LEN` bytes. If there are fewer, nothing is
+        /// written.
+        fn write(self, into: &mut [u8]);
+
+        /// Reads a value from the first `LEN` bytes. None if there are fewer, or if
+        /// they are no value of this type.
+        fn read(from: &[u8]) -> Option<Self>;
+    }
+
+    /// Saves values in a buffer, one after the other.
+    #[derive(Debug)]
+    pub struct Saver<'b> {
+        rest: &'b mut [u8],
+    }
+
+    impl<'b> Saver<'b> {
+        /// Begins at the start of `buffer`.
+        #[inline]
+        pub fn new(buffer: &'b mut [u8]) -> Self {
+            Self { rest: buffer }
+        }
+
+        /// Saves one value. A value that does not fit is left out, and so are all
+        /// that follow it: the buffer never holds a later value in an earlier's place.
+        // It is called for each variable of a chart: inlined, it would be most of the code.
+        #[inline(never)]
+        pub fn put<V: Saved>(&mut self, value: V) {
+            let rest = core::mem::take(&mut self.rest);
+            if let Some((head, tail)) = rest.split_at_mut_checked(V::LEN) {
+                value.write(head);
+                self.rest = tail;
+            }
+        }
+    }
+
+    /// Takes values back from a buffer, one after the other.
+    #[derive(Clone, Debug)]
+    pub struct Restorer<'b> {
+        rest: &'b [u8],
+    }
+
+    impl<'b> Restorer<'b> {
+        /// Begins at the start of `buffer`.
+        #[inline]
+        pub const fn new(buffer: &'b [u8]) -> Self {
+            Self { rest: buffer }
+        }
+
+        /// Takes the next value. None, and nothing is taken, if there are not enough
+        /// bytes left or if they are no value of this type, as a bool that is 2.
+        // It is called for each variable of a chart: inlined, it would be most of the code.
+        #[inline(never)]
+        pub fn take<V: Saved>(&mut self) -> Option<V> {
+            let (head, tail) = self.rest.split_at_checked(V::LEN)?;
+            let value = V::read(head)?;
+            self.rest = tail;
+            Some(value)
+        }
+
+        /// Whether all bytes have been taken.
+        #[inline]
+        pub const fn is_done(&self) -> bool {
+            self.rest.is_empty()
+        }
+    }
+
+    impl Saved for bool {
+        const LEN: usize = 1;
+
+        fn write(self, into: &mut [u8]) {
+            u8::from(self).write(into);
+        }
+
+        fn read(from: &[u8]) -> Option<Self> {
+            match from.first() {
+                Some(0) => Some(false),
+                Some(1) => Some(true),
+                _ => None,
+            }
+        }
+    }
+
+    /// Numbers: each pattern of bits is a value.
+    macro_rules! saved_numbers {
+        ($($number:ty)*) => {$(
+            impl Saved for $number {
+                const LEN: usize = size_of::<Self>();
+
+                fn write(self, into: &mut [u8]) {
+                    if let Some(bytes) = into.first_chunk_mut() {
+                        *bytes = self.to_le_bytes();
+                    }
+                }
+
+                fn read(from: &[u8]) -> Option<Self> {
+                    let bytes = from.first_chunk()?;
+                    Some(Self::from_le_bytes(*bytes))
+                }
+            }
+        )*};
+    }
+
+    saved_numbers!(u8 u16 i16 u32 i32 u64 i64 f32 f64);
+
+    /// An on-delay in the sense of TON (IEC 61131-3): it measures for how long its
+    /// input has been true without interruption.
+    ///
+    /// The clock `now` counts milliseconds and wraps around every 49.7 days. So a
+    /// timer must be called at least once in that time, but it may run for longer.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub struct Timer {
+        /// How long the input had been true at the last call, in milliseconds.
+        elapsed: i64,
+        /// The time of the last call in which the input was true.
+        last: u32,
+        /// The input of the last call.
+        running: bool,
+    }
+
+    impl Timer {
+        /// A timer whose input is false.
+        #[inline]
+        pub const fn new() -> Self {
+            Self {
+                elapsed: 0,
+                // It is not read before the timer starts.
+                last: 0,
+                running: false,
+            }
+        }
+
+        /// Brings the timer up to date. All that is asked of it afterwards holds for
+        /// this very `now`.
+        #[inline]
+        pub fn call(&mut self, input: bool, now: u32) {
+            if !input {
+                self.elapsed = 0;
+            } else if self.running {
+                // The difference is right across the end of the clock's range too.
+                let passed = i64::from(now.wrapping_sub(self.last));
+                self.elapsed = self.elapsed.saturating_add(passed);
+                self.last = now;
+            } else {
+                self.elapsed = 0;
+                self.last = now;
+            }
+            self.running = input;
+        }
+
+        /// Whether the input has been true for `preset` milliseconds. The interval is
+        /// closed (rule X5): this is so from the very instant start + preset.
+        #[inline]
+        pub const fn has_run(&self, preset: i64) -> bool {
+            self.running && self.elapsed >= preset
+        }
+
+        /// How long the input has been true, in milliseconds; 0 while it is false.
+        #[inline]
+        pub const fn elapsed(&self) -> i64 {
+            self.elapsed
+        }
+
+        /// What is to be saved of the timer: whether it runs, and for how long it has.
+        #[inline]
+        pub const fn state(&self) -> (bool, i64) {
+            (self.running, self.elapsed)
+        }
+
+        /// The timer that was saved as `state`, going on at `now`. The time in between
+        /// does not count. A timer that does not run has no elapsed time, and a
+        /// negative one is taken as 0.
+        pub const fn resumed(state: (bool, i64), now: u32) -> Self {
+            let (running, elapsed) = state;
+            let mut timer = Self::new();
+            if running {
+                timer.running = true;
+                timer.last = now;
+                if elapsed > 0 {
+                    timer.elapsed = elapsed;
+                }
+            }
+            timer
+        }
+    }
+}

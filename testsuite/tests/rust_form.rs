@@ -1,0 +1,74 @@
+//! Generated Rust is laid out as rustfmt does it, and clippy has nothing to say about it.
+//!
+//! Skipped, saying so, where the tool is missing: both come with rustup.
+
+use grafc_backends::rust;
+use grafc_logic::{Encoding, Options};
+use grafc_testsuite::charts::{cases, charts_folder, check, vectors_folder};
+use grafc_testsuite::differential::compile;
+use std::fs;
+use std::io::Write as _;
+use std::path::Path;
+use std::process::Command;
+
+/// Writes every chart in every encoding and every vector in one as a module of its own, every other one parted as large
+/// charts are; the modules.
+fn write(folder: &Path) -> Vec<String> {
+    let mut modules = Vec::new();
+    let charts = cases(&charts_folder()).into_iter().map(|case| (case, 0..Encoding::ALL.len()));
+    let turn = |place: usize| place % Encoding::ALL.len();
+    let vectors = cases(&vectors_folder()).into_iter().enumerate().map(|(n, case)| (case, turn(n)..turn(n) + 1));
+    for (case, encodings) in charts.chain(vectors) {
+        let chart = check(&case.name, &case.text).expect("a chart without errors");
+        for encoding in Encoding::ALL[encodings].iter().copied() {
+            let simplify = modules.len() % 3 > 0;
+            let program = compile(&chart, &Options { profile: case.profile, encoding, simplify }).expect("a program");
+            let mut options = rust::Options { header: vec![format!("from {}", case.name)], ..rust::Options::default() };
+            if modules.len() % 2 == 1 {
+                options.longest_function = 1 + modules.len() % 7;
+            }
+            let code = rust::emit(&program, &options).expect("a module");
+            let module = format!("module_{}", modules.len());
+            fs::write(folder.join(format!("{module}.rs")), code).expect("a file in a temporary folder");
+            modules.push(module);
+        }
+    }
+    modules
+}
+
+/// A command that is there, or nothing and a line on standard error.
+fn find_or_skip(name: &str) -> Option<Command> {
+    match Command::new(name).arg("--version").output() {
+        Ok(output) if output.status.success() => Some(Command::new(name)),
+        Ok(_) | Err(_) => {
+            let _ = writeln!(std::io::stderr(), "skipped: {name} cannot be called");
+            None
+        }
+    }
+}
+
+fn run(mut command: Command) -> Result<(), String> {
+    let output = command.output().expect("a tool that was there before");
+    let said = [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
+    if output.status.success() { Ok(()) } else { Err(said) }
+}
+
+#[test]
+fn rustfmt_changes_nothing() {
+    let Some(mut rustfmt) = find_or_skip("rustfmt") else { return };
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let files = write(folder.path()).into_iter().map(|module| format!("{module}.rs"));
+    rustfmt.args(["--check", "--edition", "2024"]).args(files).current_dir(folder.path());
+    run(rustfmt).unwrap_or_else(|said| panic!("{said}"));
+}
+
+#[test]
+fn clippy_is_silent() {
+    let Some(mut clippy) = find_or_skip("clippy-driver") else { return };
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let library: String = write(folder.path()).iter().map(|module| format!("pub mod {module};\n")).collect();
+    fs::write(folder.path().join("lib.rs"), library).expect("a file in a temporary folder");
+    clippy.args(["--edition", "2024", "--crate-type", "lib", "--emit=metadata", "-D", "warnings", "-D", "clippy::all"]);
+    clippy.arg("lib.rs").current_dir(folder.path());
+    run(clippy).unwrap_or_else(|said| panic!("{said}"));
+}
