@@ -5,6 +5,8 @@
 
 pub mod comment;
 mod formulas;
+mod iec;
+pub mod il;
 pub mod keywords;
 mod limits;
 pub mod namer;

@@ -1,9 +1,9 @@
 //! The body of the function block.
 
 use super::expressions::Expressions;
-use super::literals::{literal, time, zero};
-use super::names::Names;
 use crate::comment::clean;
+use crate::iec::literals::{literal, time, zero};
+use crate::iec::names::Names;
 use crate::limits::is_empty;
 use crate::writer::Writer;
 use grafc_logic::formula::{Formula, FormulaId, Type, Value};

@@ -42,10 +42,10 @@ pub struct Arguments {
     optimize: Level,
     #[command(flatten)]
     profile: ProfileArguments,
-    /// For `st`: the kind of program organisation unit to make [default: function-block]
+    /// For `st` and `il`: the kind of program organisation unit to make [default: function-block]
     #[arg(long, value_enum, value_name = "KIND", conflicts_with_all = NO_CODE)]
     pou: Option<Pou>,
-    /// For `st`: how often the task of a configuration runs, such as 20ms or 1s [default: 20ms]
+    /// For `st` and `il`: how often the task of a configuration runs, such as 20ms or 1s [default: 20ms]
     #[arg(long, value_name = "DURATION", conflicts_with_all = NO_CODE)]
     interval: Option<Interval>,
     /// For `rust`: where the code has from what it needs at run time [default: inline]
@@ -60,6 +60,8 @@ pub struct Arguments {
 enum TargetName {
     /// IEC 61131-3 Structured Text
     St,
+    /// IEC 61131-3 instruction list
+    Il,
     /// A Rust module, without std and allocation
     Rust,
 }
@@ -215,16 +217,16 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
 
 /// An option that only another target knows would be without effect.
 fn refuse_options_of_other_targets(args: &Arguments) -> Result<(), Failure> {
-    let st = [("pou", args.pou.is_some()), ("interval", args.interval.is_some())];
+    let iec = [("pou", args.pou.is_some()), ("interval", args.interval.is_some())];
     let rust = [("runtime", args.runtime.is_some())];
     let (foreign, own): (&[(&str, bool)], _) = match args.target {
-        Some(TargetName::St) => (&rust, "rust"),
-        Some(TargetName::Rust) => (&st, "st"),
+        Some(TargetName::St | TargetName::Il) => (&rust, "`--target rust`"),
+        Some(TargetName::Rust) => (&iec, "`--target st` and `--target il`"),
         None => return Ok(()),
     };
     match foreign.iter().find(|(_, given)| *given) {
         Some((name, _)) => {
-            Err(Failure::WrongUse(format!("`--{name}` is an option of `--target {own}`"), "leave it out".to_string()))
+            Err(Failure::WrongUse(format!("`--{name}` is an option of {own}"), "leave it out".to_string()))
         }
         None => Ok(()),
     }
@@ -245,15 +247,8 @@ fn product(args: &Arguments) -> Option<Product> {
         });
     }
     args.target.map(|target| match target {
-        TargetName::St => Product::St(st::Options {
-            pou: match args.pou {
-                Some(Pou::FunctionBlock) | None => st::Pou::FunctionBlock,
-                Some(Pou::Program) => st::Pou::Program,
-                Some(Pou::Configuration) => st::Pou::Configuration,
-            },
-            header: header(args, target),
-            interval_ms: args.interval.unwrap_or(DEFAULT_INTERVAL).0,
-        }),
+        TargetName::St => Product::St(iec_options(args, target)),
+        TargetName::Il => Product::Il(iec_options(args, target)),
         TargetName::Rust => Product::Rust(rust::Options {
             runtime: match args.runtime {
                 Some(RuntimeName::Inline) | None => rust::Runtime::Inline,
@@ -263,6 +258,19 @@ fn product(args: &Arguments) -> Option<Product> {
             module: None,
         }),
     })
+}
+
+/// What stands around a function block of IEC 61131-3.
+fn iec_options(args: &Arguments, target: TargetName) -> st::Options {
+    st::Options {
+        pou: match args.pou {
+            Some(Pou::FunctionBlock) | None => st::Pou::FunctionBlock,
+            Some(Pou::Program) => st::Pou::Program,
+            Some(Pou::Configuration) => st::Pou::Configuration,
+        },
+        header: header(args, target),
+        interval_ms: args.interval.unwrap_or(DEFAULT_INTERVAL).0,
+    }
 }
 
 /// Which chart, which version and which options made the code. No directories and no dates: equal charts give equal
@@ -275,7 +283,7 @@ fn header(args: &Arguments, target: TargetName) -> Vec<String> {
     }
     options.extend(args.profile.options());
     match target {
-        TargetName::St => {
+        TargetName::St | TargetName::Il => {
             let pou = args.pou.unwrap_or(Pou::FunctionBlock);
             options.push(option("pou", pou));
             match pou {

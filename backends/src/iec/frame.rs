@@ -3,11 +3,31 @@
 use super::declarations::{Entry, block, entry, is_published};
 use super::literals::time;
 use super::names::Names;
+use super::{Options, Pou};
 use crate::writer::Writer;
 use grafc_logic::scan::{Program, Role, VarId, Variable};
 
-/// Writes a program with one instance of the block.
-pub(super) fn program(out: &mut Writer, program: &Program, names: &Names) {
+/// Writes what stands around the function block; `body` is given the names of inputs and of what is published, and
+/// writes the statements of the program, which wire the instance to them.
+pub(crate) fn write(
+    out: &mut Writer,
+    program: &Program,
+    names: &Names,
+    options: &Options,
+    body: impl FnOnce(&mut Writer, &[&str], &[&str]),
+) {
+    match options.pou {
+        Pou::FunctionBlock => {}
+        Pou::Program => self::program(out, program, names, body),
+        Pou::Configuration => {
+            self::program(out, program, names, body);
+            configuration(out, names, options.interval_ms);
+        }
+    }
+}
+
+/// A program with one instance of the block.
+fn program(out: &mut Writer, program: &Program, names: &Names, body: impl FnOnce(&mut Writer, &[&str], &[&str])) {
     let wired = |wanted: fn(&Variable) -> bool| program.variables.iter_enumerated().filter(move |(_, v)| wanted(v));
     let is_input = |variable: &Variable| variable.role == Role::Input;
     let mut located = Vec::new();
@@ -18,44 +38,22 @@ pub(super) fn program(out: &mut Writer, program: &Program, names: &Names) {
             None => plain.push(entry(id, variable, names)),
         }
     }
-    plain.push(Entry {
-        name: names.instance.clone(),
-        address: None,
-        ty: names.block.clone(),
-        elementary: false,
-        initial: None,
-        comment: None,
-    });
+    plain.push(Entry::instance(names.instance.clone(), names.block.clone(), None));
 
     out.blank();
     out.line(&format!("PROGRAM {}", names.program));
     block(out, "VAR", vec![("", located)]);
     block(out, "VAR", vec![("", plain)]);
-    call(out, names, wired(is_input).map(|(id, _)| id));
-    for (id, _) in wired(is_published) {
-        let name = &names.variables[id];
-        out.line(&format!("{name} := {}.{name};", names.instance));
-    }
+    let names_of = |wanted: fn(&Variable) -> bool| -> Vec<&str> {
+        wired(wanted).map(|(id, _)| names.variables[id].as_str()).collect()
+    };
+    body(out, &names_of(is_input), &names_of(is_published));
     out.blank();
     out.line("END_PROGRAM");
 }
 
-/// Calls the instance, inputs by name.
-fn call(out: &mut Writer, names: &Names, inputs: impl Iterator<Item = VarId>) {
-    let arguments: Vec<String> = inputs.map(|id| format!("{0} := {0}", names.variables[id])).collect();
-    let flat = format!("{}({});", names.instance, arguments.join(", "));
-    if flat.len() <= out.width() {
-        return out.line(&flat);
-    }
-    out.open(&format!("{}(", names.instance));
-    for (place, argument) in arguments.iter().enumerate() {
-        out.line(&format!("{argument}{}", if place + 1 < arguments.len() { "," } else { "" }));
-    }
-    out.close(");");
-}
-
-/// Writes a configuration with one cyclic task.
-pub(super) fn configuration(out: &mut Writer, names: &Names, interval_ms: u32) {
+/// A configuration with one cyclic task.
+fn configuration(out: &mut Writer, names: &Names, interval_ms: u32) {
     out.blank();
     out.open(&format!("CONFIGURATION {}", names.configuration));
     out.open(&format!("RESOURCE {} ON PLC", names.resource));

@@ -3,7 +3,7 @@
 use grafc_logic::formula::{Type, Value};
 
 /// The keyword of a type.
-pub(super) fn type_name(ty: Type) -> &'static str {
+pub(crate) fn type_name(ty: Type) -> &'static str {
     match ty {
         Type::Bool => "BOOL",
         Type::Int => "INT",
@@ -17,7 +17,7 @@ pub(super) fn type_name(ty: Type) -> &'static str {
 }
 
 /// A constant; its form alone shows its type, for typed literals (`REAL#1`) are not taken everywhere.
-pub(super) fn literal(value: Value, ty: Type) -> String {
+pub(crate) fn literal(value: Value, ty: Type) -> String {
     match (value, ty) {
         (Value::Bool(true), _) => "TRUE".to_owned(),
         (Value::Bool(false), _) => "FALSE".to_owned(),
@@ -29,7 +29,7 @@ pub(super) fn literal(value: Value, ty: Type) -> String {
 }
 
 /// The zero of a type.
-pub(super) fn zero(ty: Type) -> String {
+pub(crate) fn zero(ty: Type) -> String {
     match ty {
         Type::Bool => "FALSE".to_owned(),
         Type::Int | Type::Dint | Type::Uint | Type::Udint => "0".to_owned(),
@@ -39,7 +39,7 @@ pub(super) fn zero(ty: Type) -> String {
 }
 
 /// Whether a value is what its type starts from anyway.
-pub(super) fn is_zero(value: Value) -> bool {
+pub(crate) fn is_zero(value: Value) -> bool {
     match value {
         Value::Bool(b) => !b,
         Value::Int(n) | Value::Time(n) => n == 0,
@@ -62,7 +62,7 @@ fn real(x: f64, ty: Type) -> String {
 }
 
 /// A duration in the largest unit that needs no fraction: compound literals are not taken everywhere.
-pub(super) fn time(ms: i64) -> String {
+pub(crate) fn time(ms: i64) -> String {
     for (unit, length) in [("h", 3_600_000), ("m", 60_000), ("s", 1000)] {
         if ms != 0 && ms % length == 0 {
             return format!("T#{}{unit}", ms / length);

@@ -4,6 +4,7 @@ use super::literals::{is_zero, literal, type_name};
 use super::names::{Names, remark};
 use crate::comment::clean;
 use crate::writer::Writer;
+use grafc_logic::formula::Type;
 use grafc_logic::scan::{Program, Role, State, VarId, Variable};
 use rustc_hash::FxHashMap;
 
@@ -11,7 +12,7 @@ use rustc_hash::FxHashMap;
 const FURTHEST_COLUMN: usize = 48;
 
 /// One declaration.
-pub(super) struct Entry {
+pub(crate) struct Entry {
     /// The name.
     pub name: String,
     /// Where the variable lies.
@@ -27,6 +28,16 @@ pub(super) struct Entry {
 }
 
 impl Entry {
+    /// A variable of an elementary type, without anything beside it.
+    pub fn plain(name: String, ty: Type) -> Entry {
+        Entry { name, address: None, ty: type_name(ty).to_owned(), elementary: true, initial: None, comment: None }
+    }
+
+    /// An instance of a function block.
+    pub fn instance(name: String, block: String, comment: Option<String>) -> Entry {
+        Entry { name, address: None, ty: block, elementary: false, initial: None, comment }
+    }
+
     fn text(&self) -> String {
         let address = self.address.iter().map(|address| format!(" AT {address}"));
         let initial = self.initial.iter().map(|initial| format!(" := {initial}"));
@@ -39,20 +50,18 @@ impl Entry {
     }
 }
 
-/// Writes all declarations of the function block.
-pub(super) fn write(out: &mut Writer, program: &Program, names: &Names) {
+/// Writes all declarations of the function block; `more` are further values that live within one call.
+pub(crate) fn write(out: &mut Writer, program: &Program, names: &Names, more: Vec<Entry>) {
     let entries = |wanted: fn(&Variable) -> bool| -> Vec<Entry> {
         let all = program.variables.iter_enumerated();
         all.filter(|(_, variable)| wanted(variable)).map(|(id, variable)| entry(id, variable, names)).collect()
     };
-    let timers = program.timers.iter_enumerated().map(|(id, timer)| Entry {
-        name: names.timers[id].clone(),
-        address: None,
-        ty: "TON".to_owned(),
-        elementary: false,
-        initial: None,
-        comment: timer.comment.as_deref().map(clean).filter(|text| !text.is_empty()),
+    let timers = program.timers.iter_enumerated().map(|(id, timer)| {
+        let comment = timer.comment.as_deref().map(clean).filter(|text| !text.is_empty());
+        Entry::instance(names.timers[id].clone(), "TON".to_owned(), comment)
     });
+    let mut within = entries(|v| v.role == Role::Temporary);
+    within.extend(more);
     block(out, "VAR_INPUT", vec![("", entries(|v| v.role == Role::Input))]);
     let mut published = entries(|v| v.role == Role::Output);
     published.extend(entries(|v| v.role == Role::Internal && is_published(v)));
@@ -67,13 +76,13 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names) {
             ("steps", steps(program, names)),
             ("timers", timers.collect()),
             ("memory from call to call", entries(|v| v.role == Role::Memory)),
-            ("values within one call", entries(|v| v.role == Role::Temporary)),
+            ("values within one call", within),
         ],
     );
 }
 
 /// Whether the surrounding program copies a variable out.
-pub(super) fn is_published(variable: &Variable) -> bool {
+pub(crate) fn is_published(variable: &Variable) -> bool {
     match variable.role {
         Role::Output | Role::Flag(_) => true,
         Role::Internal => variable.address.is_some(),
@@ -82,7 +91,7 @@ pub(super) fn is_published(variable: &Variable) -> bool {
 }
 
 /// The declaration of a variable.
-pub(super) fn entry(id: VarId, variable: &Variable, names: &Names) -> Entry {
+pub(crate) fn entry(id: VarId, variable: &Variable, names: &Names) -> Entry {
     let name = &names.variables[id];
     let comment = match variable.role {
         Role::Input | Role::Output | Role::Internal | Role::Constant | Role::Step | Role::State => {
@@ -132,7 +141,7 @@ fn values(state: &State) -> String {
 }
 
 /// A block of declarations in sections, each under its heading; nothing if there are none.
-pub(super) fn block(out: &mut Writer, opening: &str, sections: Vec<(&str, Vec<Entry>)>) {
+pub(crate) fn block(out: &mut Writer, opening: &str, sections: Vec<(&str, Vec<Entry>)>) {
     if sections.iter().all(|(_, entries)| entries.is_empty()) {
         return;
     }
