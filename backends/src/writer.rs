@@ -52,6 +52,11 @@ impl Writer {
         self.out
     }
 
+    /// How long the text is, in bytes.
+    pub fn len(&self) -> usize {
+        self.out.len()
+    }
+
     /// The columns that the indentation takes.
     pub fn indent(&self) -> usize {
         self.indent

@@ -7,6 +7,10 @@
 //! Structured Text. It takes `S` and `R` or refuses them as chance will have it, since it asks a pointer that nothing has
 //! set (2024): so there are none. After `JMPCN` the accumulator is true, and `ST` and `STN` write `TRUE` and `FALSE`.
 //!
+//! MATIEC takes a body for Structured Text or for instructions by what comes first: a semicolon, or the end of the body or
+//! what begins like one. It holds in its buffer what it has to read for that, and gives up on bodies of some 60 kB: a long
+//! body therefore begins with a label that has such a beginning in it.
+//!
 //! Jumps lead forward, but for that of the stability loop.
 
 mod code;
@@ -29,6 +33,9 @@ use grafc_logic::scan::{Program, VarId};
 use index_vec::IndexVec;
 use names::Names;
 
+/// From so many bytes on a body is long. A fraction of what MATIEC was seen to hold.
+const LONG: usize = 16_000;
+
 /// Writes a program as an instruction list.
 ///
 /// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
@@ -45,6 +52,11 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
     let parts = body.parts.into_iter().map(|name| Entry::plain(name, Type::Bool)).collect();
     declarations::write(&mut out, program, &names, parts);
     out.blank();
+    if body.out.len() > LONG {
+        out.comment("this label tells MATIEC that a long instruction list begins");
+        out.line(&format!("{}:", names.namer.name("no_end_action")));
+        out.blank();
+    }
     out.append(body.out);
     out.blank();
     out.line("END_FUNCTION_BLOCK");

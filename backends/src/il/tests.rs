@@ -290,6 +290,18 @@ fn the_loop_jumps_back() {
     assert_eq!(list(&b.program), "micro_step:, LD a, ST again, LD again, JMPC micro_step");
 }
 
+/// MATIEC gives up on a long body unless it begins with a word that has `END_ACTION` in it.
+#[test]
+fn a_long_body_is_announced() {
+    let begins = |assignments: usize| {
+        let program = body(&BITS, Type::Bool, |_, i, y| (0..assignments).map(|n| assign(y, i[n % 5])).collect());
+        let text = emit(&program, &Options::default()).expect("it can be written");
+        text.contains("\nno_end_action:\n\n(* body *)\n    LD    a\n")
+    };
+    // An assignment takes 24 bytes.
+    assert!(!begins(600) && begins(700));
+}
+
 /// What an operator is called nothing else can be; neither can a label be called like a variable.
 #[test]
 fn operators_are_no_names() {

@@ -4,7 +4,7 @@
 //! `iec2c` must be on the search path with its library beside it (or `MATIEC_LIB` must name the library); otherwise
 //! these tests say that they checked nothing.
 
-use super::{Build, assign, four_steps, nested, nested_deeply};
+use super::{Build, assign, body, four_steps, nested, nested_deeply};
 use crate::iec::{Options, Pou};
 use crate::{il, st};
 use grafc_diagnostics::Diagnostics;
@@ -100,6 +100,12 @@ fn states_in_states() {
     taken(&nested());
     // As deep as encodings nest states, with a formula as deep as they leave it.
     taken(&nested_deeply(17, 40));
+}
+
+#[test]
+fn a_body_of_a_hundred_thousand_bytes() {
+    let inputs = [("a", Type::Bool), ("b", Type::Bool)];
+    taken(&body(&inputs, Type::Bool, |_, i, y| (0..4200).map(|n| assign(y, i[n % 2])).collect()));
 }
 
 #[test]
