@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The charts are those of the seeds S, S + 1, …, of the kind `hierarchical`, `flat` or `plain`; each runs in every encoding,
-//! and the first N of them also as Structured Text under MATIEC. The encodings whose steps overlap are only asked for
+//! and the first N of them also as Structured Text and as an instruction list under MATIEC. The encodings whose steps overlap are only asked for
 //! the stable situations, and only of charts for which there is no warning. Each mismatch is shrunk and shown with its
 //! seed. The exit code is 1 if there was one.
 
