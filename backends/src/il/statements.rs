@@ -167,7 +167,8 @@ impl Body<'_, '_> {
         self.code.operation("LD", &zero(result));
         self.code.instruction("JMP", &store);
         self.code.label(&divide);
-        if result == Type::Dint && ty == Type::Dint && pool.as_constant(a).is_none() {
+        let least = Value::Int(i64::from(i32::MIN));
+        if result == Type::Dint && ty == Type::Dint && pool.as_constant(a).is_none_or(|a| a == least) {
             let divide = self.new_label("divide");
             self.load(b);
             self.code.operation("EQ", &literal(Value::Int(-1), ty));

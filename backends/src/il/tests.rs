@@ -253,6 +253,17 @@ fn a_division_is_guarded() {
          divide:, LD k, EQ -1, JMPCN divide_1, LD 0, JMP quotient, \
          divide_1:, LD n, MOD k, quotient:, ST y"
     );
+    // A constant too may be the one that overflows.
+    let constant = |value: i64| {
+        let program = body(&[("k", Type::Dint)], Type::Dint, |b, i, target| {
+            let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
+            let dividend = b.pool().constant(Value::Int(value), Type::Dint);
+            vec![Statement::Divide { target, modulo: true, dividend, divisor: i[0], flag }]
+        });
+        list(&program)
+    };
+    assert!(constant(-2_147_483_648).contains("LD k, EQ -1, JMPCN divide_1, LD 0, JMP quotient"));
+    assert!(!constant(-2_147_483_647).contains("EQ -1"));
     let by_nothing = body(&[("n", Type::Int)], Type::Int, |b, i, target| {
         let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
         let divisor = b.pool().constant(Value::Int(0), Type::Int);
