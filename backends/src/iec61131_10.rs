@@ -5,7 +5,7 @@
 //! Within a variable the comment comes first, then the type, then the initial value.
 
 use crate::comment::clean;
-use crate::st::declarations::{Block, Entry, Kind};
+use crate::iec::declarations::{Block, Entry, Kind};
 use crate::st::{self, Style};
 use crate::xml::Xml;
 use grafc_diagnostics::Diagnostics;

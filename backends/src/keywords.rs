@@ -10,6 +10,8 @@ use rustc_hash::FxHashSet;
 pub enum Family {
     /// The textual languages of IEC 61131-3, all editions and dialects.
     Iec,
+    /// The instruction list of IEC 61131-3, where operators are words.
+    InstructionList,
     /// Fields, local variables and functions of Rust.
     RustValues,
     /// Types, variants and constants of Rust.
@@ -17,6 +19,7 @@ pub enum Family {
 }
 
 /// The reserved words of a family.
+#[derive(Clone)]
 pub struct Reserved {
     words: FxHashSet<&'static str>,
     /// What the overloaded and the converting functions begin with, and what follows: `ADD_TIME`, `INT_TO_REAL`.
@@ -28,13 +31,18 @@ impl Reserved {
     /// The words of a family.
     pub fn of(family: Family) -> Self {
         match family {
-            Family::Iec => Reserved {
-                words: split(&[KEYWORDS, TYPES, FUNCTIONS, FUNCTION_BLOCKS, LATER_EDITIONS, DIALECTS, SCL, C_MACROS]),
-                heads: split(&[TYPES, FUNCTIONS, "BCD CTD CTU CTUD TO"]),
-                tails: split(&[TYPES, "BCD TO TRUNC"]),
-            },
+            Family::Iec => Reserved::iec(""),
+            Family::InstructionList => Reserved::iec(INSTRUCTIONS),
             Family::RustValues => Reserved::words(&[RUST_KEYWORDS, RUST_VALUES]),
             Family::RustTypes => Reserved::words(&[RUST_KEYWORDS, RUST_TYPES]),
+        }
+    }
+
+    fn iec(more: &'static str) -> Self {
+        Reserved {
+            words: split(&[KEYWORDS, TYPES, FUNCTIONS, FUNCTION_BLOCKS, LATER_EDITIONS, DIALECTS, SCL, C_MACROS, more]),
+            heads: split(&[TYPES, FUNCTIONS, "BCD CTD CTU CTUD TO"]),
+            tails: split(&[TYPES, "BCD TO TRUNC"]),
         }
     }
 
@@ -65,6 +73,12 @@ const KEYWORDS: &str = "
     END_TYPE END_VAR END_WHILE ENO EXIT FALSE FOR FROM FUNCTION FUNCTION_BLOCK F_EDGE IF INITIAL_STEP MOD NON_RETAIN NOT
     OF ON OR PROGRAM READ_ONLY READ_WRITE REPEAT RESOURCE RETAIN RETURN R_EDGE STEP STRUCT TASK THEN TO TRANSITION TRUE
     TYPE UNTIL VAR VAR_ACCESS VAR_CONFIG VAR_EXTERNAL VAR_GLOBAL VAR_INPUT VAR_IN_OUT VAR_OUTPUT VAR_TEMP WHILE WITH XOR
+";
+
+/// Operators of instruction lists, those that stand for an input of a function block included.
+const INSTRUCTIONS: &str = "
+    ADD AND ANDN CAL CALC CALCN CD CLK CU DIV EQ GE GT IN JMP JMPC JMPCN LD LDN LE LT MOD MUL NE NOT OR ORN PT PV R R1 RET
+    RETC RETCN S S1 ST STN SUB XOR XORN
 ";
 
 /// Elementary and generic types, with their short names.
@@ -166,7 +180,7 @@ mod tests {
 
     #[test]
     fn words_are_upper_case_identifiers() {
-        let families = [Family::Iec, Family::RustValues, Family::RustTypes];
+        let families = [Family::Iec, Family::InstructionList, Family::RustValues, Family::RustTypes];
         for word in families.into_iter().flat_map(|family| Reserved::of(family).words) {
             assert!(word.chars().all(|c| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_'), "{word}");
         }

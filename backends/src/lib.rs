@@ -5,7 +5,9 @@
 
 pub mod comment;
 mod formulas;
+mod iec;
 pub mod iec61131_10;
+pub mod il;
 pub mod keywords;
 mod limits;
 pub mod namer;

@@ -9,6 +9,7 @@ pub const MAX_LENGTH: usize = 63;
 
 /// Gives names that are unique without regard to case and not reserved; the same wishes in the same order get the same
 /// names.
+#[derive(Clone)]
 pub struct Namer {
     family: Family,
     reserved: Reserved,

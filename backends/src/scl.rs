@@ -6,7 +6,7 @@
 //! and the file is ASCII. There are no programs and no addresses: an organisation block calls the instance.
 
 use crate::comment::clean;
-use crate::st::declarations::{Block, Entry, EntryType, Kind};
+use crate::iec::declarations::{Block, Entry, EntryType, Kind};
 use crate::st::{self, Parts, Style};
 use crate::transliterate::ascii;
 use crate::writer::{self, Writer};

@@ -4,7 +4,8 @@
 //! asks for comes from the name of the block, so the same chart always gives the same file.
 
 use crate::comment::clean;
-use crate::st::{self, Style, declarations};
+use crate::iec::declarations;
+use crate::st::{self, Style};
 use crate::writer::{self, Writer};
 use crate::xml::Xml;
 use grafc_diagnostics::Diagnostics;

@@ -55,6 +55,11 @@ impl Writer {
         self.out
     }
 
+    /// How long the text is, in bytes.
+    pub fn len(&self) -> usize {
+        self.out.len()
+    }
+
     /// The columns that the indentation takes.
     pub fn indent(&self) -> usize {
         self.indent
@@ -116,6 +121,19 @@ impl Writer {
     /// A text that is written apart, as deep inside.
     pub fn apart(&self) -> Writer {
         Writer { indent: self.indent, ..Writer::new(self.comments) }
+    }
+
+    /// A block that was written apart.
+    pub fn append(&mut self, block: Writer) {
+        if block.out.is_empty() {
+            return;
+        }
+        if self.blank && !self.fresh {
+            self.out.push('\n');
+        }
+        self.out.push_str(&block.out);
+        self.blank = false;
+        self.fresh = false;
     }
 
     /// What follows is one level deeper.

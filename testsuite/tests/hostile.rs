@@ -2,14 +2,15 @@
 //!
 //! Where MATIEC is at hand, what comes out for awkward but correct charts must be taken by it.
 
-use grafc_backends::st;
+use grafc_backends::{il, st};
 use grafc_diagnostics::{Diagnostics, FileId};
+use grafc_logic::scan::Program;
 use grafc_logic::{Encoding, Options};
 use grafc_testsuite::charts::{cases, charts_folder};
 use grafc_testsuite::matiec::{Tools, accepts};
 use std::time::{Duration, Instant};
 
-/// Structured Text, or nothing and at least one error.
+/// Structured Text and an instruction list, or nothing and at least one error.
 fn compile(text: &str, encoding: Encoding) -> Result<String, Diagnostics> {
     let (tree, mut said) = grafc_syntax::parse(FileId::default(), text);
     if said.has_errors() {
@@ -30,7 +31,9 @@ fn compile(text: &str, encoding: Encoding) -> Result<String, Diagnostics> {
         assert!(said.has_errors(), "no program, and no reason given");
         return Err(said);
     };
-    st::emit(&program, &st::Options::default())
+    let text = st::emit(&program, &st::Options::default())?;
+    let list = Program { name: format!("{}_il", program.name), ..program };
+    Ok(text + &il::emit(&list, &il::Options::default())?)
 }
 
 /// Neither panics nor takes long; every message lies within the text and at the bounds of characters.

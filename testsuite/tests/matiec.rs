@@ -1,12 +1,14 @@
-//! Generated Structured Text, compiled by MATIEC and run: it does what the chart means.
+//! Generated Structured Text and instruction lists, compiled by MATIEC and run: they do what the chart means.
 //!
 //! Needs `iec2c` and `gcc` on PATH (and MATIEC's library beside `iec2c`, or where MATIEC_LIB says); without them each
 //! test says so and does nothing.
 
+use grafc_logic::evaluate::Evaluator;
 use grafc_logic::{Encoding, Options};
+use grafc_model::reaction::{Evolution, Profile};
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
 use grafc_testsuite::differential::{compile, first_difference, profile, report, simulate};
-use grafc_testsuite::matiec::{Job, Tools, misreckons, run};
+use grafc_testsuite::matiec::{Job, Language, Tools, misreckons, run};
 use grafc_testsuite::random::{Kind, checked, trace};
 
 /// The encodings that are exact, with formulas shortened.
@@ -15,7 +17,8 @@ fn encodings() -> impl Iterator<Item = Encoding> {
 }
 
 /// Runs all cases in all exact encodings and compares them with what is expected of them.
-fn agree(tools: &Tools, cases: &[Case]) {
+fn agree(language: Language, cases: &[Case]) {
+    let Some(tools) = Tools::find_or_skip() else { return };
     let mut faults = Vec::new();
     let mut jobs = Vec::new();
     let mut run_cases = Vec::new();
@@ -34,7 +37,7 @@ fn agree(tools: &Tools, cases: &[Case]) {
             }
         }
     }
-    for (((case, encoding, chart), job), result) in run_cases.iter().zip(&jobs).zip(run(tools, &jobs)) {
+    for (((case, encoding, chart), job), result) in run_cases.iter().zip(&jobs).zip(run(&tools, language, &jobs)) {
         let name = format!("{}, {}", case.name, encoding.name());
         match result {
             Err(fault) => faults.push(format!("{name}:\n{fault}")),
@@ -51,23 +54,69 @@ fn agree(tools: &Tools, cases: &[Case]) {
 
 #[test]
 fn vectors_agree() {
-    let Some(tools) = Tools::find_or_skip() else { return };
-    agree(&tools, &cases(&vectors_folder()));
+    agree(Language::St, &cases(&vectors_folder()));
+}
+
+#[test]
+fn vectors_agree_as_instruction_lists() {
+    agree(Language::Il, &cases(&vectors_folder()));
 }
 
 #[test]
 fn charts_agree() {
+    agree(Language::St, &cases(&charts_folder()));
+}
+
+#[test]
+fn charts_agree_as_instruction_lists() {
+    agree(Language::Il, &cases(&charts_folder()));
+}
+
+/// The r- and s-trigger too are written as they are evaluated, in one micro-step a call as well.
+#[test]
+fn overlapping_encodings_are_written_as_they_are() {
     let Some(tools) = Tools::find_or_skip() else { return };
-    agree(&tools, &cases(&charts_folder()));
+    let mut jobs = Vec::new();
+    let mut expected = Vec::new();
+    for (index, case) in cases(&charts_folder()).iter().enumerate() {
+        let chart = check(&case.name, &case.text).expect("a chart without errors");
+        let stimuli = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
+        let (encoding, evolution) = match index % 4 {
+            0 => (Encoding::RTrigger, Evolution::Stable),
+            1 => (Encoding::STrigger, Evolution::Stable),
+            2 => (Encoding::RTrigger, Evolution::Scan),
+            _ => (Encoding::STrigger, Evolution::Scan),
+        };
+        let profile = Profile { evolution, ..case.profile };
+        let program = compile(&chart, &Options { profile, encoding, simplify: index % 3 > 0 }).expect("a scan program");
+        let mut evaluator = Evaluator::new(&program);
+        expected.push(stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect::<Vec<_>>());
+        jobs.push(Job { program, stimuli });
+    }
+    for language in Language::ALL {
+        for ((job, expected), actual) in jobs.iter().zip(&expected).zip(run(&tools, language, &jobs)) {
+            assert_eq!(actual.as_ref(), Ok(expected), "{} {language:?}", job.program.name);
+        }
+    }
 }
 
 #[test]
 fn random_charts_agree() {
+    random_charts(Language::St, 1000, 60);
+}
+
+#[test]
+fn random_charts_agree_as_instruction_lists() {
+    random_charts(Language::Il, 2000, 60);
+}
+
+/// Charts drawn from seeds that begin at one, compared with the simulator call by call.
+fn random_charts(language: Language, first: u64, count: usize) {
     let Some(tools) = Tools::find_or_skip() else { return };
     let mut jobs = Vec::new();
     let mut drawn_charts = Vec::new();
-    for seed in 1000.. {
-        if jobs.len() == 60 {
+    for seed in first.. {
+        if jobs.len() == count {
             break;
         }
         let drawn = checked(seed, if seed % 2 == 0 { Kind::Flat } else { Kind::Hierarchical });
@@ -82,7 +131,7 @@ fn random_charts_agree() {
         drawn_charts.push((seed, drawn));
     }
     let mut faults = Vec::new();
-    for (((seed, drawn), job), result) in drawn_charts.iter().zip(&jobs).zip(run(&tools, &jobs)) {
+    for (((seed, drawn), job), result) in drawn_charts.iter().zip(&jobs).zip(run(&tools, language, &jobs)) {
         let expected = simulate(&drawn.chart, profile(*seed), &job.stimuli);
         match result {
             Err(fault) => faults.push(format!("seed {seed}: {fault}\n{}", drawn.text)),

@@ -1,6 +1,6 @@
 //! What differs between the readers of PLCopen XML.
 
-use crate::st::literals::time;
+use crate::iec::literals::time;
 use crate::xml::Xml;
 
 /// Who shall read it.

@@ -1,7 +1,7 @@
 //! The variables of a program organisation unit.
 
 use super::dialect::Dialect;
-use crate::st::declarations::{Block, Entry, EntryType, Kind};
+use crate::iec::declarations::{Block, Entry, EntryType, Kind};
 use crate::xml::Xml;
 
 /// Writes the interface: a list a block, in the order of the blocks.
@@ -29,7 +29,7 @@ fn variable(xml: &mut Xml, entry: &Entry, dialect: Dialect) {
     }
     xml.open("type", &[]);
     match &entry.ty {
-        EntryType::Elementary(ty) => xml.empty(crate::st::literals::type_name(*ty), &[]),
+        EntryType::Elementary(ty) => xml.empty(crate::iec::literals::type_name(*ty), &[]),
         EntryType::Timer | EntryType::Block(_) => xml.empty("derived", &[("name", entry.ty.name())]),
     }
     xml.close();

@@ -4,8 +4,8 @@ use super::Options;
 use super::dialect::{Dialect, XHTML};
 use super::interface;
 use crate::comment::clean;
+use crate::iec::declarations::Block;
 use crate::st::Parts;
-use crate::st::declarations::Block;
 use crate::xml::Xml;
 
 /// The schema demands dates; the same chart gives the same file on every day.

@@ -1,8 +1,8 @@
 //! Formulas as expressions: parentheses wherever two operators meet, long ones a term a line.
 
-use super::literals::{literal, type_name};
-use super::names::Names;
 use crate::formulas::{Formulas, Notation, Parts, Piece, Shape};
+use crate::iec::literals::{literal, type_name};
+use crate::iec::names::Names;
 use crate::writer::Writer;
 use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::Program;

@@ -1,19 +1,18 @@
-//! Structured Text: IEC 61131-3 edition 2, and of it only what MATIEC, IronPLC, STruC++ and the vendors' tools all take.
+//! Structured Text: of IEC 61131-3 edition 2 only what MATIEC, IronPLC, STruC++ and the vendors' tools all take.
 //!
-//! So: keywords in upper case, flat comments, no VAR_TEMP, no empty block or body, no implicit conversion, time literals
-//! of one unit, located variables in a block of their own. `names` fixes all names first, `limits` refuses what
-//! could not be written well, then each part is written in one walk.
+//! So, beside what [`crate::iec`] says: no empty body, no implicit conversion. `names` fixes all names first, `limits`
+//! refuses what could not be written well, then each part is written in one walk.
 
-pub(crate) mod declarations;
+mod call;
 mod expressions;
-mod frame;
-pub(crate) mod literals;
-mod names;
 mod statements;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use crate::comment::clean;
+pub use crate::iec::{Options, Pou};
+use crate::iec::{declarations, frame, names};
+use crate::keywords::Family;
 use crate::limits;
 use crate::writer::{self, Comments, Writer};
 use declarations::Block;
@@ -25,59 +24,25 @@ use index_vec::IndexVec;
 use names::Names;
 use rustc_hash::FxHashMap;
 
-/// What is written around the function block.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Pou {
-    /// The function block alone.
-    #[default]
-    FunctionBlock,
-    /// And a program that holds an instance of it and the variables at addresses.
-    Program,
-    /// And a configuration with a task that runs the program.
-    Configuration,
-}
-
-/// What the caller may choose.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Options {
-    /// What is written around the function block.
-    pub pou: Pou,
-    /// The first lines of the file, as a comment: which chart, which version, which options.
-    pub header: Vec<String>,
-    /// The interval of the task, in milliseconds.
-    pub interval_ms: u32,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Options { pou: Pou::default(), header: Vec::new(), interval_ms: 20 }
-    }
-}
-
 /// Writes a program as Structured Text.
 ///
 /// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
 pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
     limits::check(program)?;
-    let names = Names::new(program);
+    let names = Names::new(program, Family::Iec);
     let expressions = Expressions::new(program, &names);
     let mut out = Writer::new(&writer::IEC);
     out.block_comment(options.header.iter().map(|line| clean(line)));
     function_block(&mut out, program, &names, &expressions);
-    match options.pou {
-        Pou::FunctionBlock => {}
-        Pou::Program => frame::program(&mut out, program, &names),
-        Pou::Configuration => {
-            frame::program(&mut out, program, &names);
-            frame::configuration(&mut out, &names, options.interval_ms);
-        }
-    }
+    frame::write(&mut out, program, &names, options, |out, inputs, published| {
+        call::write(out, &names.instance, inputs, published);
+    });
     Ok(out.finish())
 }
 
 /// The names that [`emit`] gives to the variables of a program.
 pub fn names(program: &Program) -> IndexVec<VarId, String> {
-    Names::new(program).variables
+    Names::new(program, Family::Iec).variables
 }
 
 /// A function block and the program around it in parts, for targets that have a place for each.
@@ -121,15 +86,16 @@ impl Default for Style {
 /// The parts of a program.
 pub(crate) fn parts(program: &Program, style: Style) -> Result<Parts, Diagnostics> {
     limits::check(program)?;
-    let names = Names::new(program);
+    let names = Names::new(program, Family::Iec);
     let marked = names.marked(style.mark);
     let mut body = Writer::new(style.comments);
     statements::write(&mut body, program, &marked, &Expressions::new(program, &marked));
     let mut program_body = Writer::new(&writer::IEC);
-    frame::body(&mut program_body, program, &names);
+    let (inputs, published) = frame::wired(program, &names);
+    call::write(&mut program_body, &names.instance, &inputs, &published);
     Ok(Parts {
         description: names::remark(&program.name, &names.block, program.comment.as_deref()),
-        interface: declarations::interface(program, &names),
+        interface: declarations::interface(program, &names, Vec::new()),
         body: body.finish(),
         program_variables: frame::variables(program, &names),
         program_body: program_body.finish(),
@@ -144,7 +110,7 @@ pub(crate) fn parts(program: &Program, style: Style) -> Result<Parts, Diagnostic
 
 /// Formulas on a line each, some variables spelt otherwise than they are named.
 pub(crate) fn spell(program: &Program, spelt: &FxHashMap<VarId, String>, formulas: &[FormulaId]) -> Vec<String> {
-    let mut names = Names::new(program);
+    let mut names = Names::new(program, Family::Iec);
     for (variable, text) in spelt {
         names.variables[*variable].clone_from(text);
     }
@@ -162,7 +128,7 @@ fn function_block(out: &mut Writer, program: &Program, names: &Names, expression
     out.comment(&names::remark(&program.name, &names.block, program.comment.as_deref()).unwrap_or_default());
     out.line(&format!("FUNCTION_BLOCK {}", names.block));
     out.blank();
-    declarations::write(out, &declarations::interface(program, names));
+    declarations::write(out, &declarations::interface(program, names, Vec::new()));
     statements::write(out, program, names, expressions);
     out.blank();
     out.line("END_FUNCTION_BLOCK");

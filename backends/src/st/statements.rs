@@ -1,9 +1,9 @@
 //! The body of the function block.
 
 use super::expressions::Expressions;
-use super::literals::{literal, time, zero};
-use super::names::Names;
 use crate::comment::clean;
+use crate::iec::literals::{literal, time, zero};
+use crate::iec::names::Names;
 use crate::limits::is_empty;
 use crate::writer::Writer;
 use grafc_logic::formula::{Formula, FormulaId, Type, Value};
@@ -150,7 +150,9 @@ impl Body<'_> {
     fn divide(&self, out: &mut Writer, target: VarId, modulo: bool, a: FormulaId, b: FormulaId, flag: VarId) {
         let ty = self.program.pool.ty(b);
         let result = self.program.variables[target].ty;
-        let overflows = result == Type::Dint && ty == Type::Dint;
+        let least = Value::Int(i64::from(i32::MIN));
+        let constant = self.program.pool.as_constant(a);
+        let overflows = result == Type::Dint && ty == Type::Dint && constant.is_none_or(|a| a == least);
         let quotient = |out: &mut Writer| {
             self.calculate(out, target, |out| {
                 self.operand(out, a);
@@ -164,11 +166,14 @@ impl Body<'_> {
         };
         let by_minus_one = |out: &mut Writer| {
             self.calculate(out, target, |out| {
-                if modulo {
-                    out.text("0");
-                } else {
-                    out.text("0 - ");
-                    self.operand(out, a);
+                match (modulo, constant) {
+                    (true, _) => out.text("0"),
+                    // It is what overflows. MATIEC computes with constants and refuses the difference.
+                    (false, Some(_)) => self.operand(out, a),
+                    (false, None) => {
+                        out.text("0 - ");
+                        self.operand(out, a);
+                    }
                 }
             });
         };
@@ -178,7 +183,7 @@ impl Body<'_> {
         }
         self.compare(out, "IF", b, &zero(ty));
         by_zero(out);
-        if overflows && self.program.pool.as_constant(a).is_none() {
+        if overflows {
             out.leave();
             self.compare(out, "ELSIF", b, &literal(Value::Int(-1), ty));
             by_minus_one(out);

@@ -3,17 +3,26 @@
 //! No directories and no dates: equal charts give equal code wherever and whenever they are compiled.
 
 use crate::files::Place;
-use grafc_backends::{plcopen, rust, st};
+use grafc_backends::{il, plcopen, rust, st};
 use grafc_model::reaction::{Evolution, Profile};
 
 /// The head of Structured Text.
 pub fn of_st(chart: &Place, lowering: &grafc_logic::Options, pou: st::Pou, interval_ms: u32) -> Vec<String> {
-    let own = match pou {
+    header(chart, "st", lowering, &around(pou, interval_ms))
+}
+
+/// The head of an instruction list.
+pub fn of_il(chart: &Place, lowering: &grafc_logic::Options, pou: il::Pou, interval_ms: u32) -> Vec<String> {
+    header(chart, "il", lowering, &around(pou, interval_ms))
+}
+
+/// What stands around a function block.
+fn around(pou: st::Pou, interval_ms: u32) -> String {
+    match pou {
         st::Pou::FunctionBlock => "--pou function-block".to_string(),
         st::Pou::Program => "--pou program".to_string(),
         st::Pou::Configuration => format!("--pou configuration --task-interval {interval_ms}ms"),
-    };
-    header(chart, "st", lowering, &own)
+    }
 }
 
 /// The head of a PLCopen XML project.

@@ -131,13 +131,35 @@ fn choices_reach_the_files_of_tools() {
     for (arguments, owner) in [
         (["st", "--dialect", "codesys"], "`--target plcopen`"),
         (["scl", "--body", "st"], "`--target plcopen`"),
-        (["rust", "--task-interval", "1s"], "`--target st` and `--target plcopen`"),
+        (["rust", "--task-interval", "1s"], "`--target st`, `--target il` and `--target plcopen`"),
         (["plcopen", "--runtime", "crate"], "`--target rust`"),
-        (["tcpou", "--pou", "program"], "`--target st`"),
+        (["tcpou", "--pou", "program"], "`--target st` and `--target il`"),
     ] {
         let all: Vec<&str> = ["valve.gct", "--target"].iter().chain(&arguments).copied().collect();
         place.run(&all).ends(2, &format!("`{}` is an option of {owner}", arguments[1]));
     }
+}
+
+#[test]
+fn an_instruction_list_is_the_same_function_block() {
+    let place = Place::new(&[("valve.gct", VALVE)]);
+    let code = |target: &str, arguments: &[&str]| {
+        let all: Vec<&str> = ["valve.gct", "--target", target].iter().chain(arguments).copied().collect();
+        place.run(&all).is_done().out.clone()
+    };
+    let declarations = |text: &str| {
+        let (head, body) = text.rsplit_once("END_VAR").unwrap();
+        let (_, variables) = head.split_once("FUNCTION_BLOCK").unwrap();
+        (variables.to_string(), body.to_string())
+    };
+    let (list, text) = (code("il", &[]), code("st", &[]));
+    assert!(list.contains("--target il --encoding single-phase"), "{list}");
+    assert_eq!(declarations(&list).0, declarations(&text).0);
+    assert!(!declarations(&list).1.contains(';') && declarations(&list).1.contains("    LD    X1 "), "{list}");
+    assert!(code("il", &["--pou", "configuration", "--task-interval", "50ms"]).contains("T#50ms"));
+    place.run(&["valve.gct", "--target", "il", "--task-interval", "50ms"]).ends(2, "of a configuration's task");
+    place.run(&["valve.gct", "--target", "il", "--runtime", "crate"]).ends(2, "an option of `--target rust`");
+    place.run(&["valve.gct", "--target", "rust", "--pou", "program"]).ends(2, "`--target st` and `--target il`");
 }
 
 #[test]

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The charts are those of the seeds S, S + 1, …, of the kind `hierarchical`, `flat` or `plain`; each runs in every encoding,
-//! and the first N of them also as Structured Text under MATIEC. The encodings whose steps overlap are only asked for
+//! and the first N of them also as Structured Text and as an instruction list under MATIEC. The encodings whose steps overlap are only asked for
 //! the stable situations, and only of charts for which there is no warning. Each mismatch is shrunk and shown with its
 //! seed. The exit code is 1 if there was one.
 
@@ -21,7 +21,7 @@ use grafc_testsuite::differential::{
     caught, compile, evaluate, exact, first_difference, first_other_situation, profile, report, simulate,
     stable_situations,
 };
-use grafc_testsuite::matiec::{self, Job, Tools};
+use grafc_testsuite::matiec::{self, Job, Language, Tools};
 use grafc_testsuite::random::{Drawn, Kind, checked, trace};
 use std::process::ExitCode;
 
@@ -151,14 +151,17 @@ fn run_batch(tools: &Tools, batch: &mut Vec<(Drawn, Lowering, Job)>) -> u64 {
     let (charts, jobs): (Vec<_>, Vec<_>) =
         batch.drain(..).map(|(drawn, lowering, job)| ((drawn, lowering), job)).unzip();
     let mut mismatches = 0;
-    for (((drawn, lowering), job), actual) in charts.iter().zip(&jobs).zip(matiec::run(tools, &jobs)) {
-        if disagrees(&simulate(&drawn.chart, lowering.profile, &job.stimuli), &actual) {
-            mismatches += 1;
-            show(drawn, lowering.profile, &job.stimuli, ("MATIEC", 60), |chart, stimuli| {
-                let program = caught(|| compile(chart, lowering))?;
-                let job = Job { program, stimuli: stimuli.to_vec() };
-                matiec::run(tools, &[job]).pop().unwrap_or_else(|| Err("no result".into()))
-            });
+    for language in Language::ALL {
+        for (((drawn, lowering), job), actual) in charts.iter().zip(&jobs).zip(matiec::run(tools, language, &jobs)) {
+            if disagrees(&simulate(&drawn.chart, lowering.profile, &job.stimuli), &actual) {
+                mismatches += 1;
+                let who = format!("MATIEC, {language:?}");
+                show(drawn, lowering.profile, &job.stimuli, (&who, 60), |chart, stimuli| {
+                    let program = caught(|| compile(chart, lowering))?;
+                    let job = Job { program, stimuli: stimuli.to_vec() };
+                    matiec::run(tools, language, &[job]).pop().unwrap_or_else(|| Err("no result".into()))
+                });
+            }
         }
     }
     mismatches

@@ -1,4 +1,4 @@
-//! Generated Structured Text, as MATIEC compiles it and a C compiler runs it.
+//! Generated Structured Text and instruction lists, as MATIEC compiles them and a C compiler runs them.
 //!
 //! The function blocks of many charts go into one file for `iec2c`, what it writes and a driver of ours (`driver`)
 //! into one program for `gcc`, which plays each chart's trace and prints what came out. The time is fixed throughout a
@@ -9,36 +9,53 @@ mod tools;
 
 use crate::jobs;
 pub use crate::jobs::Job;
-use grafc_backends::st;
+use grafc_backends::{il, st};
 use grafc_model::chart::{Arithmetic, Chart, ExprKind, Type};
 use grafc_model::reaction::Response;
 use std::fs;
 pub use tools::Tools;
 pub(crate) use tools::call;
 
+/// The language of the code.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Language {
+    /// Structured Text.
+    St,
+    /// Instruction list.
+    Il,
+}
+
+impl Language {
+    /// Both.
+    pub const ALL: [Language; 2] = [Language::St, Language::Il];
+}
+
 /// A job as the tools take it.
 struct Unit {
-    /// The Structured Text of its function block.
+    /// The text of its function block.
     text: String,
     /// The C code that runs it.
     driver: String,
 }
 
 /// Runs all jobs, in one batch if possible. A job's fault is what a tool said.
-pub fn run(tools: &Tools, jobs: &[Job]) -> Vec<Result<Vec<Response>, String>> {
-    let units = jobs.iter().enumerate().map(|(index, job)| unit(index, job)).collect();
+pub fn run(tools: &Tools, language: Language, jobs: &[Job]) -> Vec<Result<Vec<Response>, String>> {
+    let units = jobs.iter().enumerate().map(|(index, job)| unit(language, index, job)).collect();
     jobs::run(jobs, units, |batch, units: &[&Unit]| build_and_play(tools, batch, units))
 }
 
-fn unit(index: usize, job: &Job) -> Result<Unit, String> {
+fn unit(language: Language, index: usize, job: &Job) -> Result<Unit, String> {
     let mut program = job.program.clone();
     program.name = format!("Job_{index}");
     // A function block has no addresses.
     for variable in &mut program.variables {
         variable.address = None;
     }
-    let text = st::emit(&program, &st::Options::default()).map_err(|said| format!("{said:#?}"))?;
-    let names = st::names(&program);
+    let (text, names) = match language {
+        Language::St => (st::emit(&program, &st::Options::default()), st::names(&program)),
+        Language::Il => (il::emit(&program, &il::Options::default()), il::names(&program)),
+    };
+    let text = text.map_err(|said| format!("{said:#?}"))?;
     let block = text
         .lines()
         .find_map(|line| line.trim().strip_prefix("FUNCTION_BLOCK "))

@@ -1,15 +1,23 @@
-//! What the writer writes is taken by MATIEC, its C code by gcc, and the result behaves.
+//! What is written, as Structured Text and as an instruction list, is taken by MATIEC, its C code by gcc, and the result
+//! behaves.
 //!
 //! `iec2c` must be on the search path with its library beside it (or `MATIEC_LIB` must name the library); otherwise
 //! these tests say that they checked nothing.
 
-use super::{Build, assign, four_steps, nested, nested_deeply};
-use crate::st::{Options, Pou, emit};
+use super::{Build, assign, body, four_steps, nested, nested_deeply};
+use crate::iec::{Options, Pou};
+use crate::{il, st};
+use grafc_diagnostics::Diagnostics;
 use grafc_logic::formula::{Arithmetic, Comparison, FormulaId, Type, Value};
 use grafc_logic::scan::{Flag, Preset, Program, Role, Statement, VarId};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+
+type Emit = fn(&Program, &Options) -> Result<String, Diagnostics>;
+
+/// Both languages.
+const LANGUAGES: [Emit; 2] = [st::emit, il::emit];
 
 /// The compiler and its library.
 struct Matiec {
@@ -70,14 +78,16 @@ impl Matiec {
 /// Compiles a program with its configuration, and the C code.
 fn taken(program: &Program) {
     let Some(matiec) = matiec() else { return };
-    let folder = tempfile::tempdir().expect("a folder");
-    let text = emit(program, &Options { pou: Pou::Configuration, ..Options::default() }).expect("it can be written");
-    matiec.compile(folder.path(), &text);
-    // The file of the resource takes in the others.
-    let files = std::fs::read_dir(folder.path()).expect("the folder can be read");
-    let mut names = files.map(|file| file.expect("an entry").file_name().to_string_lossy().into_owned());
-    let resource = names.find(|name| name.starts_with("resource") && name.ends_with(".c")).expect("a resource");
-    matiec.gcc(folder.path(), &["-fsyntax-only", &resource]);
+    for emit in LANGUAGES {
+        let folder = tempfile::tempdir().expect("a folder");
+        let options = Options { pou: Pou::Configuration, ..Options::default() };
+        matiec.compile(folder.path(), &emit(program, &options).expect("it can be written"));
+        // The file of the resource takes in the others.
+        let files = std::fs::read_dir(folder.path()).expect("the folder can be read");
+        let mut names = files.map(|file| file.expect("an entry").file_name().to_string_lossy().into_owned());
+        let resource = names.find(|name| name.starts_with("resource") && name.ends_with(".c")).expect("a resource");
+        matiec.gcc(folder.path(), &["-fsyntax-only", &resource]);
+    }
 }
 
 #[test]
@@ -90,6 +100,12 @@ fn states_in_states() {
     taken(&nested());
     // As deep as encodings nest states, with a formula as deep as they leave it.
     taken(&nested_deeply(17, 40));
+}
+
+#[test]
+fn a_body_of_a_hundred_thousand_bytes() {
+    let inputs = [("a", Type::Bool), ("b", Type::Bool)];
+    taken(&body(&inputs, Type::Bool, |_, i, y| (0..4200).map(|n| assign(y, i[n % 2])).collect()));
 }
 
 #[test]
@@ -273,9 +289,6 @@ fn all_forms() {
 /// calls the instance `block` of the block's type and prints.
 fn plays(program: &Program, scan: &str, calls: &[(&str, &str)]) {
     let Some(matiec) = matiec() else { return };
-    let folder = tempfile::tempdir().expect("a folder");
-    let text = emit(program, &Options::default()).expect("it can be written");
-    matiec.compile(folder.path(), &text);
     let block = program.name.to_uppercase();
     let head = r#"
         #include "iec_std_lib.h"
@@ -294,14 +307,18 @@ fn plays(program: &Program, scan: &str, calls: &[(&str, &str)]) {
     let main = format!(
         "{head}\nstatic {block} block;\n{scan}\nint main(void) {{ {block}_init__(&block, 0);\n{calls_in_c}}}\n"
     );
-    std::fs::write(folder.path().join("main.c"), main).expect("the folder can be written");
-    if !matiec.gcc(folder.path(), &["main.c", "-o", "main"]) {
-        return;
-    }
-    let output = Command::new(folder.path().join("main")).output().expect("it runs");
-    let said = String::from_utf8_lossy(&output.stdout);
     let expected: Vec<&str> = calls.iter().map(|(_, expected)| *expected).collect();
-    assert_eq!(said.lines().collect::<Vec<_>>(), expected);
+    for emit in LANGUAGES {
+        let folder = tempfile::tempdir().expect("a folder");
+        matiec.compile(folder.path(), &emit(program, &Options::default()).expect("it can be written"));
+        std::fs::write(folder.path().join("main.c"), &main).expect("the folder can be written");
+        if !matiec.gcc(folder.path(), &["main.c", "-o", "main"]) {
+            return;
+        }
+        let output = Command::new(folder.path().join("main")).output().expect("it runs");
+        let said = String::from_utf8_lossy(&output.stdout);
+        assert_eq!(said.lines().collect::<Vec<_>>(), expected);
+    }
 }
 
 /// The stirrer runs for eight seconds; two rising edges within one call count once.
@@ -349,6 +366,35 @@ fn nested_states_behave() {
             ("1, 0", "1 2 22"),
             ("0, 1", "0 -1 0"),
             ("1, 1", "1 2 22"), // two micro-steps in one call
+        ],
+    );
+}
+
+/// The least number by -1 wraps around to itself, without a remainder.
+#[test]
+fn the_least_number_is_divided() {
+    let program = body(&[("k", Type::Dint)], Type::Dint, |b, i, y| {
+        let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
+        let rest = b.var(Role::Output, "rest", Type::Dint);
+        let dividend = b.pool().constant(Value::Int(-2_147_483_648), Type::Dint);
+        let divide = |target, modulo| Statement::Divide { target, modulo, dividend, divisor: i[0], flag };
+        vec![divide(y, false), divide(rest, true)]
+    });
+    let name = program.name.to_uppercase();
+    let scan = r#"static void scan(int k) {
+        block.K.value = k;
+        NAME_body__(&block);
+        printf("%d %d %d\n", block.Y.value, block.REST.value, block.DIV0.value);
+    }"#;
+    plays(
+        &program,
+        &scan.replace("NAME", &name),
+        &[
+            ("-1", "-2147483648 0 0"),
+            ("2", "-1073741824 0 0"),
+            ("3", "-715827882 -2 0"),
+            ("1", "-2147483648 0 0"),
+            ("0", "0 0 1"),
         ],
     );
 }

@@ -10,12 +10,12 @@ use grafc_logic::scan::{
 use index_vec::IndexVec;
 
 /// A program under construction.
-struct Build {
-    program: Program,
+pub(crate) struct Build {
+    pub(crate) program: Program,
 }
 
 impl Build {
-    fn new(name: &str) -> Self {
+    pub(crate) fn new(name: &str) -> Self {
         let program = Program {
             name: name.to_owned(),
             comment: None,
@@ -33,7 +33,7 @@ impl Build {
         Build { program }
     }
 
-    fn var(&mut self, role: Role, name: &str, ty: Type) -> VarId {
+    pub(crate) fn var(&mut self, role: Role, name: &str, ty: Type) -> VarId {
         let initial = match ty {
             Type::Bool => Value::Bool(false),
             Type::Int | Type::Dint | Type::Uint | Type::Udint => Value::Int(0),
@@ -44,21 +44,21 @@ impl Build {
         self.program.variables.push(Variable { role, name, ty, initial, comment: None, address: None, span: None })
     }
 
-    fn bit(&mut self, role: Role, name: &str) -> VarId {
+    pub(crate) fn bit(&mut self, role: Role, name: &str) -> VarId {
         self.var(role, name, Type::Bool)
     }
 
-    fn about(&mut self, id: VarId, comment: &str) -> VarId {
+    pub(crate) fn about(&mut self, id: VarId, comment: &str) -> VarId {
         self.program.variables[id].comment = Some(comment.to_owned());
         id
     }
 
-    fn timer(&mut self, name: &str, preset: Option<Preset>, comment: &str) -> TimerId {
+    pub(crate) fn timer(&mut self, name: &str, preset: Option<Preset>, comment: &str) -> TimerId {
         self.program.timers.push(Timer { name: name.to_owned(), preset, comment: Some(comment.to_owned()) })
     }
 
     /// A variable that holds the given steps, and the one that it takes its next value from.
-    fn state(&mut self, name: &str, idle: Option<i64>, values: &[i64]) -> (VarId, VarId) {
+    pub(crate) fn state(&mut self, name: &str, idle: Option<i64>, values: &[i64]) -> (VarId, VarId) {
         let variable = self.var(Role::State, &format!("at_{name}"), Type::Int);
         let next = self.var(Role::Memory, &format!("next_{name}"), Type::Int);
         let mut held = Vec::new();
@@ -72,48 +72,48 @@ impl Build {
     }
 
     /// `variable = value`.
-    fn is(&mut self, variable: VarId, value: i64) -> FormulaId {
+    pub(crate) fn is(&mut self, variable: VarId, value: i64) -> FormulaId {
         let (read, value) = (self.read(variable), self.pool().constant(Value::Int(value), Type::Int));
         self.pool().compare(Comparison::Equal, read, value)
     }
 
     /// `target := value`.
-    fn set(&mut self, target: VarId, value: i64) -> Statement {
+    pub(crate) fn set(&mut self, target: VarId, value: i64) -> Statement {
         assign(target, self.program.pool.constant(Value::Int(value), Type::Int))
     }
 
-    fn read(&mut self, id: VarId) -> FormulaId {
+    pub(crate) fn read(&mut self, id: VarId) -> FormulaId {
         self.program.pool.variable(id, self.program.variables[id].ty)
     }
 
-    fn pool(&mut self) -> &mut Pool {
+    pub(crate) fn pool(&mut self) -> &mut Pool {
         &mut self.program.pool
     }
 }
 
-fn assign(target: VarId, value: FormulaId) -> Statement {
+pub(crate) fn assign(target: VarId, value: FormulaId) -> Statement {
     Statement::Assign { target, value, remark: None }
 }
 
-fn noted(target: VarId, value: FormulaId, remark: &str) -> Statement {
+pub(crate) fn noted(target: VarId, value: FormulaId, remark: &str) -> Statement {
     Statement::Assign { target, value, remark: Some(remark.to_owned()) }
 }
 
-fn when(condition: FormulaId, body: Vec<Statement>) -> Statement {
+pub(crate) fn when(condition: FormulaId, body: Vec<Statement>) -> Statement {
     Statement::If { branches: vec![(condition, body)], otherwise: vec![] }
 }
 
-fn case<const N: usize>(of: VarId, arms: [(i64, &str, Vec<Statement>); N]) -> Statement {
+pub(crate) fn case<const N: usize>(of: VarId, arms: [(i64, &str, Vec<Statement>); N]) -> Statement {
     let arm = |(value, remark, body): (i64, &str, Vec<Statement>)| Arm { value, remark: Some(remark.into()), body };
     Statement::Case { of, arms: arms.map(arm).into() }
 }
 
-fn heading(text: &str) -> Statement {
+pub(crate) fn heading(text: &str) -> Statement {
     Statement::Heading(text.to_owned())
 }
 
 /// Four steps: ready, fill, stir for a time, empty.
-fn four_steps() -> Program {
+pub(crate) fn four_steps() -> Program {
     let mut b = Build::new("Filling");
     b.program.comment = Some("filling and stirring a tank".to_owned());
     let start = b.bit(Role::Input, "start");
@@ -193,7 +193,7 @@ fn four_steps() -> Program {
 }
 
 /// Two steps, the second of which encloses two others: `a` runs it, `b` moves on in it, and `y` shows its last step.
-fn nested() -> Program {
+pub(crate) fn nested() -> Program {
     let mut b = Build::new("Nested");
     let (in_a, in_b) = (b.bit(Role::Input, "a"), b.bit(Role::Input, "b"));
     let y = b.bit(Role::Output, "y");
@@ -234,7 +234,7 @@ fn nested() -> Program {
 }
 
 /// States nested in states, each with one arm; in the innermost a long formula of `and` and `not` in turn.
-fn nested_deeply(levels: usize, operators: usize) -> Program {
+pub(crate) fn nested_deeply(levels: usize, operators: usize) -> Program {
     let mut b = Build::new("Deep");
     let (in_a, in_b, y) = (b.bit(Role::Input, "a"), b.bit(Role::Input, "b"), b.bit(Role::Output, "y"));
     let (a, on) = (b.read(in_a), b.read(in_b));
@@ -254,7 +254,7 @@ fn nested_deeply(levels: usize, operators: usize) -> Program {
 }
 
 /// A program of inputs `a`, `b`, …, one output `y`, and statements from a function.
-fn body(
+pub(crate) fn body(
     inputs: &[(&str, Type)],
     y: Type,
     build: impl FnOnce(&mut Build, &[FormulaId], VarId) -> Vec<Statement>,

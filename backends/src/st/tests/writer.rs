@@ -220,11 +220,17 @@ fn division() {
         let ratio = b.var(Role::Output, "ratio", Type::Real);
         let p = b.pool();
         let (two, zero) = (p.constant(Value::Int(2), Type::Dint), p.constant(Value::Int(0), Type::Dint));
+        let least = p.constant(Value::Int(-2_147_483_648), Type::Dint);
+        let next = p.constant(Value::Int(-2_147_483_647), Type::Dint);
         let remainder = p.arithmetic(Arithmetic::Modulo, Type::Dint, v[0], two);
         let divide = |target, modulo, dividend, divisor| Statement::Divide { target, modulo, dividend, divisor, flag };
         vec![
             divide(y, false, v[0], v[1]),
             divide(y, true, two, v[1]),
+            // Of constants the least alone overflows.
+            divide(y, false, least, v[1]),
+            divide(y, true, least, v[1]),
+            divide(y, true, next, v[1]),
             Statement::Assign { target: y, value: remainder, remark: None },
             divide(y, false, v[0], zero),
             divide(ratio, false, v[2], v[2]),
@@ -247,6 +253,28 @@ fn division() {
             DIV0 := TRUE;
         ELSE
             y := 2 MOD b;
+        END_IF;
+        IF b = 0 THEN
+            y := 0;
+            DIV0 := TRUE;
+        ELSIF b = -1 THEN
+            y := -2147483648;
+        ELSE
+            y := -2147483648 / b;
+        END_IF;
+        IF b = 0 THEN
+            y := 0;
+            DIV0 := TRUE;
+        ELSIF b = -1 THEN
+            y := 0;
+        ELSE
+            y := -2147483648 MOD b;
+        END_IF;
+        IF b = 0 THEN
+            y := 0;
+            DIV0 := TRUE;
+        ELSE
+            y := -2147483647 MOD b;
         END_IF;
         y := a MOD 2;
         y := 0;

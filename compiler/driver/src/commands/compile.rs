@@ -9,7 +9,7 @@ use crate::pipeline::{self, Options, Product};
 use crate::report::{Failure, Format, Report};
 use clap::builder::PossibleValuesParser;
 use clap::{ArgGroup, Args, ValueEnum};
-use grafc_backends::{iec61131_10, plcopen, rust, scl, st, tcpou};
+use grafc_backends::{iec61131_10, il, plcopen, rust, scl, st, tcpou};
 use grafc_logic::Encoding;
 use grafc_net::passes;
 use std::str::FromStr;
@@ -43,10 +43,10 @@ pub struct Arguments {
     optimize: Level,
     #[command(flatten)]
     profile: ProfileArguments,
-    /// For `st`: the kind of program organisation unit to make [default: function-block]
+    /// For `st` and `il`: the kind of program organisation unit to make [default: function-block]
     #[arg(long, value_enum, value_name = "KIND", conflicts_with_all = NO_CODE)]
     pou: Option<Pou>,
-    /// For `st` and `plcopen`: how often the task of the configuration runs, such as 20ms or 1s [default: 20ms]
+    /// For `st`, `il` and `plcopen`: how often the task of the configuration runs, such as 20ms or 1s [default: 20ms]
     #[arg(long, value_name = "DURATION", alias = "interval", conflicts_with_all = NO_CODE)]
     task_interval: Option<Interval>,
     /// For `plcopen`: who shall read it [default: neutral]
@@ -67,6 +67,8 @@ pub struct Arguments {
 enum TargetName {
     /// IEC 61131-3 Structured Text
     St,
+    /// IEC 61131-3 instruction list
+    Il,
     /// A PLCopen XML project: function block, program, configuration
     Plcopen,
     /// Siemens SCL, a source file for TIA Portal
@@ -212,7 +214,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         return Err(Failure::WrongUse("nothing to compile".to_string(), "see `grafc --help`".to_string()));
     };
     refuse_options_of_other_targets(&args)?;
-    if args.task_interval.is_some() && args.target == Some(TargetName::St) && args.pou != Some(Pou::Configuration) {
+    let alone = matches!(args.target, Some(TargetName::St | TargetName::Il)) && args.pou != Some(Pou::Configuration);
+    if args.task_interval.is_some() && alone {
         return Err(Failure::WrongUse(
             "`--task-interval` is the interval of a configuration's task".to_string(),
             "add `--pou configuration`, or leave it out".to_string(),
@@ -249,20 +252,28 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
 fn refuse_options_of_other_targets(args: &Arguments) -> Result<(), Failure> {
     let Some(target) = args.target else { return Ok(()) };
     let options: [(&str, bool, &[TargetName]); 5] = [
-        ("pou", args.pou.is_some(), &[TargetName::St]),
-        ("task-interval", args.task_interval.is_some(), &[TargetName::St, TargetName::Plcopen]),
+        ("pou", args.pou.is_some(), &[TargetName::St, TargetName::Il]),
+        ("task-interval", args.task_interval.is_some(), &[TargetName::St, TargetName::Il, TargetName::Plcopen]),
         ("dialect", args.dialect.is_some(), &[TargetName::Plcopen]),
         ("body", args.body.is_some(), &[TargetName::Plcopen]),
         ("runtime", args.runtime.is_some(), &[TargetName::Rust]),
     ];
     match options.iter().find(|(_, given, known_to)| *given && !known_to.contains(&target)) {
         Some((name, _, known_to)) => {
-            let targets: Vec<String> =
-                known_to.iter().map(|target| format!("`{}`", option("target", *target))).collect();
-            let targets = targets.join(" and ");
+            let targets = targets(known_to);
             Err(Failure::WrongUse(format!("`--{name}` is an option of {targets}"), "leave it out".to_string()))
         }
         None => Ok(()),
+    }
+}
+
+/// Targets in a sentence: `a`, `b` and `c`.
+fn targets(names: &[TargetName]) -> String {
+    let names: Vec<String> = names.iter().map(|name| format!("`{}`", option("target", *name))).collect();
+    match names.split_last() {
+        Some((last, [])) => last.clone(),
+        Some((last, others)) => format!("{} and {last}", others.join(", ")),
+        None => String::new(),
     }
 }
 
@@ -283,13 +294,12 @@ fn product(args: &Arguments, lowering: &grafc_logic::Options) -> Option<Product>
     let (chart, target) = (args.chart.as_ref()?, args.target?);
     Some(match target {
         TargetName::St => {
-            let pou = match args.pou {
-                Some(Pou::FunctionBlock) | None => st::Pou::FunctionBlock,
-                Some(Pou::Program) => st::Pou::Program,
-                Some(Pou::Configuration) => st::Pou::Configuration,
-            };
-            let interval_ms = args.task_interval.unwrap_or(DEFAULT_INTERVAL).0;
+            let (pou, interval_ms) = around(args);
             Product::St(st::Options { pou, header: header::of_st(chart, lowering, pou, interval_ms), interval_ms })
+        }
+        TargetName::Il => {
+            let (pou, interval_ms) = around(args);
+            Product::Il(il::Options { pou, header: header::of_il(chart, lowering, pou, interval_ms), interval_ms })
         }
         TargetName::Plcopen => {
             let mut options = plcopen::Options {
@@ -321,6 +331,16 @@ fn product(args: &Arguments, lowering: &grafc_logic::Options) -> Option<Product>
             Product::Rust(rust::Options { runtime, header, ..rust::Options::default() })
         }
     })
+}
+
+/// What stands around a function block of IEC 61131-3, and how often a task runs it.
+fn around(args: &Arguments) -> (st::Pou, u32) {
+    let pou = match args.pou {
+        Some(Pou::FunctionBlock) | None => st::Pou::FunctionBlock,
+        Some(Pou::Program) => st::Pou::Program,
+        Some(Pou::Configuration) => st::Pou::Configuration,
+    };
+    (pou, args.task_interval.unwrap_or(DEFAULT_INTERVAL).0)
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::files::{Place, print};
 use crate::pipeline;
 use crate::report::{Failure, Format, Report};
 use clap::{Args, ValueEnum};
-use grafc_backends::rust;
+use grafc_backends::{il, rust};
 use grafc_diagnostics::{Diagnostics, FileId, Severity};
 use grafc_logic::scan::{Program, State};
 use grafc_logic::{Encoding, Measure, Options, arrow, compile, measure};
@@ -104,6 +104,8 @@ struct Row {
     repeat: Option<Repeat>,
     statements: u64,
     instructions: u64,
+    /// Those of the instruction list that `--target il` writes.
+    il_instructions: u64,
     /// What `size_of` gives for the chart's struct in Rust.
     rust_bytes: usize,
 }
@@ -169,12 +171,14 @@ fn figures(file: FileId, text: &str, default_name: &str, profile: Profile) -> (O
     for encoding in Encoding::ALL {
         let mut found = Diagnostics::new();
         let program = program(&chart, &Options { profile, encoding, ..Options::default() }, &mut found);
-        let Some(program) = program else {
+        let row =
+            program.as_ref().and_then(|program| Row::new(encoding, program).map_err(|fault| found.append(fault)).ok());
+        let (Some(program), Some(row)) = (program, row) else {
             found.retain(|d| d.code.severity() == Severity::Error);
             said.append(found);
             return (None, said);
         };
-        figures.encodings.push(Row::new(encoding, &program));
+        figures.encodings.push(row);
         match encoding {
             Encoding::Switch => figures.switch = Decomposition::new(&chart, &program, &proved),
             Encoding::SinglePhase | Encoding::RTrigger | Encoding::STrigger | Encoding::Sequent => {}
@@ -196,10 +200,11 @@ fn program(chart: &Chart, options: &Options, said: &mut Diagnostics) -> Option<P
 }
 
 impl Row {
-    fn new(encoding: Encoding, program: &Program) -> Row {
+    /// The error is that of the instruction list.
+    fn new(encoding: Encoding, program: &Program) -> Result<Row, Diagnostics> {
         let Measure { state_bits, states, auxiliary_bits, auxiliary_numbers, timers, statements, instructions } =
             measure(program);
-        Row {
+        Ok(Row {
             encoding: encoding.name(),
             state_bits,
             states,
@@ -209,8 +214,9 @@ impl Row {
             repeat: program.repeat.map(|repeat| Repeat { bound: repeat.limit.map(|limit| limit.bound) }),
             statements,
             instructions,
+            il_instructions: il::instructions(program)?,
             rust_bytes: rust::size_of(program),
-        }
+        })
     }
 }
 
@@ -231,8 +237,18 @@ impl Decomposition {
 }
 
 /// The heads of the table; the first column is aligned to the left, the others to the right.
-const HEADS: [&str; 9] =
-    ["encoding", "state bits", "states", "aux bits", "aux numbers", "delays", "loop", "statements", "instructions"];
+const HEADS: [&str; 10] = [
+    "encoding",
+    "state bits",
+    "states",
+    "aux bits",
+    "aux nums",
+    "delays",
+    "loop",
+    "statements",
+    "instructions",
+    "in IL",
+];
 
 impl Figures {
     fn json(&self) -> String {
@@ -283,6 +299,7 @@ impl Row {
             repeat,
             self.statements.to_string(),
             self.instructions.to_string(),
+            self.il_instructions.to_string(),
         ]
     }
 }

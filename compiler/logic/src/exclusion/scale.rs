@@ -58,10 +58,10 @@ impl Measured {
     pub(super) fn new(pool: &Pool, comparison: Comparison, a: FormulaId, b: FormulaId) -> Option<Self> {
         let real = matches!(pool.ty(a), Type::Real | Type::Lreal);
         let (quantity, comparison, number) = match (pool.get(a), pool.get(b)) {
-            (Formula::Constant(c), _) => (Quantity::Value(b), mirrored(comparison), number(pool.ty(a), *c)?),
+            (Formula::Constant(c), _) => (Quantity::Value(b), comparison.mirrored(), number(pool.ty(a), *c)?),
             (_, Formula::Constant(c)) => (Quantity::Value(a), comparison, number(pool.ty(a), *c)?),
             _ if a < b => (Quantity::Difference(a, b), comparison, zero(real)),
-            _ if a > b => (Quantity::Difference(b, a), mirrored(comparison), zero(real)),
+            _ if a > b => (Quantity::Difference(b, a), comparison.mirrored(), zero(real)),
             _ => return None,
         };
         Some(Measured { quantity, real, comparison, number })
@@ -88,17 +88,6 @@ impl Measured {
             Number::Whole(k) => Cut { number: Number::Whole(k + i128::from(inclusive)), inclusive: false },
             Number::Real(_) => Cut { number: self.number, inclusive },
         }
-    }
-}
-
-fn mirrored(comparison: Comparison) -> Comparison {
-    match comparison {
-        Comparison::Equal => Comparison::Equal,
-        Comparison::NotEqual => Comparison::NotEqual,
-        Comparison::Less => Comparison::Greater,
-        Comparison::LessEqual => Comparison::GreaterEqual,
-        Comparison::Greater => Comparison::Less,
-        Comparison::GreaterEqual => Comparison::LessEqual,
     }
 }
 

@@ -93,6 +93,11 @@ pub(crate) struct Entry {
 }
 
 impl Entry {
+    /// A variable of an elementary type, without anything beside it.
+    pub fn plain(name: String, ty: Type) -> Entry {
+        Entry { name, address: None, ty: EntryType::Elementary(ty), initial: None, comment: None }
+    }
+
     fn text(&self) -> String {
         let address = self.address.iter().map(|address| format!(" AT {address}"));
         let initial = self.initial.iter().map(|initial| format!(" := {initial}"));
@@ -109,8 +114,8 @@ impl Entry {
     }
 }
 
-/// All declarations of the function block.
-pub(super) fn interface(program: &Program, names: &Names) -> Vec<Block> {
+/// All declarations of the function block; `more` are further values that live within one call.
+pub(crate) fn interface(program: &Program, names: &Names, more: Vec<Entry>) -> Vec<Block> {
     let entries = |wanted: fn(&Variable) -> bool| -> Vec<Entry> {
         let all = program.variables.iter_enumerated();
         all.filter(|(_, variable)| wanted(variable)).map(|(id, variable)| entry(id, variable, names)).collect()
@@ -122,6 +127,8 @@ pub(super) fn interface(program: &Program, names: &Names) -> Vec<Block> {
         initial: None,
         comment: timer.comment.as_deref().map(clean).filter(|text| !text.is_empty()),
     });
+    let mut within = entries(|v| v.role == Role::Temporary);
+    within.extend(more);
     let mut published = entries(|v| v.role == Role::Output);
     published.extend(entries(|v| v.role == Role::Internal && is_published(v)));
     published.extend(entries(|v| matches!(v.role, Role::Flag(_))));
@@ -130,7 +137,7 @@ pub(super) fn interface(program: &Program, names: &Names) -> Vec<Block> {
         ("steps", steps(program, names)),
         ("timers", timers.collect()),
         ("memory from call to call", entries(|v| v.role == Role::Memory)),
-        ("values within one call", entries(|v| v.role == Role::Temporary)),
+        ("values within one call", within),
     ];
     vec![
         Block::new(Kind::Input, vec![("", entries(|v| v.role == Role::Input))]),

@@ -3,15 +3,36 @@
 use super::declarations::{self, Block, Entry, EntryType, entry, is_published, local};
 use super::literals::time;
 use super::names::Names;
+use super::{Options, Pou};
 use crate::writer::Writer;
 use grafc_logic::scan::{Program, Role, VarId, Variable};
 
-/// Writes a program with one instance of the block.
-pub(super) fn program(out: &mut Writer, program: &Program, names: &Names) {
+/// Writes what stands around the function block; `body` is given the names of inputs and of what is published, and
+/// writes the statements of the program, which wire the instance to them.
+pub(crate) fn write(
+    out: &mut Writer,
+    program: &Program,
+    names: &Names,
+    options: &Options,
+    body: impl FnOnce(&mut Writer, &[&str], &[&str]),
+) {
+    match options.pou {
+        Pou::FunctionBlock => {}
+        Pou::Program => self::program(out, program, names, body),
+        Pou::Configuration => {
+            self::program(out, program, names, body);
+            configuration(out, names, options.interval_ms);
+        }
+    }
+}
+
+/// A program with one instance of the block.
+fn program(out: &mut Writer, program: &Program, names: &Names, body: impl FnOnce(&mut Writer, &[&str], &[&str])) {
     out.blank();
     out.line(&format!("PROGRAM {}", names.program));
     declarations::write(out, &variables(program, names));
-    body(out, program, names);
+    let (inputs, published) = wired(program, names);
+    body(out, &inputs, &published);
     out.blank();
     out.line("END_PROGRAM");
 }
@@ -24,8 +45,14 @@ fn published(program: &Program) -> impl Iterator<Item = (VarId, &Variable)> {
     program.variables.iter_enumerated().filter(|(_, variable)| is_published(variable))
 }
 
+/// The names that the program wires: those of inputs, and of what is published.
+pub(crate) fn wired<'n>(program: &Program, names: &'n Names) -> (Vec<&'n str>, Vec<&'n str>) {
+    let name = |(id, _): (VarId, &Variable)| names.variables[id].as_str();
+    (inputs(program).map(name).collect(), published(program).map(name).collect())
+}
+
 /// The variables of the program: those at addresses, then the others and the instance.
-pub(super) fn variables(program: &Program, names: &Names) -> Vec<Block> {
+pub(crate) fn variables(program: &Program, names: &Names) -> Vec<Block> {
     let mut located = Vec::new();
     let mut plain = Vec::new();
     for (id, variable) in inputs(program).chain(published(program)) {
@@ -44,31 +71,8 @@ pub(super) fn variables(program: &Program, names: &Names) -> Vec<Block> {
     vec![local(located), local(plain)]
 }
 
-/// The statements of the program.
-pub(super) fn body(out: &mut Writer, program: &Program, names: &Names) {
-    call(out, names, inputs(program).map(|(id, _)| id));
-    for (id, _) in published(program) {
-        let name = &names.variables[id];
-        out.line(&format!("{name} := {}.{name};", names.instance));
-    }
-}
-
-/// Calls the instance, inputs by name.
-fn call(out: &mut Writer, names: &Names, inputs: impl Iterator<Item = VarId>) {
-    let arguments: Vec<String> = inputs.map(|id| format!("{0} := {0}", names.variables[id])).collect();
-    let flat = format!("{}({});", names.instance, arguments.join(", "));
-    if flat.len() <= out.width() {
-        return out.line(&flat);
-    }
-    out.open(&format!("{}(", names.instance));
-    for (place, argument) in arguments.iter().enumerate() {
-        out.line(&format!("{argument}{}", if place + 1 < arguments.len() { "," } else { "" }));
-    }
-    out.close(");");
-}
-
-/// Writes a configuration with one cyclic task.
-pub(super) fn configuration(out: &mut Writer, names: &Names, interval_ms: u32) {
+/// A configuration with one cyclic task.
+fn configuration(out: &mut Writer, names: &Names, interval_ms: u32) {
     out.blank();
     out.open(&format!("CONFIGURATION {}", names.configuration));
     out.open(&format!("RESOURCE {} ON PLC", names.resource));

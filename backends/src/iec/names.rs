@@ -1,4 +1,4 @@
-//! The names of everything in one file of Structured Text.
+//! The names of everything in one file.
 
 use crate::comment::clean;
 use crate::keywords::Family;
@@ -8,7 +8,7 @@ use index_vec::IndexVec;
 
 /// All names, each unique in the whole file: readers search for them, and some tools mix up scopes.
 #[derive(Clone)]
-pub(super) struct Names {
+pub(crate) struct Names {
     pub variables: IndexVec<VarId, String>,
     pub timers: IndexVec<TimerId, String>,
     pub block: String,
@@ -18,12 +18,14 @@ pub(super) struct Names {
     pub resource: String,
     pub task: String,
     pub program_instance: String,
+    /// Gives further names: labels, variables of the target's own.
+    pub namer: Namer,
 }
 
 impl Names {
     /// Names by rank: what the chart declares, the chart, what is published, what is ours.
-    pub fn new(program: &Program) -> Self {
-        let mut namer = Namer::new(Family::Iec);
+    pub fn new(program: &Program, family: Family) -> Self {
+        let mut namer = Namer::new(family);
         let mut variables: IndexVec<VarId, String> = program.variables.iter().map(|_| String::new()).collect();
         name_rank(&mut namer, program, &mut variables, 0);
         let block = namer.name(&program.name);
@@ -40,6 +42,7 @@ impl Names {
             task: namer.name("cycle"),
             program_instance: namer.name("main"),
             block,
+            namer,
         }
     }
 }
@@ -73,7 +76,7 @@ fn rank(role: Role) -> u8 {
 }
 
 /// What stands beside a declaration: the chart's name if it had to be changed, and the attached comment.
-pub(super) fn remark(original: &str, given: &str, comment: Option<&str>) -> Option<String> {
+pub(crate) fn remark(original: &str, given: &str, comment: Option<&str>) -> Option<String> {
     let comment = comment.map(clean).filter(|text| !text.is_empty());
     if original == given {
         return comment;

@@ -1,0 +1,88 @@
+//! Instruction lists: IEC 61131-3 edition 2, clause 3.2, and of it what MATIEC takes.
+//!
+//! MATIEC takes no parenthesis within a parenthesis, so what would need one goes through a variable first
+//! (`expressions`). It writes C code that does not compile where a function block is called with literals, and where
+//! a value is loaded that nothing reads: inputs of timers are stored one by one before `CAL`, and no instruction is out
+//! of reach. Words of the language cannot be names, so a name such as `S` or `IN` is changed here while it stays in
+//! Structured Text. It takes `S` and `R` or refuses them as chance will have it, since it asks a pointer that nothing has
+//! set (2024): so there are none. After `JMPCN` the accumulator is true, and `ST` and `STN` write `TRUE` and `FALSE`.
+//!
+//! MATIEC takes a body for Structured Text or for instructions by what comes first: a semicolon, or the end of the body or
+//! what begins like one. It holds in its buffer what it has to read for that, and gives up on bodies of some 60 kB: a long
+//! body therefore begins with a label that has such a beginning in it.
+//!
+//! Jumps lead forward, but for that of the stability loop.
+
+mod code;
+mod expressions;
+mod statements;
+#[cfg(test)]
+mod tests;
+
+use crate::comment::clean;
+pub use crate::iec::{Options, Pou};
+use crate::iec::{declarations, frame, names};
+use crate::keywords::Family;
+use crate::limits;
+use crate::writer::{self, Writer};
+use code::Code;
+use declarations::Entry;
+use grafc_diagnostics::Diagnostics;
+use grafc_logic::formula::Type;
+use grafc_logic::scan::{Program, VarId};
+use index_vec::IndexVec;
+use names::Names;
+
+/// From so many bytes on a body is long. A fraction of what MATIEC was seen to hold.
+const LONG: usize = 16_000;
+
+/// Writes a program as an instruction list.
+///
+/// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
+pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
+    limits::check(program)?;
+    let mut names = Names::new(program, Family::InstructionList);
+    let body = statements::body(program, &mut names);
+    let mut out = Writer::new(&writer::IEC);
+    out.block_comment(options.header.iter().map(|line| clean(line)));
+    out.blank();
+    out.comment(&names::remark(&program.name, &names.block, program.comment.as_deref()).unwrap_or_default());
+    out.line(&format!("FUNCTION_BLOCK {}", names.block));
+    out.blank();
+    let parts = body.parts.into_iter().map(|name| Entry::plain(name, Type::Bool)).collect();
+    declarations::write(&mut out, &declarations::interface(program, &names, parts));
+    out.blank();
+    if body.out.len() > LONG {
+        out.comment("this label tells MATIEC that a long instruction list begins");
+        out.line(&format!("{}:", names.namer.name("no_end_action")));
+        out.blank();
+    }
+    out.append(body.out);
+    out.blank();
+    out.line("END_FUNCTION_BLOCK");
+    frame::write(&mut out, program, &names, options, |out, inputs, published| {
+        let mut code = Code::new(out.apart());
+        for name in inputs {
+            code.instruction("LD", name);
+            code.instruction("ST", &format!("{}.{name}", names.instance));
+        }
+        code.instruction("CAL", &names.instance);
+        for name in published {
+            code.instruction("LD", &format!("{}.{name}", names.instance));
+            code.instruction("ST", name);
+        }
+        out.append(code.out);
+    });
+    Ok(out.finish())
+}
+
+/// How many instructions the function block of [`emit`] has.
+pub fn instructions(program: &Program) -> Result<u64, Diagnostics> {
+    limits::check(program)?;
+    Ok(statements::body(program, &mut Names::new(program, Family::InstructionList)).count)
+}
+
+/// The names that [`emit`] gives to the variables of a program.
+pub fn names(program: &Program) -> IndexVec<VarId, String> {
+    Names::new(program, Family::InstructionList).variables
+}

@@ -1,0 +1,274 @@
+//! The body of the function block.
+//!
+//! What is known of the accumulator saves loads: after a condition was asked, it is that condition's value; a constant
+//! stays in it while it is stored.
+
+use super::code::{Code, Known};
+use super::expressions::Expressions;
+use crate::iec::literals::{literal, time, zero};
+use crate::iec::names::Names;
+use crate::limits::is_empty;
+use crate::writer::{self, Writer};
+use grafc_logic::formula::{FormulaId, Type, Value};
+use grafc_logic::scan::{Arm, Flag, Program, Repeat, Role, Statement, TimerId, VarId};
+
+/// What a timer without a preset is given: the longest time that all compilers take.
+const FOR_EVER_MS: i64 = i32::MAX as i64;
+/// So many arms of a choice are tried one after the other; of more, a jump passes over half.
+const FEW_ARMS: usize = 8;
+
+/// The instructions of one call.
+pub(super) fn body(program: &Program, names: &mut Names) -> Code {
+    let code = Code::new(Writer::new(&writer::IEC));
+    let mut body = Body { program, names, expressions: Expressions::new(program), code };
+    body.block(&program.first, None);
+    body.block(&program.before, None);
+    match program.repeat {
+        Some(repeat) => body.repeat(repeat),
+        None => body.block(&program.micro_step, None),
+    }
+    body.block(&program.after, None);
+    if body.code.count == 0 {
+        body.nothing();
+    }
+    body.code
+}
+
+struct Body<'p, 'n> {
+    program: &'p Program,
+    names: &'n mut Names,
+    expressions: Expressions<'p>,
+    code: Code,
+}
+
+impl Body<'_, '_> {
+    fn name(&self, id: VarId) -> String {
+        self.names.variables[id].clone()
+    }
+
+    fn load(&mut self, id: FormulaId) {
+        self.expressions.load(&mut self.code, self.names, id);
+    }
+
+    fn store(&mut self, operator: &str, target: VarId) {
+        self.code.instruction(operator, &self.names.variables[target]);
+    }
+
+    /// A label that nothing else is called like.
+    fn new_label(&mut self, wanted: &str) -> String {
+        self.names.namer.name(wanted)
+    }
+
+    /// A body may not be empty.
+    fn nothing(&mut self) {
+        let writable = self.program.variables.iter_enumerated().find(|(_, v)| v.role != Role::Constant);
+        if let Some((id, _)) = writable {
+            self.code.remark(Some("nothing ever changes"));
+            self.code.operation("LD", &self.names.variables[id]);
+            self.store("ST", id);
+        }
+    }
+
+    /// The stability loop; where it has a limit, the flag when it was cut off.
+    fn repeat(&mut self, repeat: Repeat) {
+        let start = self.new_label("micro_step");
+        let again = self.name(repeat.again);
+        let limit = repeat.limit.map(|limit| (self.name(limit.count), limit.bound));
+        if let Some((count, _)) = &limit {
+            self.code.operation("LD", "0");
+            self.code.instruction("ST", count);
+        }
+        self.code.out.blank();
+        self.code.label(&start);
+        if let Some((count, _)) = &limit {
+            self.code.operation("LD", count);
+            self.code.operation("ADD", "1");
+            self.code.instruction("ST", count);
+        }
+        self.block(&self.program.micro_step, None);
+        let Some((count, bound)) = limit else {
+            self.code.operation("LD", &again);
+            self.code.jump_if(&start);
+            return self.code.out.blank();
+        };
+        self.code.operation("LD", &count);
+        self.code.operation("LT", &bound.to_string());
+        self.code.operation("AND", &again);
+        self.code.jump_if(&start);
+        let flag = self.program.variables.iter_enumerated().find(|(_, v)| v.role == Role::Flag(Flag::Livelock));
+        if let Some((flag, _)) = flag {
+            self.code.operation("LD", &again);
+            self.code.operation("OR", &self.names.variables[flag]);
+            self.store("ST", flag);
+        }
+        self.code.out.blank();
+    }
+
+    /// Statements in order. If a label is given, what comes after them is a jump to it or the label itself, so that the
+    /// last of them may jump there.
+    fn block(&mut self, statements: &[Statement], after: Option<&str>) {
+        for (place, statement) in statements.iter().enumerate() {
+            let after = after.filter(|_| place + 1 == statements.len());
+            match statement {
+                Statement::Heading(text) => self.code.heading(text),
+                Statement::Assign { target, value, remark } => {
+                    self.code.remark(remark.as_deref());
+                    self.assign(*target, *value);
+                }
+                Statement::Divide { target, modulo, dividend, divisor, flag } => {
+                    self.divide(*target, *modulo, *dividend, *divisor, *flag);
+                }
+                Statement::CallTimer { timer, input } => self.call_timer(*timer, *input),
+                Statement::Case { of, arms } => self.case(*of, arms, after),
+                Statement::If { branches, otherwise } => self.branch(branches, otherwise, after),
+            }
+        }
+    }
+
+    fn assign(&mut self, target: VarId, value: FormulaId) {
+        let constant = match self.program.pool.as_constant(value) {
+            None => {
+                self.load(value);
+                return self.store("ST", target);
+            }
+            Some(Value::Bool(truth)) => Known::Truth(truth),
+            Some(Value::Int(_) | Value::Real(_) | Value::Time(_)) => Known::Constant(value),
+        };
+        match (self.code.known, constant) {
+            (Some(Known::Truth(known)), Known::Truth(truth)) => {
+                self.store(if known == truth { "ST" } else { "STN" }, target);
+            }
+            (known, _) => {
+                if known != Some(constant) {
+                    self.load(value);
+                    self.code.known = Some(constant);
+                }
+                self.store("ST", target);
+            }
+        }
+    }
+
+    /// Division guarded against 0, and against the one quotient that a type cannot hold: its least value by -1.
+    fn divide(&mut self, target: VarId, modulo: bool, a: FormulaId, b: FormulaId, flag: VarId) {
+        let pool = &self.program.pool;
+        let (ty, result) = (pool.ty(b), self.program.variables[target].ty);
+        if pool.as_constant(b).is_some() {
+            // Other constants divide without a guard, inside a formula.
+            self.code.operation("LD", &zero(result));
+            self.store("ST", target);
+            self.code.operation("LD", "TRUE");
+            return self.store("ST", flag);
+        }
+        let (divide, store) = (self.new_label("divide"), self.new_label("quotient"));
+        self.load(b);
+        self.code.operation("EQ", &zero(ty));
+        self.code.jump_unless(&divide);
+        self.store("ST", flag);
+        self.code.operation("LD", &zero(result));
+        self.code.instruction("JMP", &store);
+        self.code.label(&divide);
+        let least = Value::Int(i64::from(i32::MIN));
+        let constant = pool.as_constant(a);
+        if result == Type::Dint && ty == Type::Dint && constant.is_none_or(|a| a == least) {
+            let divide = self.new_label("divide");
+            self.load(b);
+            self.code.operation("EQ", &literal(Value::Int(-1), ty));
+            self.code.jump_unless(&divide);
+            match (modulo, constant) {
+                (true, _) => self.code.operation("LD", "0"),
+                // It is what overflows. MATIEC computes with constants and refuses the difference.
+                (false, Some(_)) => self.load(a),
+                (false, None) => {
+                    self.code.operation("LD", "0");
+                    self.expressions.apply(&mut self.code, self.names, "SUB", a);
+                }
+            }
+            self.code.instruction("JMP", &store);
+            self.code.label(&divide);
+        }
+        self.load(a);
+        self.expressions.apply(&mut self.code, self.names, if modulo { "MOD" } else { "DIV" }, b);
+        self.code.label(&store);
+        self.store("ST", target);
+    }
+
+    /// A timer's inputs are stored one by one.
+    fn call_timer(&mut self, timer: TimerId, input: FormulaId) {
+        let name = self.names.timers[timer].clone();
+        let preset = match self.program.timers[timer].preset {
+            None => time(FOR_EVER_MS),
+            Some(preset) => preset.constant.map_or_else(|| time(preset.ms), |id| self.name(id)),
+        };
+        self.load(input);
+        self.code.instruction("ST", &format!("{name}.IN"));
+        self.code.operation("LD", &preset);
+        self.code.instruction("ST", &format!("{name}.PT"));
+        self.code.operation("CAL", &name);
+    }
+
+    /// An arm a value, with what the value stands for beside it.
+    fn case(&mut self, of: VarId, arms: &[Arm], after: Option<&str>) {
+        let done = after.map_or_else(|| self.new_label("done"), str::to_owned);
+        let mut arms: Vec<&Arm> = arms.iter().collect();
+        if arms.len() > FEW_ARMS {
+            arms.sort_by_key(|arm| arm.value);
+        }
+        self.arms(of, &arms, &done, true);
+        if after.is_none() {
+            self.code.label(&done);
+        }
+    }
+
+    /// Tries arms; recursion is as deep as they can be halved. After the last of all there is no need to jump.
+    fn arms(&mut self, of: VarId, arms: &[&Arm], done: &str, last: bool) {
+        if arms.len() > FEW_ARMS {
+            let (low, high) = arms.split_at(arms.len() / 2);
+            let upper = self.new_label("upper");
+            self.code.operation("LD", &self.names.variables[of]);
+            self.code.operation("GE", &high[0].value.to_string());
+            self.code.jump_if(&upper);
+            self.arms(of, low, done, false);
+            self.code.label(&upper);
+            return self.arms(of, high, done, last);
+        }
+        for (place, arm) in arms.iter().enumerate() {
+            let is_last = place + 1 == arms.len();
+            let next = if is_last { done.to_owned() } else { self.new_label("next") };
+            self.code.remark(arm.remark.as_deref());
+            self.code.operation("LD", &self.names.variables[of]);
+            self.code.operation("EQ", &arm.value.to_string());
+            self.code.jump_unless(&next);
+            self.block(&arm.body, Some(done));
+            if !(is_last && last) {
+                self.code.instruction("JMP", done);
+            }
+            if !is_last {
+                self.code.label(&next);
+            }
+        }
+    }
+
+    /// The first branch whose condition is true.
+    fn branch(&mut self, branches: &[(FormulaId, Vec<Statement>)], otherwise: &[Statement], after: Option<&str>) {
+        if branches.is_empty() {
+            return self.block(otherwise, after);
+        }
+        let done = after.map_or_else(|| self.new_label("done"), str::to_owned);
+        for (place, (condition, body)) in branches.iter().enumerate() {
+            let is_last = place + 1 == branches.len() && is_empty(otherwise);
+            let next = if is_last { done.clone() } else { self.new_label("next") };
+            self.load(*condition);
+            self.code.jump_unless(&next);
+            self.block(body, Some(&done));
+            if !is_last {
+                self.code.instruction("JMP", &done);
+                self.code.label(&next);
+                self.code.known = Some(Known::Truth(false));
+            }
+        }
+        self.block(otherwise, Some(&done));
+        if after.is_none() {
+            self.code.label(&done);
+        }
+    }
+}
