@@ -3,6 +3,8 @@
 //! What such a run prints is a line a call, `job row value…`: outputs, whether each step is active, and flags, each in the
 //! order of the program. Reals come with as many digits as their type needs to be read back exactly.
 
+use crate::differential::caught;
+use crate::executors::Outcome;
 use grafc_logic::scan::{Flag, Program, Role, VarId, Variable};
 use grafc_model::chart::{Type, Value};
 use grafc_model::reaction::{Flags, Response, Stimulus};
@@ -52,6 +54,20 @@ pub(crate) fn run<U>(
         }
     }
     results
+}
+
+/// Runs those that are jobs; the others have their outcome already.
+pub(crate) fn run_some(
+    jobs: Vec<Result<Job, Outcome>>,
+    run: impl FnOnce(&[Job]) -> Vec<Result<Vec<Response>, String>>,
+) -> Vec<Outcome> {
+    let mut ready = Vec::new();
+    let places: Vec<Option<Outcome>> = jobs.into_iter().map(|job| job.map(|job| ready.push(job)).err()).collect();
+    // A panic of a backend is a finding of all jobs of the run: which it was, a run of each alone shows.
+    let results = caught(|| Ok(run(&ready))).unwrap_or_else(|fault| ready.iter().map(|_| Err(fault.clone())).collect());
+    let mut results = results.into_iter();
+    let mut next = || results.next().unwrap_or_else(|| Err("was not run".to_string())).into();
+    places.into_iter().map(|outcome| outcome.unwrap_or_else(&mut next)).collect()
 }
 
 /// The outputs of a program.

@@ -7,6 +7,7 @@ pub mod binary;
 pub mod charts;
 pub mod differential;
 pub mod excerpts;
+pub mod executors;
 pub mod jobs;
 pub mod markdown;
 pub mod matiec;

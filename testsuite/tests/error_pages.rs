@@ -2,7 +2,10 @@
 //! example gives nothing.
 
 use grafc_diagnostics::{Code, Diagnostics, FileId, Severity};
+use grafc_model::chart::Chart;
+use grafc_model::reaction::Profile;
 use grafc_testsuite::binary::{grafc, root};
+use grafc_testsuite::differential::simulate;
 use grafc_testsuite::markdown::{Block, blocks};
 use std::collections::BTreeSet;
 use std::process::Command;
@@ -37,6 +40,15 @@ fn chart_of(blocks: &[Block]) -> Option<&Block> {
     only(blocks, "gct").or(only(blocks, "xml"))
 }
 
+/// What is said about a recording of a chart without inputs: its times are the trace.
+fn compared(chart: &Chart, recording: &str) -> Diagnostics {
+    let times: Vec<&str> = recording.lines().filter_map(|line| line.split(',').next()).collect();
+    let (stimuli, mut said) = grafc_model::trace::parse_trace(FileId(1), &times.join("\n"), chart);
+    let responses = simulate(chart, Profile::default(), &stimuli);
+    said.append(grafc_model::trace::compare_trace(FileId(1), recording, chart, &stimuli, &responses).1);
+    said
+}
+
 /// What is said about the example: of a chart, of its import, of a trace for it, or of its way to Structured Text.
 fn diagnose(code: Code, chart: &Block, trace: Option<&Block>) -> BTreeSet<Code> {
     if chart.language == "xml" {
@@ -47,7 +59,10 @@ fn diagnose(code: Code, chart: &Block, trace: Option<&Block>) -> BTreeSet<Code> 
     match trace {
         Some(trace) => {
             let checked = checked.unwrap_or_else(|| panic!("{code:?}: the chart of the trace has errors: {said:?}"));
-            said.append(grafc_model::trace::parse_trace(FileId(1), &trace.text, &checked).1);
+            said.append(match code {
+                Code::E0605 => compared(&checked, &trace.text),
+                _ => grafc_model::trace::parse_trace(FileId(1), &trace.text, &checked).1,
+            });
         }
         None => {
             if let Some((_, options)) = COMPILED_WITH.iter().find(|(c, _)| *c == code) {

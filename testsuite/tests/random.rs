@@ -1,118 +1,78 @@
 //! Seeded random charts: texts that hold what they should, and executors that agree.
 //!
-//! A long run is `cargo run --release -p grafc-testsuite --bin differential -- --charts 1000 --rows 30`.
+//! A long run is `cargo run --release -p grafc-testsuite -- diff --charts 20000`.
 
 use grafc_diagnostics::FileId;
-use grafc_logic::{Encoding, Options};
-use grafc_model::reaction::{Profile, Response, Stimulus};
-use grafc_testsuite::differential::coverage::Coverage;
-use grafc_testsuite::differential::{
-    caught, evaluate, exact, first_difference, first_other_situation, profile, report, simulate, stable_situations,
-};
-use grafc_testsuite::random::{Drawn, Kind, checked, trace};
+use grafc_testsuite::differential::long_run::{Draft, Plan, run};
+use grafc_testsuite::differential::{first_difference, mismatch, profile, simulate};
+use grafc_testsuite::executors::select;
+use grafc_testsuite::random::{Draw, Kind, checked, checked_draw, trace};
 
 const ROWS: usize = 25;
 
 #[test]
-fn the_scan_program_agrees_with_the_simulator() {
-    let mut coverage = Coverage::default();
-    let mut rejected = 0;
-    for seed in 0..100 {
-        let drawn = checked(seed, Kind::Flat);
-        rejected += drawn.rejected;
-        let (chart, profile) = (&drawn.chart, profile(seed));
-        let stimuli = trace(seed, chart, ROWS);
-        let expected = simulate(chart, profile, &stimuli);
-        agrees(&drawn, profile, &stimuli, &expected);
-        coverage.count(chart, profile, &expected);
+fn all_built_in_executors_agree_with_the_simulator() {
+    let plan = Plan { charts: 320, seed: 0, size: 1, scans: ROWS, threads: None };
+    let mut executors = select("built-in").expect("the built-in executors");
+    executors.retain(|executor| executor.name() != "simulator");
+    let summary = run(&plan, &executors, |_, _| ());
+    for (executor, tally) in executors.iter().zip(&summary.tallies[1..]) {
+        if let Some(seed) = tally.mismatches.first() {
+            panic!("{}", mismatch::of(executor.as_ref(), &Draft::of(*seed, &plan)).show(executor.name()));
+        }
+        // The encodings whose steps overlap are seldom without a warning: a tenth of the charts is asked for.
+        let least = if executor.limits() == "none" || executor.name().starts_with("net:") { 320 } else { 16 };
+        assert!(tally.charts >= least, "{} ran only {} charts", executor.name(), tally.charts);
     }
-    assert!(rejected <= 15, "{rejected} of the texts drawn had errors");
+    let coverage = &summary.coverage;
+    assert!(summary.rejected <= 20, "{} of the texts drawn had errors", summary.rejected);
     // The charts must be about something.
     for (what, least) in [
-        ("ran: situation changed 5 times or more", 40),
-        ("ran: outputs changed", 66),
-        ("edge of an input", 40),
-        ("edge of an activity", 13),
-        ("edge of an expression", 13),
-        ("on-delay", 26),
-        ("on-delay with off-delay", 13),
-        ("off-delay", 13),
-        ("duration of a step", 26),
-        ("division", 13),
-        ("macro-step", 10),
-        ("source transition", 10),
-        ("sink transition", 6),
-        ("synchronisation", 26),
-        ("parallel branches", 26),
-        ("self-loop", 6),
-        ("several initial steps", 40),
-        ("action on event", 20),
-        ("action on clearing", 20),
-        ("action on activation", 26),
-        ("action on deactivation", 13),
-        ("continuous variable read", 20),
-        ("assignment condition", 40),
-        ("LIVELOCK", 2),
-        ("ALLOC_CONFLICT", 2),
-        ("DIV0", 2),
+        ("ran: situation changed 5 times or more", 150),
+        ("ran: outputs changed", 200),
+        ("edge of an input", 150),
+        ("edge of an activity", 40),
+        ("edge of an expression", 40),
+        ("on-delay", 80),
+        ("on-delay with off-delay", 40),
+        ("off-delay", 40),
+        ("duration of a step", 80),
+        ("division", 40),
+        ("macro-step", 30),
+        ("source transition", 30),
+        ("sink transition", 20),
+        ("synchronisation", 80),
+        ("parallel branches", 80),
+        ("self-loop", 20),
+        ("several initial steps", 100),
+        ("action on event", 60),
+        ("action on clearing", 60),
+        ("action on activation", 80),
+        ("action on deactivation", 40),
+        ("continuous variable read", 60),
+        ("assignment condition", 100),
+        ("enclosure", 40),
+        ("forcing of steps", 20),
+        ("freezing", 10),
+        ("forcing to the initial situation", 10),
+        ("LIVELOCK", 6),
+        ("ALLOC_CONFLICT", 6),
+        ("FORCE_CONFLICT", 3),
+        ("DIV0", 6),
     ] {
         assert!(coverage.of(what) >= least, "only {} charts: {what}\n{coverage}", coverage.of(what));
     }
-}
-
-/// Every exact way to lower a chart does what the simulator does.
-fn agrees(drawn: &Drawn, profile: Profile, stimuli: &[Stimulus], expected: &[Response]) {
-    for (way, options) in exact(profile) {
-        match caught(|| evaluate(&drawn.chart, &options, stimuli)) {
-            Err(fault) => panic!("seed {}, {way}: {fault}\n{}", drawn.seed, drawn.text),
-            Ok(actual) if first_difference(expected, &actual).is_some() => {
-                let report = report(&drawn.chart, profile, stimuli, expected, &actual);
-                panic!("seed {}, {way}\n{}\n{report}", drawn.seed, drawn.text);
-            }
-            Ok(_) => {}
-        }
-    }
+    // Thousands of charts have all of it; hundreds lack no rule, and hardly a spelling.
+    assert!(coverage.rules().all(|(_, count)| count > 0), "{:?}", coverage.uncovered());
+    assert!(coverage.uncovered().len() <= 3, "{:?}", coverage.uncovered());
 }
 
 #[test]
-fn the_scan_program_agrees_on_hierarchical_charts() {
-    let mut coverage = Coverage::default();
-    let mut rejected = 0;
-    for seed in 0..150 {
-        let drawn = checked(seed, Kind::Hierarchical);
-        rejected += drawn.rejected;
-        let stimuli = trace(seed, &drawn.chart, ROWS);
-        let run = simulate(&drawn.chart, profile(seed), &stimuli);
-        agrees(&drawn, profile(seed), &stimuli, &run);
-        coverage.count(&drawn.chart, profile(seed), &run);
-    }
-    assert!(rejected <= 30, "{rejected} of the texts drawn had errors");
-    for what in ["enclosure", "forcing of steps", "freezing", "forcing to the initial situation", "FORCE_CONFLICT"] {
-        assert!(coverage.of(what) >= 3, "only {} charts: {what}\n{coverage}", coverage.of(what));
-    }
-}
-
-/// R- and S-trigger end where the rules end, unless there is a warning that they may not.
-#[test]
-fn overlapping_steps_reach_the_same_stable_situations() {
-    let mut without_warning = 0;
-    for seed in 0..100 {
-        let drawn = checked(seed, Kind::Plain);
-        let profile = Profile::default();
-        let stimuli = trace(seed, &drawn.chart, ROWS);
-        let expected = simulate(&drawn.chart, profile, &stimuli);
-        agrees(&drawn, profile, &stimuli, &expected);
-        for encoding in [Encoding::RTrigger, Encoding::STrigger] {
-            let options = Options { profile, encoding, simplify: true };
-            let run = caught(|| stable_situations(&drawn.chart, &options, &stimuli));
-            let run = run.unwrap_or_else(|fault| panic!("seed {}, {}: {fault}", drawn.seed, encoding.name()));
-            let Some(run) = run else { continue };
-            without_warning += 1;
-            let row = first_other_situation(&expected, &run);
-            assert_eq!(row, None, "seed {}, {}\n{}", drawn.seed, encoding.name(), drawn.text);
-        }
-    }
-    assert!(without_warning >= 80, "only {without_warning} of 200 runs had no warning");
+fn larger_charts_are_larger() {
+    let steps = |size| -> usize {
+        (0..30).map(|seed| checked_draw(seed, Draw { kind: Kind::Hierarchical, size }).chart.steps.len()).sum()
+    };
+    assert!(steps(4) > 3 * steps(1), "{} and {} steps", steps(4), steps(1));
 }
 
 #[test]

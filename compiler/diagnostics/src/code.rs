@@ -127,6 +127,7 @@ codes! {
     E0602 "unknown-trace-column" Error;
     E0603 "bad-trace-value" Error;
     E0604 "trace-goes-back-in-time" Error;
+    E0605 "recording-differs" Error;
 
     E0701 "malformed-xml" Error;
     E0702 "xml-beyond-bounds" Error;

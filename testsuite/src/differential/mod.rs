@@ -1,7 +1,11 @@
 //! One chart, one trace, several executors: all must respond alike.
 
+pub mod command;
 pub mod coverage;
+pub mod long_run;
+pub mod mismatch;
 pub mod shrink;
+pub mod table;
 
 use crate::charts;
 use grafc_diagnostics::{Code, Diagnostics};

@@ -39,6 +39,17 @@ fn one_of<'a>(rng: &mut Rng, of: &[&'a str]) -> &'a str {
     of[rng.usize(0..of.len())]
 }
 
+/// An expression as an operator that binds tightest takes it: a predicate as it is, every other time.
+fn as_operand(expression: String) -> String {
+    let depths = expression.chars().scan(0, |depth: &mut i32, c| {
+        *depth += i32::from(c == '[') - i32::from(c == ']');
+        Some(*depth)
+    });
+    let closed = depths.take(expression.chars().count().saturating_sub(1)).all(|depth| depth > 0);
+    // The length decides, so that no draw is spent on it.
+    if closed && expression.len() % 2 == 0 { expression } else { format!("({expression})") }
+}
+
 impl Scope {
     /// A Boolean expression; `depth` bounds its nesting.
     pub fn condition(&self, rng: &mut Rng, depth: u32, allowed: Allowed) -> String {
@@ -94,7 +105,7 @@ impl Scope {
         };
         match name {
             Some(name) => format!("{sign}{name}"),
-            None => format!("{sign}({})", self.condition(rng, depth.max(1), plain)),
+            None => format!("{sign}{}", as_operand(self.condition(rng, depth.max(1), plain))),
         }
     }
 
@@ -109,7 +120,7 @@ impl Scope {
             Some(name) => name.clone(),
             None => {
                 let nested = Allowed { delays: rng.f32() < 0.1, ..plain };
-                format!("({})", self.condition(rng, depth.max(1), nested))
+                as_operand(self.condition(rng, depth.max(1), nested))
             }
         };
         let mut time = || -> String {

@@ -9,6 +9,7 @@
 //! happen: rings rather than dead ends, conditions of one or two inputs, delays that the traces meet to the millisecond.
 
 mod expression;
+mod ink;
 mod plain;
 mod structure;
 mod trace;
@@ -29,14 +30,26 @@ pub enum Kind {
     Plain,
 }
 
+/// What is drawn of a seed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Draw {
+    /// Which part of the language.
+    pub kind: Kind,
+    /// How large: 1 is a chart of up to five grafcets of up to eight steps, and it grows with this in both directions.
+    pub size: usize,
+}
+
 /// The text of the chart of a seed; nearly always free of errors.
-pub fn text(seed: u64, kind: Kind) -> String {
+fn text(seed: u64, draw: Draw) -> String {
     let mut rng = fastrand::Rng::with_seed(seed);
-    if kind == Kind::Plain {
-        return plain::chart(&mut rng, &format!("Random_{seed}"));
+    let name = format!("Random_{seed}");
+    match draw.kind {
+        Kind::Plain => plain::chart(&mut rng, &name),
+        Kind::Flat | Kind::Hierarchical => {
+            let frames = structure::draw(&mut rng, draw.kind, draw.size);
+            write::chart(&mut rng, &mut ink::Ink::new(seed), &name, &frames)
+        }
     }
-    let frames = structure::draw(&mut rng, kind);
-    write::chart(&mut rng, &format!("Random_{seed}"), &frames)
 }
 
 /// A chart that was drawn and checked.
@@ -51,15 +64,23 @@ pub struct Drawn {
     pub rejected: u32,
 }
 
+/// The small chart of a seed, as [`checked_draw`] gives it.
+///
+/// # Panics
+/// As that does.
+pub fn checked(seed: u64, kind: Kind) -> Drawn {
+    checked_draw(seed, Draw { kind, size: 1 })
+}
+
 /// The chart of a seed, or of the next derived seed whose text has no errors.
 ///
 /// # Panics
 /// If a hundred texts in a row have errors: then the generator is at fault, and the first message is shown.
-pub fn checked(seed: u64, kind: Kind) -> Drawn {
+pub fn checked_draw(seed: u64, draw: Draw) -> Drawn {
     let mut complaint = String::new();
     for rejected in 0..100 {
         let seed = if rejected == 0 { seed } else { seed.wrapping_mul(1_000_003).wrapping_add(u64::from(rejected)) };
-        let text = text(seed, kind);
+        let text = text(seed, draw);
         let (ast, mut said) = grafc_syntax::parse(FileId::default(), &text);
         if !said.has_errors() {
             let (chart, more) = grafc_model::check(&ast, "random");

@@ -45,17 +45,17 @@ pub(super) enum NodeKind {
     Macro,
 }
 
-/// Draws all frames; those that enclose or force come before those that are enclosed or forced.
-pub(super) fn draw(rng: &mut Rng, kind: Kind) -> Vec<Frame> {
+/// Draws all frames, a `size` of 1 being that of a small chart; those that enclose or force come before those that are enclosed or forced.
+pub(super) fn draw(rng: &mut Rng, kind: Kind, size: usize) -> Vec<Frame> {
     let mut frames = Vec::new();
     let count = match kind {
-        Kind::Flat | Kind::Plain => rng.usize(1..=3),
-        Kind::Hierarchical => rng.usize(2..=5),
+        Kind::Flat | Kind::Plain => rng.usize(1..=2 + size),
+        Kind::Hierarchical => rng.usize(2..=4 + size),
     };
     for index in 0..count {
         let macros = rng.f32() < 0.25;
         let name = format!("G{index}");
-        draw_frame(rng, &mut frames, name, Place::Top, (index + 1) * 100, macros);
+        draw_frame(rng, &mut frames, name, Place::Top, ((index + 1) * 100 * size, size), macros);
     }
     if kind == Kind::Hierarchical {
         enclose(rng, &mut frames);
@@ -70,10 +70,17 @@ fn node(label: String, kind: NodeKind) -> Node {
 }
 
 /// Draws one frame, and behind it the expansions of its macro-steps.
-fn draw_frame(rng: &mut Rng, frames: &mut Vec<Frame>, name: String, place: Place, base: usize, macros: bool) {
+fn draw_frame(
+    rng: &mut Rng,
+    frames: &mut Vec<Frame>,
+    name: String,
+    place: Place,
+    (base, size): (usize, usize),
+    macros: bool,
+) {
     let expansion = matches!(place, Place::Expansion(_));
     let grafcet = if let Place::Expansion(of) = &place { of.clone() } else { name.clone() };
-    let count = if expansion { rng.usize(0..=3) } else { rng.usize(2..=8) };
+    let count = if expansion { rng.usize(0..=3) } else { rng.usize(2..=8 * size) };
     let mut nodes: Vec<Node> = Vec::new();
     for index in 0..count {
         let label = if rng.f32() < 0.15 {
@@ -128,7 +135,8 @@ fn draw_frame(rng: &mut Rng, frames: &mut Vec<Frame>, name: String, place: Place
     frames.push(Frame { name, place, nodes, arcs });
     for (index, label) in expansions.into_iter().enumerate() {
         let nested = rng.f32() < 0.2;
-        draw_frame(rng, frames, label, Place::Expansion(grafcet.clone()), base + 20 * (index + 1), nested);
+        let base = (base + 20 * size * (index + 1), size);
+        draw_frame(rng, frames, label, Place::Expansion(grafcet.clone()), base, nested);
     }
 }
 

@@ -1,6 +1,9 @@
 //! A random chart as text: declarations, then the frames with conditions and actions.
+//!
+//! What means the same either way is left to `ink`.
 
 use super::expression::{Allowed, Scope};
+use super::ink::Ink;
 use super::structure::{Frame, NodeKind, Place};
 use fastrand::Rng;
 use grafc_model::chart::Type;
@@ -27,15 +30,57 @@ const AWKWARD: [&str; 14] =
     ["`on`", "TON", "EN", "вход", "Größe", "a__b", "x_", "NULL", "`2s/X202`", "ADD", "R_EDGE", "`a b`", "_u", "REAL"];
 
 /// The text of a chart with these frames.
-pub(super) fn chart(rng: &mut Rng, name: &str, frames: &[Frame]) -> String {
-    let mut out = format!("chart {name}\n\n");
-    let mut writer = Writer { scope: Scope::default(), stored: Vec::new(), awkward: AWKWARD.to_vec(), rng };
+pub(super) fn chart(rng: &mut Rng, ink: &mut Ink, name: &str, frames: &[Frame]) -> String {
+    let mut out = String::new();
+    if !ink.chance(0.03) {
+        let _ = writeln!(out, "chart {name}{}\n", ink.attached(0.1));
+    }
+    let mut writer = Writer {
+        scope: Scope::default(),
+        stored: Vec::new(),
+        awkward: AWKWARD.to_vec(),
+        declared: Vec::new(),
+        designations: 0,
+        rng,
+        ink,
+    };
     writer.name_activities(frames);
     writer.declare(&mut out);
+    let mut blocks: Vec<String> = Vec::new();
     for frame in frames {
-        writer.frame(&mut out, frame);
+        let mut block = String::new();
+        writer.ink.remark(&mut block);
+        writer.frame(&mut block, frame, frames.len() == 1);
+        blocks.push(block);
     }
-    out
+    nest(ink, frames, &mut blocks);
+    out.extend(blocks);
+    ink.respell(&out)
+}
+
+/// Puts some expansions where their macro-steps are. They come after these.
+fn nest(ink: &mut Ink, frames: &[Frame], blocks: &mut [String]) {
+    for (index, frame) in frames.iter().enumerate().rev() {
+        let holds = |host: &Frame| host.nodes.iter().any(|node| node.label == frame.name);
+        if matches!(frame.place, Place::Expansion(_))
+            && ink.chance(0.3)
+            && let Some(host) = frames.iter().position(holds)
+            && let Some(end) = blocks[host].rfind('}')
+        {
+            let block = std::mem::take(&mut blocks[index]);
+            blocks[host].insert_str(end, &block);
+        }
+    }
+}
+
+/// A declaration of one name.
+struct Declared {
+    kind: &'static str,
+    ty: Type,
+    /// The name, and its comment.
+    name: String,
+    /// What follows the type.
+    tail: String,
 }
 
 struct Writer<'a> {
@@ -43,6 +88,9 @@ struct Writer<'a> {
     /// What stored actions may assign.
     stored: Vec<(String, Type)>,
     awkward: Vec<&'static str>,
+    declared: Vec<Declared>,
+    designations: u32,
+    ink: &'a mut Ink,
     rng: &'a mut Rng,
 }
 
@@ -72,24 +120,27 @@ impl Writer<'_> {
     fn declare(&mut self, out: &mut String) {
         for index in 0..self.rng.usize(2..=5) {
             let name = self.fresh("a", index);
-            let _ = writeln!(out, "input {name} : bool{}", self.initial(Type::Bool, 0.1));
+            let initial = self.initial(Type::Bool, 0.1);
+            self.declares("input", &name, Type::Bool, &initial);
             self.scope.bools.push(name);
         }
         for index in 0..self.rng.usize(0..=2) {
             let (name, ty) = (self.fresh("n", index), TYPES[self.rng.usize(0..7)]);
-            let _ = writeln!(out, "input {name} \"a number\" : {}{}", keyword(ty), self.initial(ty, 0.2));
+            let initial = self.initial(ty, 0.2);
+            self.declares("input", &name, ty, &initial);
             self.scope.numbers.push((name, ty));
         }
         for index in 0..self.rng.usize(1..=4) {
             let name = self.fresh("w", index);
             let kind = if self.rng.f32() < 0.8 { "output" } else { "var" };
-            let _ = writeln!(out, "{kind} {name} : bool");
+            self.declares(kind, &name, Type::Bool, "");
             self.scope.wires.push(name);
         }
         for index in 0..self.rng.usize(0..=5) {
             let (name, ty) = (self.fresh("v", index), TYPES[self.rng.usize(0..8)]);
             let kind = if self.rng.f32() < 0.6 { "output" } else { "var" };
-            let _ = writeln!(out, "{kind} {name} : {}{}", keyword(ty), self.initial(ty, 0.3));
+            let initial = self.initial(ty, 0.3);
+            self.declares(kind, &name, ty, &initial);
             if ty == Type::Bool {
                 self.scope.bools.push(name.clone());
             } else {
@@ -100,7 +151,7 @@ impl Writer<'_> {
         for index in 0..self.rng.usize(0..=2) {
             let (name, ty) = (self.fresh("k", index), TYPES[self.rng.usize(0..8)]);
             let value = self.scope.literal(self.rng, ty);
-            let _ = writeln!(out, "const {name} : {} := {value}", keyword(ty));
+            self.declares("const", &name, ty, &format!(" := {value}"));
             match ty {
                 Type::Bool => self.scope.bools.push(name),
                 Type::Time => {
@@ -110,18 +161,50 @@ impl Writer<'_> {
                 _ => self.scope.numbers.push((name, ty)),
             }
         }
+        self.write_declarations(out);
         out.push('\n');
+    }
+
+    fn declares(&mut self, kind: &'static str, name: &str, ty: Type, initial: &str) {
+        let tail = match kind {
+            "input" => self.ink.tail('I', ty, initial),
+            "output" => self.ink.tail('Q', ty, initial),
+            "var" => self.ink.tail('M', ty, initial),
+            _ => initial.to_string(),
+        };
+        let name = format!("{name}{}", self.ink.attached(0.1));
+        self.declared.push(Declared { kind, ty, name, tail });
+    }
+
+    /// Neighbours of one type often share a line.
+    fn write_declarations(&mut self, out: &mut String) {
+        let mut declared = std::mem::take(&mut self.declared).into_iter().peekable();
+        while let Some(first) = declared.next() {
+            let _ = write!(out, "{} {}", first.kind, first.name);
+            let alike = |next: &Declared| next.kind == first.kind && next.ty == first.ty && next.tail == first.tail;
+            while !first.tail.contains(" at ")
+                && self.ink.chance(0.4)
+                && let Some(next) = declared.next_if(alike)
+            {
+                let _ = write!(out, ", {}", next.name);
+            }
+            let _ = writeln!(out, " : {}{}", keyword(first.ty), first.tail);
+        }
     }
 
     fn initial(&mut self, ty: Type, share: f32) -> String {
         if self.rng.f32() < share { format!(" := {}", self.scope.literal(self.rng, ty)) } else { String::new() }
     }
 
-    fn frame(&mut self, out: &mut String, frame: &Frame) {
+    fn frame(&mut self, out: &mut String, frame: &Frame, only: bool) {
+        // A file with a single grafcet that nobody names needs none.
+        let implied = only && !self.scope.activities.contains(&format!("X{}", frame.name)) && self.ink.chance(0.4);
+        let comment = self.ink.attached(0.1);
         let _ = match &frame.place {
-            Place::Top => writeln!(out, "grafcet {} {{", frame.name),
-            Place::In(step) => writeln!(out, "grafcet X{step}/{} {{", frame.name),
-            Place::Expansion(_) => writeln!(out, "expansion {} {{", frame.name),
+            _ if implied => Ok(()),
+            Place::Top => writeln!(out, "grafcet {}{comment} {{", frame.name),
+            Place::In(step) => writeln!(out, "grafcet X{step}/{}{comment} {{", frame.name),
+            Place::Expansion(_) => writeln!(out, "expansion {}{comment} {{", frame.name),
         };
         for node in &frame.nodes {
             let words = [
@@ -134,6 +217,7 @@ impl Writer<'_> {
                 },
             ];
             let comment = if self.rng.f32() < 0.1 { " \"says *) and (* \"" } else { "" };
+            self.ink.remark(out);
             let _ = write!(out, "  {}step {}{comment}", words.concat(), node.label);
             let mut actions: Vec<String> = Vec::new();
             if node.kind != NodeKind::Macro {
@@ -143,23 +227,49 @@ impl Writer<'_> {
                 actions.extend(node.orders.iter().map(|order| format!("force {order}")));
             }
             if actions.is_empty() {
-                out.push('\n');
+                out.push_str(if node.kind != NodeKind::Macro && self.ink.chance(0.1) { " { }\n" } else { "\n" });
             } else {
                 let _ = writeln!(out, " {{\n    {}\n  }}", actions.join("\n    "));
             }
         }
         for (index, (pre, post)) in frame.arcs.iter().enumerate() {
-            let designation = if self.rng.f32() < 0.5 { format!("({}_{index}) ", frame.name) } else { String::new() };
+            let designated = self.rng.f32() < 0.5;
+            let designation = self.designation(designated, &format!("{}_{index}", frame.name));
             let condition = self.transition_condition(pre.is_empty());
             let _ = write!(out, "  transition {designation}{} -> {} : {condition}", pre.join(", "), post.join(", "));
             if self.rng.f32() < 0.15
                 && let Some(assignment) = self.assignment()
             {
-                let _ = write!(out, " {{ {assignment} }}");
+                let second = self.second_assignment();
+                let _ = write!(out, " {{ {assignment}{second} }}");
             }
             out.push('\n');
         }
-        out.push_str("}\n\n");
+        out.push_str(if implied { "\n" } else { "}\n\n" });
+    }
+
+    /// A designation and what else stands before the arcs.
+    fn designation(&mut self, designated: bool, name: &str) -> String {
+        self.designations += 1;
+        let designation = match (designated, self.ink.chance(0.3)) {
+            (false, _) => String::new(),
+            (true, true) => format!("({}) ", self.designations),
+            (true, false) => format!("({name}) "),
+        };
+        match self.ink.attached(0.1) {
+            "" => designation,
+            comment => format!("{designation}{} ", comment.trim_start()),
+        }
+    }
+
+    /// Now and then another assignment on clearing.
+    fn second_assignment(&mut self) -> String {
+        if self.stored.is_empty() || !self.ink.chance(0.3) {
+            return String::new();
+        }
+        let at = self.ink.rng().usize(0..self.stored.len());
+        let (target, ty) = &self.stored[at];
+        format!("  {target} := {}", self.scope.literal(self.ink.rng(), *ty))
     }
 
     /// Sources that are open all the time would flood the chart, so most wait for an edge.

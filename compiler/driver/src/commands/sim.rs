@@ -1,9 +1,9 @@
-//! `grafc sim`: a chart over a trace, with the reference simulator.
+//! `grafc sim`: a chart over a trace, with the reference simulator; compared with a recording, if there is one.
 
 use super::{refuse_output_over_input, refuse_second_standard_input};
 use crate::Exit;
 use crate::command_line::ProfileArguments;
-use crate::files::Place;
+use crate::files::{Place, print};
 use crate::pipeline;
 use crate::report::{Failure, Format, Report};
 use clap::Args;
@@ -11,9 +11,11 @@ use clap::Args;
 const AFTER_HELP: &str = "\
 Example:
   grafc sim valve.gct --trace valve.trace.csv -o valve.result.csv
+  grafc sim valve.gct --trace valve.trace.csv --against plc.csv
 
 A trace is CSV: a header `t_ms,NAME,...` of inputs, then a row a scan, the first for the initial reaction.
-The result has the header `t_ms,OUTPUT,...,situation,flags`.";
+The result has the header `t_ms,OUTPUT,...,situation,flags`; a recording has any of these columns, and the first row
+that differs is an error.";
 
 /// Arguments of `grafc sim`.
 #[derive(Args, Debug)]
@@ -25,7 +27,10 @@ pub struct Arguments {
     /// The inputs over time; `-` is standard input
     #[arg(long, value_name = "IN.csv")]
     trace: Place,
-    /// Where to put the result [default: standard output]
+    /// A result recorded elsewhere, to compare with; `-` is standard input
+    #[arg(long, value_name = "RECORDED.csv")]
+    against: Option<Place>,
+    /// Where to put the result [default: standard output; nowhere with `--against`]
     #[arg(short, long, value_name = "OUT.csv")]
     output: Option<Place>,
     #[command(flatten)]
@@ -37,24 +42,36 @@ pub struct Arguments {
 
 /// Runs one chart over one trace.
 pub fn run(args: Arguments) -> Result<Exit, Failure> {
-    refuse_second_standard_input([&args.chart, &args.trace])?;
-    let output = args.output.unwrap_or(Place::Standard);
-    refuse_output_over_input(&output, [&args.chart, &args.trace])?;
+    let inputs = || [&args.chart, &args.trace].into_iter().chain(&args.against);
+    refuse_second_standard_input(inputs())?;
+    // Who compares wants to know whether it is the same, not to see it.
+    let output = args.output.or(args.against.is_none().then_some(Place::Standard));
+    if let Some(output) = &output {
+        refuse_output_over_input(output, inputs())?;
+    }
 
     let mut report = Report::default();
     let chart = report.load(&args.chart)?;
     let trace = report.load(&args.trace)?;
-    let mut result = None;
-    if let (Some(chart), Some(trace)) = (chart, trace) {
-        let chart = (chart, report.sources.file(chart).text.as_str());
-        let trace = (trace, report.sources.file(trace).text.as_str());
-        let (made, said) = pipeline::simulate(chart, &args.chart.chart_name(), trace, args.profile.profile());
+    let against = args.against.as_ref().map(|place| report.load(place)).transpose()?;
+    let mut made = None;
+    if let (Some(chart), Some(trace)) = (chart, trace)
+        && against != Some(None)
+    {
+        let text = |file| (file, report.sources.file(file).text.as_str());
+        let against = against.flatten().map(text);
+        let profile = args.profile.profile();
+        let name = args.chart.chart_name();
+        let (simulation, said) = pipeline::simulate(text(chart), &name, text(trace), against, profile);
         report.diagnostics.append(said);
-        result = made;
+        made = simulation;
     }
     let exit = report.tell(args.format);
-    if let Some(result) = result {
-        output.write(&result)?;
+    if let Some(made) = made.filter(|_| !report.has_errors()) {
+        match &output {
+            Some(output) => output.write(&made.result)?,
+            None => print(&format!("{} rows agree\n", made.compared.unwrap_or_default()))?,
+        }
     }
     Ok(exit)
 }

@@ -53,6 +53,7 @@ impl Simulator<'_> {
             }
         }
         self.state.active = next;
+        self.cleared = cleared;
         for &(edge, operand) in &self.plan.edges {
             self.state.edges[edge] = self.values.holds(operand);
         }

@@ -26,7 +26,7 @@ mod stored;
 #[cfg(test)]
 mod tests;
 
-use crate::chart::{Chart, ExprId, StepId, Value, VariableId};
+use crate::chart::{Chart, ExprId, StepId, TransitionId, Value, VariableId};
 use crate::reaction::{Flags, Profile};
 use context::Values;
 use delay::Delay;
@@ -65,6 +65,8 @@ pub struct Simulator<'a> {
     /// The inputs of the reaction before; none before the first.
     previous: Option<Vec<Value>>,
     flags: Flags,
+    /// The transitions that the latest micro-step cleared.
+    cleared: IndexVec<TransitionId, bool>,
     /// Values of the latest context; those that a context reads it has written before.
     values: Values,
 }
@@ -99,6 +101,7 @@ impl<'a> Simulator<'a> {
             },
             previous: None,
             flags: Flags::default(),
+            cleared: chart.transitions.iter().map(|_| false).collect(),
             values: Values::new(chart),
         }
     }
@@ -106,6 +109,11 @@ impl<'a> Simulator<'a> {
     /// The state after the latest reaction, or the latest micro-step of one that is observed.
     pub fn state(&self) -> &State {
         &self.state
+    }
+
+    /// Whether the latest micro-step cleared each transition.
+    pub fn cleared(&self) -> &IndexVec<TransitionId, bool> {
+        &self.cleared
     }
 
     /// The flags raised so far.

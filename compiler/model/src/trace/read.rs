@@ -15,13 +15,19 @@ pub fn parse_trace(file: FileId, text: &str, chart: &Chart) -> (Vec<Stimulus>, D
 }
 
 /// One record of the text.
-struct Record {
+pub(super) struct Record {
     cells: csv::StringRecord,
     spans: Vec<Span>,
 }
 
 impl Record {
-    fn cell(&self, column: usize) -> (&str, Span) {
+    /// How many cells it has.
+    pub fn len(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// A cell without the blanks around it, and its place.
+    pub fn cell(&self, column: usize) -> (&str, Span) {
         (self.cells.get(column).unwrap_or_default().trim(), self.spans.get(column).copied().unwrap_or(self.span()))
     }
 
@@ -34,20 +40,14 @@ impl Record {
     }
 }
 
-struct Reader {
-    file: FileId,
-    diagnostics: Diagnostics,
+pub(super) struct Reader {
+    pub file: FileId,
+    pub diagnostics: Diagnostics,
 }
 
 impl Reader {
     fn read(&mut self, text: &str, chart: &Chart) -> Vec<Stimulus> {
-        let mut records = self.records(text).into_iter();
-        let Some(header) = records.next() else {
-            let place = Span::new(self.file, 0, 0);
-            let diagnostic = Diagnostic::new(Code::E0601, place, "the trace is empty");
-            self.diagnostics.push(diagnostic.note("a trace begins with a header `t_ms,NAME,…`"));
-            return Vec::new();
-        };
+        let Some((header, records)) = self.table(text) else { return Vec::new() };
         let inputs: Vec<&Variable> = chart.variables.iter().filter(|v| v.kind == VariableKind::Input).collect();
         let columns = self.header(&header, chart, &inputs);
 
@@ -55,11 +55,7 @@ impl Reader {
         let mut values: Vec<Value> = inputs.iter().map(|input| input.initial).collect();
         let mut latest: Option<(i64, Span)> = None;
         for record in records {
-            if record.cells.len() != header.cells.len() {
-                let (cells, columns) = (record.cells.len(), header.cells.len());
-                let message = format!("the row has {}, the header has {columns}", count(cells));
-                self.diagnostics.push(Diagnostic::new(Code::E0601, record.span(), message));
-            } else {
+            if self.fits(&record, &header) {
                 for (column, role) in columns.iter().enumerate() {
                     let (text, span) = record.cell(column);
                     match *role {
@@ -76,6 +72,28 @@ impl Reader {
             stimuli.push(Stimulus { t_ms: latest.map_or(0, |(t, _)| t), inputs: values.clone() });
         }
         stimuli
+    }
+
+    /// The header and the other records; an empty text is reported.
+    pub fn table(&mut self, text: &str) -> Option<(Record, Vec<Record>)> {
+        let mut records = self.records(text).into_iter();
+        let Some(header) = records.next() else {
+            let place = Span::new(self.file, 0, 0);
+            let diagnostic = Diagnostic::new(Code::E0601, place, "the trace is empty");
+            self.diagnostics.push(diagnostic.note("a trace begins with a header `t_ms,NAME,…`"));
+            return None;
+        };
+        Some((header, records.collect()))
+    }
+
+    /// Whether a record has as many cells as the header; if not, it is reported.
+    pub fn fits(&mut self, record: &Record, header: &Record) -> bool {
+        let (cells, columns) = (record.len(), header.len());
+        if cells != columns {
+            let message = format!("the row has {}, the header has {columns}", count(cells));
+            self.diagnostics.push(Diagnostic::new(Code::E0601, record.span(), message));
+        }
+        cells == columns
     }
 
     /// The records of the text with the places of their cells.
@@ -135,7 +153,7 @@ impl Reader {
     }
 
     /// The time of a row, and its place; if it cannot be read, that of the row before.
-    fn time(&mut self, text: &str, span: Span, latest: Option<(i64, Span)>) -> Option<(i64, Span)> {
+    pub fn time(&mut self, text: &str, span: Span, latest: Option<(i64, Span)>) -> Option<(i64, Span)> {
         let Some(t) = text.parse::<i64>().ok().filter(|&t| t >= 0) else {
             let message =
                 if text.is_empty() { "the row has no time".into() } else { format!("`{text}` is not a time") };
@@ -194,7 +212,7 @@ fn unknown_column(name: &str, span: Span, chart: &Chart) -> Diagnostic {
 }
 
 /// The value of a cell, or what was expected.
-fn parse_value(text: &str, ty: Type) -> Result<Value, String> {
+pub(super) fn parse_value(text: &str, ty: Type) -> Result<Value, String> {
     let whole = |least: i64, greatest: i64| {
         text.parse::<i64>()
             .ok()

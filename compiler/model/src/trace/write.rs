@@ -28,7 +28,7 @@ pub fn write_trace(chart: &Chart, stimuli: &[Stimulus], responses: &[Response]) 
 }
 
 /// A value as it stands in a result: reals as short as reading them back allows.
-fn cell(ty: Type, value: Value) -> String {
+pub(super) fn cell(ty: Type, value: Value) -> String {
     match value {
         Value::Bool(b) => u8::from(b).to_string(),
         Value::Int(i) | Value::Time(i) => i.to_string(),

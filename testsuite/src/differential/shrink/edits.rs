@@ -1,117 +1,60 @@
-//! Makes a chart and its trace smaller while a fault persists.
-//!
-//! Pieces of the text are deleted or replaced by the places in its syntax tree, the largest first; what is left must
-//! still show the fault, which the caller decides. Nothing else is asked of a step, so any fault can be shrunk.
+//! The edits that make a chart's text shorter, by the places in its syntax tree.
 
 use grafc_diagnostics::{FileId, Span};
-use grafc_model::chart::{Chart, Value, VariableKind};
-use grafc_model::reaction::Stimulus;
-use grafc_syntax::ast::{ActionKind, Event, ExprId, ExprKind, Item, Situation};
+use grafc_syntax::ast::{ActionKind, Chart, Event, ExprId, ExprKind, Item, Situation, Step, StepKind};
+use std::collections::BTreeMap;
 
-/// A trace by the names of inputs, so that it survives the deletion of one.
-#[derive(Clone, Debug)]
-pub struct NamedTrace {
-    names: Vec<String>,
-    rows: Vec<Stimulus>,
-}
+/// What is put in the place of what: one place, or several that only go together.
+pub(super) struct Edit(Vec<(Span, String)>);
 
-impl NamedTrace {
-    /// The stimuli of a chart.
-    pub fn of(chart: &Chart, rows: &[Stimulus]) -> Self {
-        let inputs = chart.variables.iter().filter(|v| v.kind == VariableKind::Input);
-        NamedTrace { names: inputs.map(|v| v.name.clone()).collect(), rows: rows.to_vec() }
+impl Edit {
+    /// The text after it.
+    pub fn apply(&self, text: &str) -> String {
+        let mut text = text.to_string();
+        let mut parts: Vec<&(Span, String)> = self.0.iter().collect();
+        parts.sort_by_key(|(span, _)| std::cmp::Reverse(span.start));
+        for (span, with) in parts {
+            text.replace_range(span.range(), with);
+        }
+        text
     }
 
-    /// The stimuli for a chart that may have fewer inputs.
-    pub fn stimuli(&self, chart: &Chart) -> Vec<Stimulus> {
-        let inputs: Vec<_> = chart.variables.iter().filter(|v| v.kind == VariableKind::Input).collect();
-        let column = |name: &str| self.names.iter().position(|n| n == name);
-        let value = |row: &Stimulus, name: &str, initial: Value| column(name).map_or(initial, |i| row.inputs[i]);
-        let inputs_of = |row: &Stimulus| inputs.iter().map(|v| value(row, &v.name, v.initial)).collect();
-        self.rows.iter().map(|row| Stimulus { t_ms: row.t_ms, inputs: inputs_of(row) }).collect()
-    }
-
-    /// The trace as a file of it would read.
-    pub fn to_csv(&self) -> String {
-        let cell = |value: &Value| match value {
-            Value::Bool(b) => u8::from(*b).to_string(),
-            Value::Int(n) | Value::Time(n) => n.to_string(),
-            Value::Real(x) => x.to_string(),
-        };
-        let mut out = format!("t_ms,{}\n", self.names.join(","));
-        for row in &self.rows {
-            let cells: Vec<String> = row.inputs.iter().map(cell).collect();
-            out.push_str(&format!("{},{}\n", row.t_ms, cells.join(",")));
-        }
-        out
-    }
-}
-
-/// The smallest chart and trace found that still show the fault, after at most `tries` runs.
-pub fn shrink(
-    text: &str,
-    trace: &NamedTrace,
-    mut tries: u32,
-    mut faulty: impl FnMut(&str, &NamedTrace) -> bool,
-) -> (String, NamedTrace) {
-    let (mut text, mut trace) = (text.to_string(), trace.clone());
-    loop {
-        let mut smaller = false;
-        // Rows: halves first, then one by one.
-        let mut size = (trace.rows.len() / 2).max(1);
-        loop {
-            let mut at = trace.rows.len();
-            while at > 0 && tries > 0 {
-                let from = at.saturating_sub(size);
-                let mut shorter = trace.clone();
-                shorter.rows.drain(from..at);
-                tries -= 1;
-                if faulty(&text, &shorter) {
-                    trace = shorter;
-                    smaller = true;
-                }
-                at = from;
-            }
-            if size == 1 {
-                break;
-            }
-            size /= 2;
-        }
-        // Text: one edit at a time; places move with each, so the tree is read again.
-        'edits: loop {
-            for (span, with) in edits(&text) {
-                if tries == 0 {
-                    return (text, trace);
-                }
-                let mut shorter = text.clone();
-                shorter.replace_range(span.range(), &with);
-                tries -= 1;
-                if faulty(&shorter, &trace) {
-                    text = shorter;
-                    smaller = true;
-                    continue 'edits;
-                }
-            }
-            break;
-        }
-        if !smaller {
-            return (text, trace);
-        }
+    /// By how much it shortens a text.
+    fn gain(&self) -> usize {
+        self.0.iter().map(|(span, with)| span.range().len().saturating_sub(with.len())).sum()
     }
 }
 
 /// All edits that make a text shorter, the largest first.
-fn edits(text: &str) -> Vec<(Span, String)> {
+pub(super) fn of(text: &str) -> Vec<Edit> {
     let (chart, said) = grafc_syntax::parse(FileId::default(), text);
     if said.has_errors() {
         return Vec::new();
     }
     let mut list: Vec<(Span, String)> = Vec::new();
+    list.extend(chart.heading.iter().map(|heading| (heading.span, String::new())));
+    list.extend(chart.comments.iter().map(|comment| (comment.span, String::new())));
     let mut exprs: Vec<ExprId> = Vec::new();
     let mut open: Vec<&Item> = chart.items.iter().collect();
     while let Some(item) = open.pop() {
         match item {
-            Item::Declaration(declaration) => list.push((declaration.span, String::new())),
+            Item::Declaration(declaration) => {
+                list.push((declaration.span, String::new()));
+                let names = &declaration.names;
+                list.extend(names.iter().filter_map(|n| n.comment.as_ref()).map(|c| (c.span, String::new())));
+                list.extend(names.windows(2).map(|pair| {
+                    let (start, end) = (pair[0].name.span.start as usize, pair[1].name.span.start as usize);
+                    (Span::new(declaration.span.file, start, end), String::new())
+                }));
+                if let [.., before, last] = &names[..] {
+                    let end = before.comment.as_ref().map_or(before.name.span, |c| c.span).end as usize;
+                    let last_end = last.comment.as_ref().map_or(last.name.span, |c| c.span).end as usize;
+                    list.push((Span::new(declaration.span.file, end, last_end), String::new()));
+                }
+                let tail =
+                    Span::new(declaration.span.file, declaration.ty_span.end as usize, declaration.span.end as usize);
+                list.push((tail, String::new()));
+            }
             Item::Grafcet(grafcet) => {
                 list.push((grafcet.span, String::new()));
                 open.extend(&grafcet.items);
@@ -122,12 +65,8 @@ fn edits(text: &str) -> Vec<(Span, String)> {
             }
             Item::Step(step) => {
                 list.push((step.span, String::new()));
-                if step.initial
-                    && let Some(at) = text[step.span.range()].find("initial")
-                {
-                    let start = step.span.start as usize + at;
-                    list.push((Span::new(step.span.file, start, start + "initial".len()), String::new()));
-                }
+                let words = ["initial", "activated"].into_iter().filter_map(|prefix| word(text, step, prefix));
+                list.extend(words.map(|span| (span, String::new())));
                 let head = step.comment.as_ref().map_or(step.label.span, |c| c.span);
                 list.push((Span::new(head.file, head.end as usize, step.span.end as usize), String::new()));
                 for action in &step.actions {
@@ -157,6 +96,7 @@ fn edits(text: &str) -> Vec<(Span, String)> {
                 let rest = Span::new(condition.file, condition.end as usize, transition.span.end as usize);
                 list.push((rest, String::new()));
                 exprs.push(transition.condition);
+                list.push((condition, "1".into()));
                 exprs.extend(transition.actions.iter().map(|a| a.value));
                 for names in [&transition.from, &transition.to] {
                     for (index, name) in names.iter().enumerate().skip(1) {
@@ -202,6 +142,49 @@ fn edits(text: &str) -> Vec<(Span, String)> {
         }
     }
     list.retain(|(span, with)| span.range().len() > with.len());
-    list.sort_by_key(|(span, with)| (std::cmp::Reverse(span.range().len() - with.len()), span.start));
-    list
+    let mut edits: Vec<Edit> = list.into_iter().map(|part| Edit(vec![part])).collect();
+    edits.extend(pairs(text, &chart));
+    edits.sort_by_key(|edit| (std::cmp::Reverse(edit.gain()), edit.0[0].0.start));
+    edits
+}
+
+/// What cannot go alone: a macro-step with its expansion, an enclosure with the word that makes its step enclosing.
+fn pairs(text: &str, chart: &Chart) -> Vec<Edit> {
+    let mut steps: BTreeMap<&str, &Step> = BTreeMap::new();
+    let mut blocks: Vec<(&str, Span)> = Vec::new();
+    let mut open: Vec<&Item> = chart.items.iter().collect();
+    while let Some(item) = open.pop() {
+        match item {
+            Item::Step(step) => {
+                steps.insert(&step.label.text, step);
+            }
+            Item::Grafcet(grafcet) => {
+                let encloser = grafcet.path.last().and_then(|name| name.text.strip_prefix('X'));
+                blocks.extend(encloser.map(|label| (label, grafcet.span)));
+                open.extend(&grafcet.items);
+            }
+            Item::Expansion(expansion) => {
+                blocks.push((&expansion.macro_step.text, expansion.span));
+                open.extend(&expansion.items);
+            }
+            Item::Declaration(_) | Item::Transition(_) => {}
+        }
+    }
+    let pair = |(label, block): (&str, Span)| {
+        let step = steps.get(label)?;
+        let span = match step.kind {
+            StepKind::Macro => step.span,
+            StepKind::Enclosing => word(text, step, "enclosing")?,
+            StepKind::Plain => return None,
+        };
+        Some(Edit(vec![(block, String::new()), (span, String::new())]))
+    };
+    blocks.into_iter().filter_map(pair).collect()
+}
+
+/// A word before the label of a step.
+fn word(text: &str, step: &Step, word: &str) -> Option<Span> {
+    let start = step.span.start as usize;
+    let at = start + text[start..step.label.span.start as usize].find(word)?;
+    Some(Span::new(step.span.file, at, at + word.len()))
 }

@@ -1,14 +1,34 @@
 //! What the charts of a long run held and did: a run in which nothing happens proves nothing.
 
+mod productions;
+mod rules;
+
+use grafc_diagnostics::FileId;
 use grafc_model::chart::{Arithmetic, Chart, Event, ExprKind, Mode, Node, Situation, VariableKind};
-use grafc_model::reaction::{Evolution, Profile, Response};
+use grafc_model::reaction::{Evolution, Profile, Response, Stimulus};
 use std::collections::BTreeMap;
 use std::fmt;
+
+/// What names stand for, and what is raised: neither a production nor a rule, and not to be missed either.
+const NEEDED: [&str; 10] = [
+    "activity of a step",
+    "activity of a macro-step",
+    "activity of a grafcet",
+    "duration of a step",
+    "continuous variable read",
+    "conversion",
+    "LIVELOCK",
+    "ALLOC_CONFLICT",
+    "FORCE_CONFLICT",
+    "DIV0",
+];
 
 /// Counts of charts, by what they have or did.
 #[derive(Clone, Debug, Default)]
 pub struct Coverage {
     counts: BTreeMap<&'static str, u64>,
+    productions: BTreeMap<&'static str, u64>,
+    rules: BTreeMap<&'static str, u64>,
     /// Charts that were counted.
     pub charts: u64,
     /// Calls.
@@ -42,12 +62,12 @@ impl Coverage {
                 ExprKind::Arithmetic(Arithmetic::Divide | Arithmetic::Modulo, ..) => "division",
                 ExprKind::Arithmetic(..) | ExprKind::Negate(_) => "arithmetic",
                 ExprKind::Widen(_) => "conversion",
+                ExprKind::StepActive(_) => "activity of a step",
                 ExprKind::MacroActive(_) => "activity of a macro-step",
                 ExprKind::GrafcetActive(_) => "activity of a grafcet",
                 ExprKind::Variable(v) if chart.variables[*v].mode == Mode::Wire => "continuous variable read",
                 ExprKind::Literal(_)
                 | ExprKind::Variable(_)
-                | ExprKind::StepActive(_)
                 | ExprKind::Not(_)
                 | ExprKind::And(..)
                 | ExprKind::Or(..)
@@ -109,6 +129,55 @@ impl Coverage {
         for what in seen {
             *self.counts.entry(what).or_default() += 1;
         }
+    }
+
+    /// Counts the productions of the language in one chart's text, and the rules in its run.
+    pub fn count_closely(&mut self, text: &str, chart: &Chart, profile: Profile, stimuli: &[Stimulus]) {
+        let (tree, _) = grafc_syntax::parse(FileId::default(), text);
+        for what in productions::of(text, &tree) {
+            *self.productions.entry(what).or_default() += 1;
+        }
+        for what in rules::of(chart, profile, stimuli) {
+            *self.rules.entry(what).or_default() += 1;
+        }
+    }
+
+    /// Adds what another has counted.
+    pub fn add(&mut self, other: &Coverage) {
+        self.charts += other.charts;
+        self.reactions += other.reactions;
+        let pairs = [
+            (&mut self.counts, &other.counts),
+            (&mut self.productions, &other.productions),
+            (&mut self.rules, &other.rules),
+        ];
+        for (mine, theirs) in pairs {
+            for (what, count) in theirs {
+                *mine.entry(what).or_default() += count;
+            }
+        }
+    }
+
+    /// Charts with each production of the language.
+    pub fn productions(&self) -> impl Iterator<Item = (&'static str, u64)> {
+        productions::ALL.iter().map(|what| (*what, self.productions.get(what).copied().unwrap_or_default()))
+    }
+
+    /// Charts whose run showed each rule.
+    pub fn rules(&self) -> impl Iterator<Item = (&'static str, u64)> {
+        rules::ALL.iter().map(|what| (*what, self.rules.get(what).copied().unwrap_or_default()))
+    }
+
+    /// Charts that had or did each of the other things.
+    pub fn others(&self) -> impl Iterator<Item = (&'static str, u64)> {
+        self.counts.iter().map(|(what, count)| (*what, *count))
+    }
+
+    /// Productions, rules and the like that no chart had.
+    pub fn uncovered(&self) -> Vec<&'static str> {
+        let needed = NEEDED.iter().map(|what| (*what, self.of(what)));
+        let all = self.productions().chain(self.rules()).chain(needed);
+        all.filter(|(_, count)| *count == 0).map(|(what, _)| what).collect()
     }
 
     /// How many charts had or did this.

@@ -1,0 +1,95 @@
+//! What can be written in several ways, and what a text may have without meaning anything else: spellings, comments,
+//! addresses. It is drawn apart, so that a chart stays the same whatever is added here.
+
+use fastrand::Rng;
+use grafc_model::chart::Type;
+use std::fmt::Write as _;
+
+/// Spellings of the same.
+const SPELLINGS: [(&str, &str); 14] = [
+    (" <> ", " ≠ "),
+    (" <= ", " ≤ "),
+    (" >= ", " ≥ "),
+    (" · ", " ⋅ "),
+    (" -> ", " → "),
+    ("16#7F", "2#111_1111"),
+    ("16#7F", "8#177"),
+    ("32767", "32_767"),
+    ("65535", "65_535"),
+    ("2147483647", "2_147_483_647"),
+    (" 3.25", " 32.5e-1"),
+    (" 8.5", " 0.85e+1"),
+    (" 0.1", " 1.0e-1"),
+    (" 1min30s", " T#1m30s"),
+];
+
+/// A source of variety.
+pub(super) struct Ink {
+    rng: Rng,
+    /// The next free number of an address.
+    address: u32,
+}
+
+impl Ink {
+    pub fn new(seed: u64) -> Self {
+        Ink { rng: Rng::with_seed(seed ^ 0x696e_6b00), address: 0 }
+    }
+
+    /// True in this share of cases.
+    pub fn chance(&mut self, share: f32) -> bool {
+        self.rng.f32() < share
+    }
+
+    /// The source itself.
+    pub fn rng(&mut self) -> &mut Rng {
+        &mut self.rng
+    }
+
+    /// Now and then an attached comment, with a space before it.
+    pub fn attached(&mut self, share: f32) -> &'static str {
+        if self.chance(share) {
+            [" \"says *) and (* \"", " \"Füllen, 50 %\"", " \"\""][self.rng.usize(0..3)]
+        } else {
+            ""
+        }
+    }
+
+    /// Now and then a comment on lines of its own.
+    pub fn remark(&mut self, out: &mut String) {
+        if self.chance(0.05) {
+            let remarks = ["// a remark (* not nested\n", "(* a remark *)\n", "(* a (* nested *) remark\n*)\n"];
+            out.push_str(remarks[self.rng.usize(0..3)]);
+        }
+    }
+
+    /// What follows the type in a declaration: the initial value, now and then an address, in either order.
+    pub fn tail(&mut self, area: char, ty: Type, initial: &str) -> String {
+        if !self.chance(0.12) {
+            return initial.to_string();
+        }
+        self.address += 1;
+        let n = self.address;
+        let address = match ty {
+            Type::Bool => format!(" at %{area}X{n}.{}", n % 8),
+            Type::Int | Type::Uint => format!(" at %{area}W{n}"),
+            Type::Dint | Type::Udint | Type::Real | Type::Time => format!(" at %{area}D{n}"),
+            Type::Lreal => format!(" at %{area}L{n}"),
+        };
+        if self.chance(0.5) { format!("{initial}{address}") } else { format!("{address}{initial}") }
+    }
+
+    /// A text with other spellings here and there.
+    pub fn respell(&mut self, text: &str) -> String {
+        let mut text = text.to_string();
+        for (from, to) in SPELLINGS {
+            let mut parts = text.split(from);
+            let mut out = parts.next().unwrap_or_default().to_string();
+            for part in parts {
+                let spelling = if self.rng.f32() < 0.3 { to } else { from };
+                let _ = write!(out, "{spelling}{part}");
+            }
+            text = out;
+        }
+        text
+    }
+}
