@@ -39,7 +39,7 @@ pub fn importer(text: &str) {
 /// The chart that traces are read for: an input of each type.
 const INPUTS: &str = "
     input a : bool\ninput b : int\ninput c : dint\ninput d : uint\ninput e : udint\ninput f : real\ninput g : lreal
-    input h : time\noutput A : bool\ninitial step 1 { A if a }\nstep 2\ntransition 1 -> 2 : rise a and b > 3
+    input h : time\noutput Q : bool\ninitial step 1 { Q if a }\nstep 2\ntransition 1 -> 2 : rise a and [b > 3]
 ";
 
 /// A trace: messages at places of it; times do not go back; what was read and is written again is read as the same.

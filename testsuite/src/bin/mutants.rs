@@ -12,11 +12,12 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command")]
 
 use grafc_testsuite::matiec::Tools;
-use grafc_testsuite::mutants::run::{passes, suites};
+use grafc_testsuite::mutants::run::{passes, patience, suites};
 use grafc_testsuite::mutants::workspace::{Suite, TestProgram, build, copy};
 use grafc_testsuite::mutants::{Fault, all};
 use std::path::Path;
 use std::process::ExitCode;
+use std::time::Duration;
 
 const USAGE: &str = "usage: mutants [--only PART] [--list]";
 
@@ -64,21 +65,24 @@ fn tried() -> Result<usize, String> {
             programs.push(build(&workshop, *suite)?);
         }
     }
-    let run = |suite: &Suite, fault: Option<&Fault>| -> Result<bool, String> {
-        let program = programs.iter().find(|program| program.suite == *suite);
-        program.map_or(Ok(true), |program| passes(program, fault, &log)).map_err(|error| error.to_string())
-    };
+    let mut limits: Vec<Duration> = Vec::new();
     for program in &programs {
-        if !run(&program.suite, None)? {
-            return Err(format!("{} fails without any fault: see {}", program.suite.name(), log.display()));
-        }
+        let taken = passes(program, None, Duration::MAX, &log).map_err(|error| error.to_string())?;
+        let name = program.suite.name();
+        let taken = taken.ok_or_else(|| format!("{name} fails without any fault: see {}", log.display()))?;
+        limits.push(patience(taken));
     }
+    let notices = |suite: &Suite, fault: &Fault| -> Result<bool, String> {
+        let mut known = programs.iter().zip(&limits);
+        let Some((program, longest)) = known.find(|(program, _)| program.suite == *suite) else { return Ok(false) };
+        passes(program, Some(fault), *longest, &log).map(|taken| taken.is_none()).map_err(|error| error.to_string())
+    };
     println!("{} test programs pass without any fault", programs.len());
     let mut survivors = 0;
     for fault in &faults {
         let mut noticed = None;
         for suite in suites(fault) {
-            if !run(suite, Some(fault))? {
+            if notices(suite, fault)? {
                 noticed = Some(suite);
                 break;
             }

@@ -9,8 +9,9 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// A test program that takes longer has not come to an end: a fault may make a loop endless.
-const LONGEST: Duration = Duration::from_secs(900);
+/// What a test program may take beyond what it takes without a fault, and how many times as long: a fault may make a
+/// loop endless, and that is noticed by the time.
+const PATIENCE: (Duration, u32) = (Duration::from_secs(20), 5);
 
 const fn suite(package: &'static str, folder: &'static str, test: Option<&'static str>) -> Suite {
     Suite { package, folder, test }
@@ -46,8 +47,19 @@ pub fn suites(fault: &Fault) -> &'static [Suite] {
     }
 }
 
-/// Runs a test program with a fault, or with none; whether it passes. What it prints goes into a file.
-pub fn passes(test: &TestProgram, fault: Option<&Fault>, log: &Path) -> io::Result<bool> {
+/// How long a test program may take that has taken so long without a fault.
+pub fn patience(without_fault: Duration) -> Duration {
+    PATIENCE.0 + without_fault * PATIENCE.1
+}
+
+/// Runs a test program with a fault, or with none; how long it took to pass, if it did and was not too long at it. What
+/// it prints goes into a file.
+pub fn passes(
+    test: &TestProgram,
+    fault: Option<&Fault>,
+    longest: Duration,
+    log: &Path,
+) -> io::Result<Option<Duration>> {
     let log = File::create(log)?;
     let mut command = Command::new(&test.program);
     command.current_dir(&test.folder).env_remove(VARIABLE).env("RUST_BACKTRACE", "0");
@@ -58,12 +70,12 @@ pub fn passes(test: &TestProgram, fault: Option<&Fault>, log: &Path) -> io::Resu
     let start = Instant::now();
     loop {
         if let Some(status) = child.try_wait()? {
-            return Ok(status.success());
+            return Ok(status.success().then(|| start.elapsed()));
         }
-        if start.elapsed() > LONGEST {
+        if start.elapsed() > longest {
             child.kill()?;
             child.wait()?;
-            return Ok(false);
+            return Ok(None);
         }
         sleep(Duration::from_millis(50));
     }
