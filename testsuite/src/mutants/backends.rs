@@ -77,8 +77,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "rust-bound-one-early",
         file: RUST_SCAN,
         breaks: "the stability loop is cut off one micro-step early (R9)",
-        text: "grafc_logic::formula::Value::Int(bound.into())",
-        instead: "grafc_logic::formula::Value::Int(i64::from(bound) - 1)",
+        text: "Value::Int(limit.bound.into())",
+        instead: "Value::Int(i64::from(limit.bound) - 1)",
     },
     Fault {
         name: "rust-no-livelock-flag",
