@@ -182,9 +182,14 @@ mod tests {
         let [.., Statement::If { branches, .. }] = program.micro_step.as_slice() else { panic!("an If at the end") };
         assert_eq!(program.micro_step.len(), 3 + 1 + 3 + 1);
         assert_eq!(branches[0].1.len(), 3 + 1);
-        for (ones, w, v) in
-            [(0..0, true, false), (599..600, false, false), (0..599, false, false), (0..600, false, true)]
-        {
+        for (ones, w, v) in [
+            (0..0, true, false),
+            // The last of a whole piece.
+            (255..256, false, false),
+            (599..600, false, false),
+            (0..599, false, false),
+            (0..600, false, true),
+        ] {
             let inputs = (0..600).map(|n| Value::Bool(ones.contains(&n))).collect();
             let response = Evaluator::new(&program).react(&Stimulus { inputs, t_ms: 0 });
             assert_eq!(response.outputs, [Value::Bool(w), Value::Bool(v)], "{ones:?}");

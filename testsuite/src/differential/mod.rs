@@ -25,14 +25,15 @@ pub fn simulate(chart: &Chart, profile: Profile, stimuli: &[Stimulus]) -> Vec<Re
 
 /// The scan program of a chart, or the messages of the stages.
 pub fn compile(chart: &Chart, options: &Options) -> Result<Program, String> {
-    let (program, said) = lower(chart, options);
+    let (program, said) = lowered(chart, options);
     match program {
         Some(program) if !said.has_errors() => Ok(program),
         Some(_) | None => Err(charts::render(&chart.name, "", &said)),
     }
 }
 
-fn lower(chart: &Chart, options: &Options) -> (Option<Program>, Diagnostics) {
+/// The scan program of a chart, and what the stages say.
+pub fn lowered(chart: &Chart, options: &Options) -> (Option<Program>, Diagnostics) {
     let mut said = Diagnostics::new();
     let mut net = grafc_net::build(chart);
     grafc_net::passes::run(&mut net, options.encoding.overlaps(), &mut said);
@@ -66,7 +67,7 @@ pub fn exact(profile: Profile) -> Vec<(String, Options)> {
 
 /// The program in an encoding whose steps overlap, and whether the compiler warns that the overlap can be seen.
 pub fn overlapping(chart: &Chart, options: &Options) -> Result<(Program, bool), String> {
-    let (program, said) = lower(chart, options);
+    let (program, said) = lowered(chart, options);
     let program = program.ok_or_else(|| charts::render(&chart.name, "", &said))?;
     Ok((program, said.iter().any(|message| message.code == Code::W0413)))
 }

@@ -1,0 +1,101 @@
+//! The copy of the workspace that has all faults, each behind its choice, and the test programs built from it.
+
+use super::{all, with_faults};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Folders that no build needs.
+const LEFT_OUT: [&str; 3] = ["target", ".git", "fuzz"];
+
+/// Copies the workspace, with all faults put in. A file is written only if it has changed, so that a second run builds
+/// no more than it must.
+pub fn copy(root: &Path, to: &Path) -> Result<(), String> {
+    let told = |path: &Path, error: io::Error| format!("{}: {error}", path.display());
+    let faulty: Vec<&str> = all().map(|fault| fault.file).collect();
+    let mut folders = vec![PathBuf::new()];
+    while let Some(folder) = folders.pop() {
+        let from = root.join(&folder);
+        fs::create_dir_all(to.join(&folder)).map_err(|error| told(&to.join(&folder), error))?;
+        for entry in fs::read_dir(&from).map_err(|error| told(&from, error))? {
+            let entry = entry.map_err(|error| told(&from, error))?;
+            let name = entry.file_name();
+            let path = folder.join(&name);
+            if entry.path().is_dir() {
+                if !LEFT_OUT.iter().any(|folder| *name == **folder) {
+                    folders.push(path);
+                }
+                continue;
+            }
+            let mut content = fs::read(entry.path()).map_err(|error| told(&entry.path(), error))?;
+            if let Some(file) = path.to_str().filter(|file| faulty.contains(file)) {
+                let text = String::from_utf8(content).map_err(|error| format!("{file}: {error}"))?;
+                content = with_faults(file, &text)?.into_bytes();
+            }
+            let copy = to.join(&path);
+            if fs::read(&copy).ok().as_ref() != Some(&content) {
+                fs::write(&copy, content).map_err(|error| told(&copy, error))?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A test program, and the folder that it runs in.
+#[derive(Clone, Debug)]
+pub struct TestProgram {
+    /// What was asked for.
+    pub suite: Suite,
+    /// The program.
+    pub program: PathBuf,
+    /// The folder of its package.
+    pub folder: PathBuf,
+}
+
+/// Tests of one crate.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Suite {
+    /// The crate.
+    pub package: &'static str,
+    /// Its folder in the workspace.
+    pub folder: &'static str,
+    /// The file in `tests`; without it the tests beside the code.
+    pub test: Option<&'static str>,
+}
+
+impl Suite {
+    /// What it is called in the report.
+    pub fn name(self) -> String {
+        self.test.map_or_else(|| format!("{} (unit tests)", self.package), str::to_owned)
+    }
+}
+
+/// Builds one test program of the copy.
+pub fn build(copy: &Path, suite: Suite) -> Result<TestProgram, String> {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.args(["test", "--no-run", "--message-format=json-render-diagnostics", "-p", suite.package]);
+    match suite.test {
+        Some(test) => command.args(["--test", test]),
+        None => command.arg("--lib"),
+    };
+    // The texts beside each other are not what one would write by hand, so warnings say nothing.
+    command.env("CARGO_TARGET_DIR", copy.join("target")).current_dir(copy);
+    let output = command.output().map_err(|error| error.to_string())?;
+    if !output.status.success() {
+        let said = String::from_utf8_lossy(&output.stderr);
+        let errors: Vec<&str> = said.split("\n\n").filter(|part| part.contains("error")).collect();
+        return Err(format!("{}\nthe copy with all faults does not build: {}", errors.join("\n\n"), suite.name()));
+    }
+    let messages = String::from_utf8_lossy(&output.stdout);
+    let program = messages.lines().filter_map(executable).next_back();
+    let program = program.ok_or_else(|| format!("cargo names no program for {}", suite.name()))?;
+    Ok(TestProgram { suite, program, folder: copy.join(suite.folder) })
+}
+
+/// The test program that a message of cargo tells of.
+fn executable(line: &str) -> Option<PathBuf> {
+    let message: serde_json::Value = serde_json::from_str(line).ok()?;
+    let is_test = message["profile"]["test"].as_bool() == Some(true);
+    message["executable"].as_str().filter(|_| is_test).map(PathBuf::from)
+}
