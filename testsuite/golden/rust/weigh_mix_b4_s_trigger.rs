@@ -433,7 +433,7 @@ pub mod runtime {
 
         /// Saves one value. A value that does not fit is left out, and so are all
         /// that follow it: the buffer never holds a later value in an earlier's place.
-        // It is called for each variable of a chart: inlined, it would be most of the code.
+        // It is called for each variable: inlined, it would be most of the code.
         #[inline(never)]
         pub fn put<V: Saved>(&mut self, value: V) {
             let rest = core::mem::take(&mut self.rest);
@@ -459,7 +459,7 @@ pub mod runtime {
 
         /// Takes the next value. None, and nothing is taken, if there are not enough
         /// bytes left or if they are no value of this type, as a bool that is 2.
-        // It is called for each variable of a chart: inlined, it would be most of the code.
+        // It is called for each variable: inlined, it would be most of the code.
         #[inline(never)]
         pub fn take<V: Saved>(&mut self) -> Option<V> {
             let (head, tail) = self.rest.split_at_checked(V::LEN)?;
