@@ -138,6 +138,7 @@ impl Body<'_> {
                     self.arms(out, *of, &arms.iter().map(|(arm, _)| *arm).collect::<Vec<_>>(), inside);
                 }
                 Code::Groups(of, calls) => {
+                    out.comment(&format!("{} values a function", self.parts.group));
                     out.open(&format!("match {} as usize / {} {{", self.places.read(*of), self.parts.group));
                     for (number, function) in calls {
                         out.line(&format!("{number} => {},", self.call(*function)));

@@ -1,6 +1,6 @@
 //! Structured Text: of IEC 61131-3 edition 2 only what MATIEC, IronPLC, STruC++ and the vendors' tools all take.
 //!
-//! So, beside what [`crate::iec`] says: no empty body, no implicit conversion. `names` fixes all names first, `limits`
+//! So, beside what `crate::iec` says: no empty body, no implicit conversion. `names` fixes all names first, `limits`
 //! refuses what could not be written well, then each part is written in one walk.
 
 mod call;
