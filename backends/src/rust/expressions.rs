@@ -165,7 +165,7 @@ impl Notation for Rust<'_> {
             }
             Formula::TimerElapsed(timer) => atom(format!("{}.elapsed()", self.places.timer(*timer))),
             Formula::Not(a) => match pool.get(*a) {
-                Formula::Xor(b, c) if self.is_plain(*b) && self.is_plain(*c) => {
+                Formula::Xor(b, c) if self.program.pool.is_leaf(*b) && self.program.pool.is_leaf(*c) => {
                     (Level::Comparison, Parts::Infix("==", pair(*b, *c)))
                 }
                 Formula::Compare(Comparison::Equal, b, c) => self.comparison(Comparison::NotEqual, *b, *c),
@@ -257,20 +257,5 @@ impl Rust<'_> {
             vec![Piece::Operand(0, a), middle, Piece::Enclosed(b), text(close.to_owned())]
         };
         (Level::Atom, Parts::Pieces(pieces))
-    }
-
-    /// Whether a formula is a single word.
-    fn is_plain(&self, id: FormulaId) -> bool {
-        match self.program.pool.get(id) {
-            Formula::Constant(_) | Formula::Variable(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) => true,
-            Formula::Not(_)
-            | Formula::And(_)
-            | Formula::Or(_)
-            | Formula::Xor(..)
-            | Formula::Compare(..)
-            | Formula::Arithmetic(..)
-            | Formula::Negate(_)
-            | Formula::Widen(_) => false,
-        }
     }
 }

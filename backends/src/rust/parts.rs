@@ -10,6 +10,7 @@ use crate::limits;
 use grafc_logic::formula::{Formula, FormulaId};
 use grafc_logic::scan::{Arm, Program, Role, Statement, VarId};
 use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::BTreeMap;
 
 /// Programs with so many times more statements than one function should have are parted.
 const LARGE: usize = 3;
@@ -228,17 +229,10 @@ impl<'p> Splitter<'p, '_> {
             let arms = arms.iter().map(|arm| (arm, self.block(&arm.body))).collect();
             return Code::Arms(of, arms);
         };
-        let mut groups: Vec<(usize, Vec<&'p Arm>)> = Vec::new();
-        let mut place_of: FxHashMap<usize, usize> = FxHashMap::default();
+        let mut groups: BTreeMap<usize, Vec<&'p Arm>> = BTreeMap::new();
         for arm in arms {
-            let number = state.place(arm.value) / self.group;
-            let place = *place_of.entry(number).or_insert_with(|| {
-                groups.push((number, Vec::new()));
-                groups.len() - 1
-            });
-            groups[place].1.push(arm);
+            groups.entry(state.place(arm.value) / self.group).or_default().push(arm);
         }
-        groups.sort_by_key(|(number, _)| *number);
         let mut calls = Vec::new();
         for (number, arms) in groups {
             let function = self.reserve();
@@ -259,6 +253,7 @@ impl<'p> Splitter<'p, '_> {
 /// What a function uses itself.
 struct Uses<'p> {
     program: &'p Program,
+    places: &'p Places<'p>,
     needs: Needs,
     temporaries: FxHashSet<VarId>,
     calls: Vec<usize>,
@@ -266,98 +261,99 @@ struct Uses<'p> {
 }
 
 impl<'p> Uses<'p> {
-    fn of(program: &'p Program, places: &Places, code: &[Code]) -> Self {
+    fn of(program: &'p Program, places: &'p Places<'p>, code: &[Code]) -> Self {
         let mut uses = Uses {
             program,
+            places,
             needs: Needs::default(),
             temporaries: FxHashSet::default(),
             calls: Vec::new(),
             seen: FxHashSet::default(),
         };
-        uses.all(places, code);
+        uses.all(code);
         uses
     }
 
-    fn all(&mut self, places: &Places, code: &[Code]) {
+    fn all(&mut self, code: &[Code]) {
         for code in code {
             match code {
-                Code::Plain(statement) => self.statement(places, statement),
+                Code::Plain(statement) => self.statement(statement),
                 Code::Loop(function) => {
                     let limit = self.program.repeat.and_then(|repeat| repeat.limit);
-                    limit.iter().for_each(|limit| self.variable(places, limit.count));
+                    limit.iter().for_each(|limit| self.variable(limit.count));
                     self.calls.push(*function);
                 }
-                Code::Again(again) => self.variable(places, *again),
+                Code::Again(again) => self.variable(*again),
                 Code::Call(function) => self.calls.push(*function),
                 Code::If(branches, otherwise) => {
                     for (when, body) in branches {
-                        self.formula(places, *when);
-                        self.all(places, body);
+                        self.formula(*when);
+                        self.all(body);
                     }
-                    self.all(places, otherwise);
+                    self.all(otherwise);
                 }
                 Code::Arms(of, arms) => {
-                    self.variable(places, *of);
-                    arms.iter().for_each(|(_, body)| self.all(places, body));
+                    self.variable(*of);
+                    arms.iter().for_each(|(_, body)| self.all(body));
                 }
                 Code::Groups(of, calls) => {
-                    self.variable(places, *of);
+                    self.variable(*of);
                     self.calls.extend(calls.iter().map(|(_, function)| *function));
                 }
             }
         }
     }
 
-    fn statement(&mut self, places: &Places, statement: &Statement) {
+    fn statement(&mut self, statement: &Statement) {
         match statement {
             Statement::Heading(_) => {}
             Statement::Assign { target, value, .. } => {
-                self.variable(places, *target);
-                self.formula(places, *value);
+                self.variable(*target);
+                self.formula(*value);
             }
             Statement::Divide { target, dividend, divisor, .. } => {
-                self.variable(places, *target);
-                self.formula(places, *dividend);
-                self.formula(places, *divisor);
+                self.variable(*target);
+                self.formula(*dividend);
+                self.formula(*divisor);
             }
             Statement::CallTimer { input, .. } => {
                 self.needs.now = true;
-                self.formula(places, *input);
+                self.formula(*input);
             }
             Statement::Case { of, arms } => {
-                self.variable(places, *of);
-                arms.iter().flat_map(|arm| &arm.body).for_each(|statement| self.statement(places, statement));
+                self.variable(*of);
+                arms.iter().flat_map(|arm| &arm.body).for_each(|statement| self.statement(statement));
             }
             Statement::If { branches, otherwise } => {
                 for (when, body) in branches {
-                    self.formula(places, *when);
-                    body.iter().for_each(|statement| self.statement(places, statement));
+                    self.formula(*when);
+                    body.iter().for_each(|statement| self.statement(statement));
                 }
-                otherwise.iter().for_each(|statement| self.statement(places, statement));
+                otherwise.iter().for_each(|statement| self.statement(statement));
             }
         }
     }
 
-    fn formula(&mut self, places: &Places, id: FormulaId) {
+    fn formula(&mut self, id: FormulaId) {
         let mut open = vec![id];
         while let Some(id) = open.pop() {
             if !self.seen.insert(id) {
                 continue;
             }
             if let Formula::Variable(v) = self.program.pool.get(id) {
-                self.variable(places, *v);
+                self.variable(*v);
             }
             open.extend(self.program.pool.operands(id));
         }
     }
 
-    fn variable(&mut self, places: &Places, v: VarId) {
+    fn variable(&mut self, v: VarId) {
         match self.program.variables[v].role {
             Role::Input => self.needs.inputs = true,
             Role::Temporary => {
                 self.temporaries.insert(v);
             }
-            Role::Step => self.needs.steps |= places.packed(v).is_some(),
+            Role::Step => self.needs.steps |= self.places.packed(v).is_some(),
             Role::Output | Role::Internal | Role::Constant | Role::State | Role::Flag(_) | Role::Memory => {}
         }
     }

@@ -10,8 +10,7 @@ use grafc_logic::scan::{Program, Role, VarId};
 /// The bytes of the mark that says which chart, in which form, they are the memory of.
 const MARK: usize = 4;
 
-/// Writes `save` and `restore`.
-/// Functions have at most `longest` lines.
+/// Writes `save` and `restore`, in functions of at most about `longest` lines.
 pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places, longest: usize) {
     let saved = Saved { program, names, places, longest };
     out.line("/// How many bytes the saved memory takes.");

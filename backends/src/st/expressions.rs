@@ -198,17 +198,9 @@ impl Notation for StructuredText<'_> {
 impl StructuredText<'_> {
     /// Whether a formula is a single word.
     fn is_plain(&self, id: FormulaId) -> bool {
-        match self.program.pool.get(id) {
-            Formula::Constant(value) => matches!(value, Value::Bool(_)),
-            Formula::Variable(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) => true,
-            Formula::Not(_)
-            | Formula::And(_)
-            | Formula::Or(_)
-            | Formula::Xor(..)
-            | Formula::Compare(..)
-            | Formula::Arithmetic(..)
-            | Formula::Negate(_)
-            | Formula::Widen(_) => false,
+        match self.program.pool.as_constant(id) {
+            Some(value) => matches!(value, Value::Bool(_)),
+            None => self.program.pool.is_leaf(id),
         }
     }
 }
