@@ -1,6 +1,7 @@
 //! The scan program of a flat net, put together section by section.
 
 use crate::allocate::{self, Place, Trigger, Triggers};
+use crate::dormant;
 use crate::encode::{self, Encoding, Task, switch};
 use crate::formula::{FormulaId, Type};
 use crate::input_event::InputEvent;
@@ -131,6 +132,7 @@ pub fn compile(net: &Net, options: &Options) -> (Option<Program>, Diagnostics) {
     };
     if options.simplify {
         simplify::absorb(&mut program);
+        dormant::rest(&mut program);
     }
     sweep::sweep(&mut program);
     pieces::cut(&mut program);

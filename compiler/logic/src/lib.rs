@@ -10,6 +10,7 @@
 mod allocate;
 mod arms;
 mod compile;
+mod dormant;
 mod dump;
 mod encode;
 pub mod evaluate;

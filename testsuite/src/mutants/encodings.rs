@@ -9,6 +9,7 @@ const SEQUENT: &str = "compiler/logic/src/encode/sequent.rs";
 const IN_ORDER: &str = "compiler/logic/src/encode/in_order.rs";
 const BITS: &str = "compiler/logic/src/encode/bits.rs";
 const SWITCH: &str = "compiler/logic/src/encode/switch.rs";
+const DORMANT: &str = "compiler/logic/src/dormant.rs";
 
 pub(super) const FAULTS: &[Fault] = &[
     Fault {
@@ -178,5 +179,19 @@ pub(super) const FAULTS: &[Fault] = &[
         breaks: "a step that is a bit and changes asks for no other micro-step (R8)",
         text: "clearings.changes(lowering, self.task, |t| told[t])",
         instead: "Vec::new()",
+    },
+    Fault {
+        name: "dormant-timers-run-on",
+        file: DORMANT,
+        breaks: "the timers of a step that has been left start anew when it is entered again (X5)",
+        text: "CallTimer { timer: *timer, input: no }",
+        instead: "CallTimer { timer: *timer, input: yes }",
+    },
+    Fault {
+        name: "dormant-forgets-which-step",
+        file: DORMANT,
+        breaks: "the timers to be reset are those of the step whose timers were called last (X5)",
+        text: "Statement::Assign { target: timed, value: is, remark: None },",
+        instead: "",
     },
 ];

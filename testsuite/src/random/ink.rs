@@ -26,13 +26,20 @@ const SPELLINGS: [(&str, &str); 14] = [
 /// A source of variety.
 pub(super) struct Ink {
     rng: Rng,
+    seed: u64,
     /// The next free number of an address.
     address: u32,
 }
 
 impl Ink {
     pub fn new(seed: u64) -> Self {
-        Ink { rng: Rng::with_seed(seed ^ 0x696e_6b00), address: 0 }
+        Ink { rng: Rng::with_seed(seed ^ 0x696e_6b00), seed, address: 0 }
+    }
+
+    /// In one of twelve charts every step is left after a time at the latest; the source of these times.
+    pub fn waits(&self) -> Option<Rng> {
+        let mut rng = Rng::with_seed(self.seed ^ 0x7761_6974);
+        (rng.u8(0..12) == 0).then_some(rng)
     }
 
     /// True in this share of cases.

@@ -41,6 +41,7 @@ pub(super) fn chart(rng: &mut Rng, ink: &mut Ink, name: &str, frames: &[Frame]) 
         awkward: AWKWARD.to_vec(),
         declared: Vec::new(),
         designations: 0,
+        waits: ink.waits(),
         rng,
         ink,
     };
@@ -90,6 +91,8 @@ struct Writer<'a> {
     awkward: Vec<&'static str>,
     declared: Vec<Declared>,
     designations: u32,
+    /// What gives the times of a chart in which no step waits for ever.
+    waits: Option<Rng>,
     ink: &'a mut Ink,
     rng: &'a mut Rng,
 }
@@ -235,7 +238,15 @@ impl Writer<'_> {
         for (index, (pre, post)) in frame.arcs.iter().enumerate() {
             let designated = self.rng.f32() < 0.5;
             let designation = self.designation(designated, &format!("{}_{index}", frame.name));
-            let condition = self.transition_condition(pre.is_empty());
+            let mut condition = self.transition_condition(pre.is_empty());
+            if let (Some(waits), Some(source)) = (&mut self.waits, pre.first()) {
+                let _ = match waits.u8(0..4) {
+                    0 if !source.starts_with('M') => write!(condition, " or [T{source} >= 1s]"),
+                    1 => write!(condition, " or 1s/(X{source} and {})", self.scope.bools[0]),
+                    2 => write!(condition, " or 500ms/X{source}/1s"),
+                    _ => write!(condition, " or {}/X{source}", ["500ms", "1s", "2s"][waits.usize(0..3)]),
+                };
+            }
             let _ = write!(out, "  transition {designation}{} -> {} : {condition}", pre.join(", "), post.join(", "));
             if self.rng.f32() < 0.15
                 && let Some(assignment) = self.assignment()
