@@ -14,6 +14,8 @@ use std::collections::BTreeMap;
 
 /// Programs with so many times more statements than one function should have are parted.
 const LARGE: usize = 3;
+/// A run of statements so many times shorter than a function should be stays where it is.
+const SHORT: usize = 10;
 /// Operands that weigh as much as a statement.
 const FORMULA: usize = 8;
 
@@ -87,7 +89,8 @@ impl<'p> Parts<'p> {
         let sections = [&program.first, &program.before, &program.micro_step, &program.after];
         let weights = Weights { sizes: limits::sizes(program) };
         let large = sections.iter().map(|section| weights.all(section)).sum::<usize>() > longest.saturating_mul(LARGE);
-        let group = (longest / 2).max(2);
+        // A power of two, so that the number of a group is a shift away.
+        let group = 1 << (longest / 2).max(2).ilog2();
         let mut splitter =
             Splitter { places, weights, large, longest, group, functions: vec![Function::default()], about: None };
         let mut code = splitter.block(&program.first);
@@ -116,6 +119,18 @@ impl<'p> Parts<'p> {
     /// What a function is called.
     pub fn name(&self, function: usize) -> String {
         if self.micro_step == Some(function) { "micro_step".to_owned() } else { format!("part_{function}") }
+    }
+
+    /// Whether a function only finds the one that has the arms of the active step. Where it is called costs nothing then.
+    pub fn only_finds(&self, function: usize) -> bool {
+        let code = &self.functions[function].code;
+        let mut finds = code.iter().filter(|code| matches!(code, Code::Groups(..)));
+        finds.next().is_some()
+            && code.iter().all(|code| match code {
+                Code::Groups(..) | Code::Call(_) | Code::Again(_) => true,
+                Code::Plain(Statement::Heading(_) | Statement::Assign { .. }) => true,
+                Code::Plain(_) | Code::Loop(_) | Code::If(..) | Code::Arms(..) => false,
+            })
     }
 
     /// Functions call only those after them.
@@ -185,7 +200,7 @@ impl<'p> Splitter<'p, '_> {
         for statement in statements {
             let weight = self.weights.of(statement);
             if run_weight + weight > self.longest {
-                self.outline(&mut out, &mut run);
+                self.outline(&mut out, &mut run, run_weight);
                 run_weight = 0;
             }
             if let Statement::Heading(text) = statement {
@@ -208,14 +223,14 @@ impl<'p> Splitter<'p, '_> {
                 }
             }
         }
-        self.outline(&mut out, &mut run);
+        self.outline(&mut out, &mut run, run_weight);
         out
     }
 
-    /// A run of statements becomes a function, a heading alone does not.
-    fn outline(&mut self, out: &mut Vec<Code<'p>>, run: &mut Vec<Code<'p>>) {
+    /// A run of statements becomes a function, a short one does not: it would cost the call.
+    fn outline(&mut self, out: &mut Vec<Code<'p>>, run: &mut Vec<Code<'p>>, weight: usize) {
         let run = std::mem::take(run);
-        if run.iter().all(|code| matches!(code, Code::Plain(Statement::Heading(_)))) {
+        if weight <= self.longest / SHORT {
             return out.extend(run);
         }
         let function = self.reserve();

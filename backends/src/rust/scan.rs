@@ -32,7 +32,9 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
         } else {
             out.comment(&function.about.map(clean).unwrap_or_default());
             // Else the functions would be put together again.
-            out.line("#[inline(never)]");
+            if !parts.only_finds(index) {
+                out.line("#[inline(never)]");
+            }
             let parameters = [
                 function.needs.inputs.then_some("inputs: &Inputs"),
                 function.needs.now.then_some("now: u32"),
