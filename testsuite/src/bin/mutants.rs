@@ -1,16 +1,16 @@
 //! Tries deliberate faults of the compiler: the suite must notice each.
 //!
 //! ```text
-//! cargo run --release -p grafc-testsuite --bin mutants -- [--only PART] [--list]
+//! cargo run --release -p grafc-testsuite --bin mutants -- --only switch
 //! ```
 //!
 //! Builds a copy of the workspace in `target/mutants` that has all faults of `testsuite/src/mutants`, runs the tests of
-//! it without any, and then once for each fault, as far as the first test program that fails. `--only` takes the faults
-//! whose names have this part. Faults of Structured Text are tried only if MATIEC is there. The exit code is 1 if a
-//! fault was not noticed.
+//! it without any, and then once for each fault, as far as the first test program that fails. Faults of Structured Text
+//! are tried only if MATIEC is there. The exit code is 1 if a fault was not noticed.
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command")]
 
+use clap::Parser;
 use grafc_testsuite::matiec::Tools;
 use grafc_testsuite::mutants::run::{passes, patience, suites};
 use grafc_testsuite::mutants::workspace::{Suite, TestProgram, build, copy};
@@ -19,10 +19,19 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Duration;
 
-const USAGE: &str = "usage: mutants [--only PART] [--list]";
+/// Deliberate faults of the compiler: the suite must notice each
+#[derive(Parser, Debug)]
+struct Options {
+    /// Only faults whose names have this part; several may be given
+    #[arg(long, value_name = "PART")]
+    only: Vec<String>,
+    /// List the faults and what they break
+    #[arg(long)]
+    list: bool,
+}
 
 fn main() -> ExitCode {
-    match tried() {
+    match tried(&Options::parse()) {
         Ok(0) => ExitCode::SUCCESS,
         Ok(_) => ExitCode::FAILURE,
         Err(fault) => {
@@ -33,18 +42,10 @@ fn main() -> ExitCode {
 }
 
 /// How many faults were not noticed.
-fn tried() -> Result<usize, String> {
-    let (mut only, mut list) = (String::new(), false);
-    let mut words = std::env::args().skip(1);
-    while let Some(word) = words.next() {
-        match word.as_str() {
-            "--only" => only = words.next().ok_or(USAGE)?,
-            "--list" => list = true,
-            _ => return Err(USAGE.to_owned()),
-        }
-    }
-    let mut faults: Vec<&Fault> = all().filter(|fault| fault.name.contains(&only)).collect();
-    if list {
+fn tried(options: &Options) -> Result<usize, String> {
+    let asked = |fault: &&Fault| options.only.is_empty() || options.only.iter().any(|part| fault.name.contains(part));
+    let mut faults: Vec<&Fault> = all().filter(asked).collect();
+    if options.list {
         for fault in faults {
             println!("{}: {}", fault.name, fault.breaks);
         }

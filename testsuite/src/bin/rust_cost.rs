@@ -1,18 +1,15 @@
 //! Measures what a scan of generated Rust costs, beside a `match` by hand and, where it is there, MATIEC's C.
 //!
 //! ```text
-//! cargo run --release -p grafc-testsuite --bin rust_cost -- [--sizes 10,100,1000,10000] [--tokens 1,10,100]
-//!     [--encodings switch,single-phase,sequent] [--evolution both] [--repetitions 21] [--limit 300] [--folder DIR]
-//!     [--json]
+//! cargo run --release -p grafc-testsuite --bin rust_cost -- --sizes 100,1000 --folder /tmp/cost
 //! ```
 //!
-//! Needs rustc; with `iec2c` and `gcc` on PATH the SFC of MATIEC is measured too, up to 1,000 steps. `--tokens` says how
-//! many rings the steps are shared out to; `--evolution` is `stable`, `scan` or `both`. `--limit` is the seconds that rustc
-//! may take for one chart; a row says where it was stopped. `--folder` keeps texts and programs, and does not build again
-//! what is there. `--json` writes one object instead of a table.
+//! Needs rustc; with `iec2c` and `gcc` on PATH the SFC of MATIEC is measured too, up to 1,000 steps. What rustc could not
+//! compile in time stands in the table without figures.
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command")]
 
+use clap::{Parser, ValueEnum};
 use grafc_logic::Encoding;
 use grafc_model::reaction::Evolution;
 use grafc_testsuite::rings::Rings;
@@ -20,86 +17,69 @@ use grafc_testsuite::rust::Tools;
 use grafc_testsuite::rust_cost::{BASE, Figure, Job, Row, measure};
 use grafc_testsuite::scan_cost::Library;
 use serde_json::json;
+use std::num::NonZero;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
-const USAGE: &str = "usage: rust_cost [--sizes N,N,…] [--tokens N,N,…] [--encodings NAME,NAME,…] \
-    [--evolution stable|scan|both] [--repetitions N] [--limit SECONDS] [--folder DIR] [--json]";
-
+/// What a scan of generated Rust costs, beside a `match` by hand and MATIEC's SFC
+#[derive(Parser, Debug)]
 struct Options {
-    sizes: Vec<usize>,
-    tokens: Vec<usize>,
+    /// Steps of all rings
+    #[arg(long, value_name = "N,…", value_delimiter = ',', default_value = "10,100,1000,10000")]
+    sizes: Vec<NonZero<usize>>,
+    /// Rings that the steps are shared out to
+    #[arg(long, value_name = "N,…", value_delimiter = ',', default_value = "1,10,100")]
+    tokens: Vec<NonZero<usize>>,
+    /// How the situation is held
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',', default_value = "switch,single-phase,sequent")]
+    #[arg(value_parser = encoding)]
     encodings: Vec<Encoding>,
-    evolutions: Vec<Evolution>,
-    repetitions: usize,
-    limit: Duration,
+    /// To a stable situation, or one micro-step a scan
+    #[arg(long, value_enum, default_value = "both")]
+    evolution: Evolutions,
+    /// Turns in which everything is timed once
+    #[arg(long, value_name = "N", default_value = "21")]
+    repetitions: NonZero<usize>,
+    /// How long rustc may take for one chart
+    #[arg(long, value_name = "SECONDS", default_value_t = 300)]
+    limit: u64,
+    /// Where texts and programs are kept; what is there is not built again
+    #[arg(long, value_name = "DIR")]
     folder: Option<PathBuf>,
+    /// Print all figures as one object
+    #[arg(long)]
     json: bool,
 }
 
-fn options() -> Result<Options, String> {
-    let mut options = Options {
-        sizes: vec![10, 100, 1000, 10000],
-        tokens: vec![1, 10, 100],
-        encodings: vec![Encoding::Switch, Encoding::SinglePhase, Encoding::Sequent],
-        evolutions: vec![Evolution::Stable, Evolution::Scan],
-        repetitions: 21,
-        limit: Duration::from_secs(300),
-        folder: None,
-        json: false,
-    };
-    let mut words = std::env::args().skip(1);
-    while let Some(word) = words.next() {
-        if word == "--json" {
-            options.json = true;
-            continue;
-        }
-        let mut value = || words.next().ok_or_else(|| format!("`{word}` wants a value"));
-        match word.as_str() {
-            "--sizes" => options.sizes = numbers(&value()?)?,
-            "--tokens" => options.tokens = numbers(&value()?)?,
-            "--encodings" => options.encodings = value()?.split(',').map(encoding).collect::<Result<_, _>>()?,
-            "--evolution" => options.evolutions = evolutions(&value()?)?,
-            "--repetitions" => options.repetitions = number(&value()?)?,
-            "--limit" => options.limit = Duration::from_secs(number(&value()?)? as u64),
-            "--folder" => options.folder = Some(PathBuf::from(value()?)),
-            _ => return Err(USAGE.to_owned()),
-        }
-    }
-    Ok(options)
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Evolutions {
+    Stable,
+    Scan,
+    Both,
 }
 
-fn number(text: &str) -> Result<usize, String> {
-    match text.parse() {
-        Ok(n) if n > 0 => Ok(n),
-        Ok(_) | Err(_) => Err(format!("`{text}` is not a number from 1 on")),
+impl Evolutions {
+    fn all(self) -> Vec<Evolution> {
+        match self {
+            Evolutions::Stable => vec![Evolution::Stable],
+            Evolutions::Scan => vec![Evolution::Scan],
+            Evolutions::Both => vec![Evolution::Stable, Evolution::Scan],
+        }
     }
-}
-
-fn numbers(text: &str) -> Result<Vec<usize>, String> {
-    text.split(',').map(number).collect()
 }
 
 fn encoding(name: &str) -> Result<Encoding, String> {
     let found = Encoding::ALL.into_iter().find(|encoding| encoding.name() == name && !encoding.overlaps());
-    found.ok_or_else(|| format!("`{name}` is no encoding that can be measured"))
-}
-
-fn evolutions(name: &str) -> Result<Vec<Evolution>, String> {
-    match name {
-        "stable" => Ok(vec![Evolution::Stable]),
-        "scan" => Ok(vec![Evolution::Scan]),
-        "both" => Ok(vec![Evolution::Stable, Evolution::Scan]),
-        _ => Err("`--evolution` wants stable, scan or both".to_owned()),
-    }
+    found.ok_or_else(|| "no encoding that can be measured".to_owned())
 }
 
 fn main() -> ExitCode {
-    let (options, tools) = match options().and_then(|options| Ok((options, Tools::find()?))) {
-        Ok(found) => found,
-        Err(fault) => {
-            eprintln!("{fault}");
+    let options = Options::parse();
+    let tools = match Tools::find() {
+        Ok(tools) => tools,
+        Err(missing) => {
+            eprintln!("{missing}");
             return ExitCode::from(2);
         }
     };
@@ -117,13 +97,13 @@ fn run(options: Options, tools: &Tools) -> Result<(), String> {
     let scratch = tempfile::tempdir().map_err(|e| e.to_string())?;
     let folder = options.folder.unwrap_or_else(|| scratch.path().to_path_buf());
     let sizes = options.sizes.iter();
-    let rings = sizes.flat_map(|steps| options.tokens.iter().filter_map(|tokens| Rings::of(*steps, *tokens)));
+    let rings = sizes.flat_map(|steps| options.tokens.iter().filter_map(|tokens| Rings::of(steps.get(), tokens.get())));
     let job = Job {
         rings: rings.collect(),
         encodings: options.encodings,
-        evolutions: options.evolutions,
-        repetitions: options.repetitions,
-        limit: options.limit,
+        evolutions: options.evolution.all(),
+        repetitions: options.repetitions.get(),
+        limit: Duration::from_secs(options.limit),
     };
     let rows = measure(tools, library.as_ref(), &folder, &job, &|done| eprintln!("{done}"))?;
     let rustc = tools.version();
