@@ -4,34 +4,38 @@
 
 use grafc_backends::rust;
 use grafc_logic::{Encoding, Options};
+use grafc_model::reaction::Profile;
 use grafc_testsuite::charts::{cases, charts_folder, check, vectors_folder};
 use grafc_testsuite::differential::compile;
+use grafc_testsuite::rings::Rings;
 use std::fs;
 use std::io::Write as _;
 use std::path::Path;
 use std::process::Command;
 
-/// Writes every chart in every encoding and every vector in one as a module of its own, every other one parted as large
-/// charts are; the modules.
+/// Writes every chart in every encoding, every vector in one, and a chart of more steps than some things are derived
+/// for, as a module of its own, every other one parted as large charts are; the modules.
 fn write(folder: &Path) -> Vec<String> {
     let mut modules = Vec::new();
-    let charts = cases(&charts_folder()).into_iter().map(|case| (case, 0..Encoding::ALL.len()));
-    let turn = |place: usize| place % Encoding::ALL.len();
-    let vectors = cases(&vectors_folder()).into_iter().enumerate().map(|(n, case)| (case, turn(n)..turn(n) + 1));
-    for (case, encodings) in charts.chain(vectors) {
-        let chart = check(&case.name, &case.text).expect("a chart without errors");
-        for encoding in Encoding::ALL[encodings].iter().copied() {
-            let simplify = modules.len() % 3 > 0;
-            let program = compile(&chart, &Options { profile: case.profile, encoding, simplify }).expect("a program");
-            let mut options = rust::Options { header: vec![format!("from {}", case.name)], ..rust::Options::default() };
-            if modules.len() % 2 == 1 {
-                options.longest_function = 1 + modules.len() % 7;
-            }
-            let code = rust::emit(&program, &options).expect("a module");
-            let module = format!("module_{}", modules.len());
-            fs::write(folder.join(format!("{module}.rs")), code).expect("a file in a temporary folder");
-            modules.push(module);
+    let mut add = |name: &str, text: &str, profile: Profile, encoding: Encoding| {
+        let chart = check(name, text).expect("a chart without errors");
+        let simplify = modules.len() % 3 > 0;
+        let program = compile(&chart, &Options { profile, encoding, simplify }).expect("a program");
+        let mut options = rust::Options { header: vec![format!("from {name}")], ..rust::Options::default() };
+        if modules.len() % 2 == 1 {
+            options.longest_function = 1 + modules.len() % 7;
         }
+        let code = rust::emit(&program, &options).expect("a module");
+        let module = format!("module_{}", modules.len());
+        fs::write(folder.join(format!("{module}.rs")), code).expect("a file in a temporary folder");
+        modules.push(module);
+    };
+    add("a large ring", &Rings::one(1001).chart(), Profile::default(), Encoding::Switch);
+    for case in cases(&charts_folder()) {
+        Encoding::ALL.iter().for_each(|encoding| add(&case.name, &case.text, case.profile, *encoding));
+    }
+    for (place, case) in cases(&vectors_folder()).into_iter().enumerate() {
+        add(&case.name, &case.text, case.profile, Encoding::ALL[place % Encoding::ALL.len()]);
     }
     modules
 }

@@ -10,11 +10,15 @@ use grafc_logic::scan::Program;
 /// rustfmt puts many literals on a line if none is longer, without its quotes.
 const SHORT: usize = 10;
 
+/// Of an enum with more variants, a `Debug` that is derived costs rustc gigabytes.
+const MANY: usize = 1000;
+
 /// Writes `Step`.
 pub(super) fn steps(out: &mut Writer, program: &Program, names: &Names) {
     out.blank();
     out.line("/// The steps of the chart.");
-    out.line("#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]");
+    let many = program.steps.len() > MANY;
+    out.line(&format!("#[derive(Clone, Copy, {}PartialEq, Eq, Hash)]", derived(many)));
     out.open("pub enum Step {");
     for (s, step) in program.steps.iter_enumerated() {
         doc(out, &about(&step.label, step.comment.as_deref()));
@@ -38,6 +42,23 @@ pub(super) fn steps(out: &mut Writer, program: &Program, names: &Names) {
     out.line("/// The label in the chart.");
     out.open("pub const fn label(self) -> &'static str {");
     out.line("Self::LABELS[self as usize]");
+    out.close("}");
+    out.close("}");
+    if many {
+        debug(out, "Step", "self.label()");
+    }
+}
+
+fn derived(many: bool) -> &'static str {
+    if many { "" } else { "Debug, " }
+}
+
+/// `Debug` for an enum of many variants.
+fn debug(out: &mut Writer, name: &str, shown: &str) {
+    out.blank();
+    out.open(&format!("impl core::fmt::Debug for {name} {{"));
+    out.open("fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {");
+    out.line(&format!("f.debug_tuple(\"{name}\").field(&{shown}).finish()"));
     out.close("}");
     out.close("}");
 }
@@ -71,7 +92,8 @@ pub(super) fn states(out: &mut Writer, program: &Program, names: &Names) {
         let step_of = |value: i64| state.values.iter().find(|(_, n)| *n == value).map(|(s, _)| &program.steps[*s]);
         out.blank();
         out.line("/// Which of these steps is active.");
-        out.line("#[derive(Clone, Copy, Debug, PartialEq, Eq)]");
+        let many = names.variants.len() > MANY;
+        out.line(&format!("#[derive(Clone, Copy, {}PartialEq, Eq)]", derived(many)));
         out.open(&format!("enum {} {{", names.ty));
         let mut in_order = state.values.iter();
         for (value, variant) in &names.variants {
@@ -85,6 +107,9 @@ pub(super) fn states(out: &mut Writer, program: &Program, names: &Names) {
             out.line(&format!("{variant},"));
         }
         out.close("}");
+        if many {
+            debug(out, &names.ty, "(*self as usize)");
+        }
         variants(out, names);
     }
 }

@@ -184,14 +184,14 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "dormant-timers-run-on",
         file: DORMANT,
         breaks: "the timers of a step that has been left start anew when it is entered again (X5)",
-        text: "CallTimer { timer: *timer, input: no }",
-        instead: "CallTimer { timer: *timer, input: yes }",
+        text: "(pool.truth(true), pool.truth(false))",
+        instead: "(pool.truth(true), pool.truth(true))",
     },
     Fault {
         name: "dormant-forgets-which-step",
         file: DORMANT,
         breaks: "the timers to be reset are those of the step whose timers were called last (X5)",
-        text: "Statement::Assign { target: timed, value: is, remark: None },",
-        instead: "",
+        text: "Statement::Assign { target: timed, value: is, remark: None }",
+        instead: "Statement::Assign { target: timed, value: was, remark: None }",
     },
 ];
