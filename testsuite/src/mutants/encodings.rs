@@ -8,7 +8,11 @@ const S_TRIGGER: &str = "compiler/logic/src/encode/s_trigger.rs";
 const SEQUENT: &str = "compiler/logic/src/encode/sequent.rs";
 const IN_ORDER: &str = "compiler/logic/src/encode/in_order.rs";
 const BITS: &str = "compiler/logic/src/encode/bits.rs";
-const SWITCH: &str = "compiler/logic/src/encode/switch.rs";
+const SWITCH: &str = "compiler/logic/src/encode/switch/mod.rs";
+const SWITCH_MOVES: &str = "compiler/logic/src/encode/switch/moves.rs";
+const SWITCH_IN_PLACE: &str = "compiler/logic/src/encode/switch/in_place.rs";
+const SWITCH_HIERARCHY: &str = "compiler/logic/src/encode/switch/hierarchy.rs";
+const SWITCH_COMMIT: &str = "compiler/logic/src/encode/switch/commit.rs";
 const DORMANT: &str = "compiler/logic/src/dormant.rs";
 
 pub(super) const FAULTS: &[Fault] = &[
@@ -91,28 +95,28 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "switch-token-stays-behind",
-        file: SWITCH,
+        file: SWITCH_MOVES,
         breaks: "a clearing that leads out of a set leaves its step active (R4)",
         text: "come.get(set).copied().unwrap_or(lowering.situation.sets[*set].idle)",
         instead: "come.get(set).copied().unwrap_or(*from)",
     },
     Fault {
         name: "switch-token-does-not-come",
-        file: SWITCH,
+        file: SWITCH_MOVES,
         breaks: "a clearing that leads into a set activates no step of it (R4)",
         text: "changes.extend(come.iter().filter(|(set, _)| !left.contains_key(set)).map(|(set, to)| (*set, *to)));",
         instead: "",
     },
     Fault {
         name: "switch-output-kept-in-place",
-        file: SWITCH,
+        file: SWITCH_IN_PLACE,
         breaks: "an output of a step stays true when a transition leaves the step (R11)",
         text: "wires.entry(wire).or_default().0 = Some(conditions.is_empty());",
         instead: "",
     },
     Fault {
         name: "switch-output-kept",
-        file: SWITCH,
+        file: SWITCH_COMMIT,
         breaks: "an output of a step stays true after the step (R11)",
         text: "off.push(assign_truth(lowering, target, false));",
         instead: "",
@@ -126,21 +130,21 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "switch-enclosure-not-emptied",
-        file: SWITCH,
+        file: SWITCH_HIERARCHY,
         breaks: "an enclosure outlives its enclosing step (R5)",
         text: "body.push(assign_number(lowering, next, idle));",
         instead: "",
     },
     Fault {
         name: "switch-enclosure-not-started",
-        file: SWITCH,
+        file: SWITCH_HIERARCHY,
         breaks: "an enclosure does not start with its enclosing step (R5)",
         text: "body.push(assign_number(lowering, next, value_of(lowering, s)));",
         instead: "",
     },
     Fault {
         name: "switch-clearing-remembered",
-        file: SWITCH,
+        file: SWITCH_COMMIT,
         breaks: "the number of the transition that clears stays, and its actions are done again (R7)",
         text: "out.push(assign_number(lowering, *variable, 0));",
         instead: "",
@@ -154,28 +158,28 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "switch-order-without-encloser",
-        file: SWITCH,
+        file: SWITCH_HIERARCHY,
         breaks: "an order acts on a grafcet whose enclosing step is inactive (R5)",
         text: "lowering.pool.and(around.into_iter().chain([*when]))",
         instead: "*when",
     },
     Fault {
         name: "switch-left-enclosure-not-written",
-        file: SWITCH,
+        file: SWITCH_COMMIT,
         breaks: "the state inside a step that is left is not written (R5)",
         text: "was.add(lowering, *s, body.clone());",
         instead: "",
     },
     Fault {
         name: "switch-entered-enclosure-not-written",
-        file: SWITCH,
+        file: SWITCH_COMMIT,
         breaks: "the state inside a step that is entered is not written (R5)",
         text: "will.add(lowering, *s, body);",
         instead: "",
     },
     Fault {
         name: "switch-bits-ask-for-nothing",
-        file: SWITCH,
+        file: SWITCH_COMMIT,
         breaks: "a step that is a bit and changes asks for no other micro-step (R8)",
         text: "clearings.changes(lowering, self.task, |t| told[t])",
         instead: "Vec::new()",

@@ -1,0 +1,106 @@
+//! Charts in which nothing has to wait: a transition writes the states and switches their outputs itself.
+
+use super::super::in_order::{Block, in_order};
+use super::moves::changes_of;
+use super::{Task, assign_number, assign_truth, is_forced};
+use crate::allocate::choose;
+use crate::arms::Arms;
+use crate::events::{clears, drawn};
+use crate::formula::FormulaId;
+use crate::lower::Lowering;
+use crate::outputs::Followers;
+use crate::scan::{Statement, VarId};
+use crate::settle;
+use crate::tokens::Cover;
+use grafc_model::chart::{StepId, TransitionId, VariableId};
+use grafc_net::Net;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::BTreeMap;
+
+/// Whether nothing has to wait: without enclosures, forced situations and stored actions, and with a set for every step,
+/// a transition moves its states and switches their outputs itself.
+pub(crate) fn is_in_place(net: &Net, cover: &Cover) -> bool {
+    let enclosed = net.places.iter().any(|place| place.within.is_some());
+    let covered = cover.of_step.iter().all(Option::is_some);
+    covered && !enclosed && net.stored.is_empty() && net.grafcets.indices().all(|g| !is_forced(net, g))
+}
+
+/// The transitions of a chart in which nothing has to wait.
+pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Vec<Statement> {
+    let net = lowering.net;
+    let (frozen, freezing) = settle::frozen(lowering);
+    let mut branches: FxHashMap<StepId, Vec<(FormulaId, Vec<Statement>)>> = FxHashMap::default();
+    for (t, transition) in net.transitions.iter_enumerated() {
+        // No set covers a step that a transition without steps before it leads to.
+        let Some(first) = transition.pre.first().copied() else { continue };
+        let changes = changes_of(lowering, t);
+        let own = lowering.active(first);
+        let factors = clears(lowering, t, task.conditions[t], &frozen, task.simplify);
+        let when = lowering.pool.and(factors.into_iter().filter(|f| *f != own));
+        let mut body = Vec::new();
+        for (set, value) in &changes {
+            body.push(assign_number(lowering, lowering.situation.sets[*set].variable, *value));
+        }
+        if let Some(followers) = task.followers {
+            body.extend(switched(lowering, followers, t));
+        }
+        if let Some(again) = task.again.filter(|_| !changes.is_empty()) {
+            body.push(assign_truth(lowering, again, true));
+        }
+        if let Some(Statement::Assign { remark, .. }) = body.first_mut() {
+            *remark = Some(drawn(net, t));
+        }
+        if !body.is_empty() {
+            branches.entry(first).or_default().push((when, body));
+        }
+    }
+    let mut out = vec![Statement::Heading("transitions".to_owned())];
+    out.extend(freezing);
+    if let Some(again) = task.again.filter(|_| lowering.edges.is_empty()) {
+        out.push(assign_truth(lowering, again, false));
+    }
+    // A condition reads states, and outputs that follow a state: as they were before the micro-step (R3).
+    let states = lowering.situation.sets.iter().map(|set| set.variable);
+    let wires = task.followers.iter().flat_map(|followers| followers.of_set.iter().flatten());
+    let written: FxHashSet<VarId> = states.chain(wires.map(|v| lowering.symbols.declared(*v))).collect();
+    let mut blocks = Vec::new();
+    for set in lowering.situation.sets.clone() {
+        let mut arms = Arms::default();
+        for s in &set.steps {
+            arms.add(lowering, *s, choose(lowering, branches.remove(s).unwrap_or_default()));
+        }
+        if let Some(case) = arms.case(set.variable) {
+            blocks.push(Block::new(lowering, vec![case], |v| written.contains(&v)));
+        }
+    }
+    in_order(lowering, blocks, &mut out);
+    out
+}
+
+/// The outputs that a clearing switches.
+fn switched(lowering: &mut Lowering, followers: &Followers, t: TransitionId) -> Vec<Statement> {
+    let net = lowering.net;
+    let transition = &net.transitions[t];
+    // Of each wire whether the step left leaves it true for certain, and whether the step entered makes it so.
+    let mut wires: BTreeMap<VariableId, (Option<bool>, bool)> = BTreeMap::new();
+    for s in transition.pre.iter().filter(|s| !transition.post.contains(s)) {
+        for (wire, conditions) in followers.on_step(net, *s) {
+            wires.entry(wire).or_default().0 = Some(conditions.is_empty());
+        }
+    }
+    for s in transition.post.iter().filter(|s| !transition.pre.contains(s)) {
+        for (wire, conditions) in followers.on_step(net, *s) {
+            wires.entry(wire).or_default().1 |= conditions.is_empty();
+        }
+    }
+    let mut out = Vec::new();
+    for (wire, change) in wires {
+        let value = match change {
+            (Some(true), true) | (None, false) => continue,
+            (_, entered) => entered,
+        };
+        let target = lowering.symbols.declared(wire);
+        out.push(assign_truth(lowering, target, value));
+    }
+    out
+}

@@ -1,0 +1,198 @@
+//! Decomposition into interacting transition graphs (Shalyto, 12.3): each set of steps that exclude each other is one
+//! number, and a micro-step looks at the arm of the active step only, enclosures inside the arm of the step that encloses
+//! them.
+//!
+//! ```text
+//! CASE at OF  3: IF condition THEN next := 4 …             transitions: read the old situation, write the next one
+//! IF moved THEN                                            only where something clears:
+//!   enclosures and orders (R5), from the top down          on the next situation
+//!   stored actions (R7), outputs that follow a state       from both
+//!   at := next                                             from the bottom up
+//! ```
+//!
+//! Where nothing else hangs on a clearing, its transition writes the states themselves, see `in_place`.
+//!
+//! Outside of a micro-step `next` equals the state, so nothing has to be copied where nothing moves. Steps that no set
+//! covers stay bits, with the formulas of the single-phase encoding; a transition that touches one is latched like there.
+
+mod commit;
+mod hierarchy;
+mod in_place;
+mod moves;
+mod transitions;
+
+use super::{Encoding, Task, bits};
+use crate::events::{Clearings, Flow, StepEvents};
+use crate::formula::{FormulaId, Value};
+use crate::input_event::InputEvent;
+use crate::lower::{Context, Lowering};
+use crate::outputs::Followers;
+use crate::scan::{Statement, VarId};
+use crate::settle;
+use crate::situation::{Holder, equals};
+use crate::stored;
+use grafc_model::chart::{GrafcetId, StepId, TransitionId};
+use grafc_net::Net;
+use grafc_net::net::Forced;
+pub(crate) use in_place::is_in_place;
+use index_vec::IndexVec;
+use moves::{Moved, Numbered};
+use rustc_hash::FxHashMap;
+
+/// How sets lie in grafcets and grafcets in steps.
+struct Layout {
+    sets_of: IndexVec<GrafcetId, Vec<usize>>,
+    /// The grafcets that a step encloses, if they have sets.
+    inside: FxHashMap<StepId, Vec<GrafcetId>>,
+    /// Grafcets on which an order sets a situation.
+    forced: IndexVec<GrafcetId, bool>,
+}
+
+impl Layout {
+    fn new(lowering: &Lowering) -> Self {
+        let net = lowering.net;
+        let mut layout = Layout {
+            sets_of: net.grafcets.iter().map(|_| Vec::new()).collect(),
+            inside: FxHashMap::default(),
+            forced: net.grafcets.indices().map(|g| is_forced(net, g)).collect(),
+        };
+        for (index, set) in lowering.situation.sets.iter().enumerate() {
+            layout.sets_of[set.grafcet].push(index);
+        }
+        for g in net.grafcets.indices().filter(|g| !layout.sets_of[*g].is_empty()) {
+            if let Some(e) = within(net, g) {
+                layout.inside.entry(e).or_default().push(g);
+            }
+        }
+        layout
+    }
+
+    /// The sets inside a step.
+    fn enclosed(&self, e: StepId) -> impl Iterator<Item = usize> + '_ {
+        let grafcets = self.inside.get(&e).map_or(&[][..], Vec::as_slice);
+        grafcets.iter().flat_map(|g| self.sets_of[*g].iter().copied())
+    }
+}
+
+/// The step that encloses a grafcet.
+fn within(net: &Net, g: GrafcetId) -> Option<StepId> {
+    net.grafcets[g].steps.first().and_then(|s| net.places[*s].within)
+}
+
+/// Whether an order sets the situation of a grafcet.
+fn is_forced(net: &Net, g: GrafcetId) -> bool {
+    net.grafcets[g].orders.iter().any(|order| matches!(order.forced, Forced::Steps(_)))
+}
+
+struct Switch<'t> {
+    task: &'t Task<'t>,
+    layout: Layout,
+    numbered: Numbered,
+    moved: Moved,
+    cleared: IndexVec<TransitionId, FormulaId>,
+}
+
+pub(super) fn micro_step(
+    lowering: &mut Lowering,
+    cx: &mut Context,
+    task: &Task,
+    input_event: &mut InputEvent,
+) -> Vec<Statement> {
+    let net = lowering.net;
+    let layout = Layout::new(lowering);
+    let mut out = Vec::new();
+    stored::heading(&mut out, "memory of edges", bits::edges(lowering, task.again));
+    if lowering.situation.sets.iter().any(|set| set.next == set.variable) {
+        out.extend(in_place::in_place(lowering, task));
+        return out;
+    }
+    let (frozen, freezing) = settle::frozen(lowering);
+    let numbered = Numbered::new(lowering);
+    let moved = Moved::new(lowering, task, &numbered);
+
+    let mut switch = Switch { task, layout, numbered, moved, cleared: IndexVec::new() };
+    let transitions = switch.transitions(lowering, &frozen);
+    out.push(Statement::Heading("transitions".to_owned()));
+    out.extend(freezing);
+    out.extend(transitions);
+
+    // What follows happens only where something clears, unless an action on an event has to be done in any case.
+    let mut inner = Vec::new();
+    let next = net.places.iter().map(|_| None).collect();
+    let mut clearings = Clearings { flow: Flow::new(net), cleared: std::mem::take(&mut switch.cleared), next };
+    stored::heading(&mut inner, "enclosures and orders", switch.settle(lowering, &mut clearings));
+    inner.extend(switch.tell_changed_bits(lowering, &clearings));
+    let step_events = StepEvents::new(lowering, &clearings, task.components);
+    let actions = stored::actions(lowering, cx, task, &clearings, step_events, input_event);
+    stored::heading(&mut inner, "stored actions", actions);
+    stored::heading(&mut inner, "outputs of the steps left and entered", switch.follow(lowering));
+    stored::heading(&mut inner, "situation", switch.commit(lowering, &clearings));
+    if !task.events.is_empty() {
+        out.extend(inner);
+    } else if !inner.is_empty() {
+        let when = lowering.symbols.read(&mut lowering.pool, switch.moved.variable);
+        out.push(Statement::Heading("what the clearings bring about".to_owned()));
+        out.push(Statement::If { branches: vec![(when, inner)], otherwise: Vec::new() });
+    }
+    out
+}
+
+/// The states at the start, before the first call has done anything.
+pub(crate) fn start(lowering: &mut Lowering, followers: &Followers) -> Vec<Statement> {
+    let net = lowering.net;
+    let mut out = Vec::new();
+    for set in lowering.situation.sets.clone() {
+        let value = set.steps.iter().find(|s| net.places[**s].initial).map_or(set.idle, |s| value_of(lowering, *s));
+        out.push(assign_number(lowering, set.variable, value));
+        if set.next != set.variable {
+            out.push(assign_number(lowering, set.next, value));
+        }
+        for s in set.steps.iter().filter(|s| net.places[**s].initial) {
+            out.extend(entered(lowering, followers, *s));
+        }
+    }
+    out
+}
+
+/// The outputs that become true with a step.
+fn entered(lowering: &mut Lowering, followers: &Followers, s: StepId) -> Vec<Statement> {
+    let value = lowering.pool.truth(true);
+    let wires = followers.on_step(lowering.net, s).into_iter().filter(|(_, conditions)| conditions.is_empty());
+    wires.map(|(v, _)| Statement::Assign { target: lowering.symbols.declared(v), value, remark: None }).collect()
+}
+
+fn value_of(lowering: &Lowering, s: StepId) -> i64 {
+    match lowering.situation.holder(s) {
+        Holder::State { value, .. } => value,
+        Holder::Bit(_) => 0,
+    }
+}
+
+fn next_in_set(lowering: &mut Lowering, s: StepId) -> FormulaId {
+    match lowering.situation.holder(s) {
+        Holder::State { set, value } => {
+            equals(&lowering.symbols, &mut lowering.pool, lowering.situation.sets[set].next, value)
+        }
+        Holder::Bit(_) => lowering.active(s),
+    }
+}
+
+/// `next <> at`.
+fn differs(lowering: &mut Lowering, a: VarId, b: VarId) -> FormulaId {
+    let (a, b) = (lowering.symbols.read(&mut lowering.pool, a), lowering.symbols.read(&mut lowering.pool, b));
+    lowering.pool.differs(b, a)
+}
+
+fn assign_number(lowering: &mut Lowering, target: VarId, value: i64) -> Statement {
+    let ty = lowering.symbols.table[target].ty;
+    Statement::Assign { target, value: lowering.pool.constant(Value::Int(value), ty), remark: None }
+}
+
+fn assign_truth(lowering: &mut Lowering, target: VarId, value: bool) -> Statement {
+    Statement::Assign { target, value: lowering.pool.truth(value), remark: None }
+}
+
+fn copy(lowering: &mut Lowering, target: VarId, from: VarId) -> Statement {
+    let value = lowering.symbols.read(&mut lowering.pool, from);
+    Statement::Assign { target, value, remark: None }
+}
