@@ -31,6 +31,9 @@ struct Options {
     /// Rings that the steps are shared out to
     #[arg(long, value_name = "N,…", value_delimiter = ',', default_value = "1,10,100")]
     tokens: Vec<NonZero<usize>>,
+    /// Steps of each ring that its token goes through [default: all]
+    #[arg(long, value_name = "N")]
+    walked: Option<NonZero<usize>>,
     /// How the situation is held
     #[arg(long, value_name = "NAME,…", value_delimiter = ',', default_value = "switch,single-phase,sequent")]
     #[arg(value_parser = encoding)]
@@ -96,8 +99,9 @@ fn run(options: Options, tools: &Tools) -> Result<(), String> {
     let library = Library::find().map_err(|missing| eprintln!("without the SFC of MATIEC: {missing}")).ok();
     let scratch = tempfile::tempdir().map_err(|e| e.to_string())?;
     let folder = options.folder.unwrap_or_else(|| scratch.path().to_path_buf());
-    let sizes = options.sizes.iter();
-    let rings = sizes.flat_map(|steps| options.tokens.iter().filter_map(|tokens| Rings::of(steps.get(), tokens.get())));
+    let sizes = options.sizes.iter().map(|steps| steps.get());
+    let rings = sizes.flat_map(|steps| options.tokens.iter().filter_map(move |tokens| Rings::of(steps, tokens.get())));
+    let rings = rings.filter_map(|rings| options.walked.map_or(Some(rings), |steps| rings.walked(steps.get())));
     let job = Job {
         rings: rings.collect(),
         encodings: options.encodings,

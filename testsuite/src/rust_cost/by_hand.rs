@@ -16,6 +16,9 @@ pub(super) fn write(rings: Rings, evolution: Evolution) -> String {
     for i in 0..rings.steps {
         let _ = writeln!(out, "    pub x_{i}: bool,");
     }
+    if rings.walked < rings.length() {
+        out.push_str("    pub aside: bool,\n");
+    }
     out.push_str("}\n\n#[derive(Clone, Copy, Debug, PartialEq)]\npub struct Outputs {\n");
     for i in 0..rings.steps {
         let _ = writeln!(out, "    pub w_{i}: bool,");
@@ -73,19 +76,22 @@ fn write_scan(out: &mut String, rings: Rings, evolution: Evolution) {
 fn write_ring(out: &mut String, rings: Rings, ring: usize) {
     let _ = writeln!(out, "\n    fn scan_{ring}(&mut self, inputs: &Inputs) -> bool {{");
     let _ = writeln!(out, "        match self.ring_{ring} {{");
-    for step in steps(rings, ring) {
-        let next = rings.next(step);
-        let _ = writeln!(
-            out,
-            "            Ring{ring}::S{step} => {{
-                if inputs.x_{step} {{
-                    self.outputs.w_{step} = false;
-                    self.outputs.w_{next} = true;
-                    self.ring_{ring} = Ring{ring}::S{next};
+    let moved = |from: usize, to: usize| {
+        format!(
+            "                    self.outputs.w_{from} = false;
+                    self.outputs.w_{to} = true;
+                    self.ring_{ring} = Ring{ring}::S{to};
                     return true;
-                }}
-            }}"
-        );
+                }}"
+        )
+    };
+    for step in steps(rings, ring) {
+        let body = moved(step, rings.next(step));
+        let _ = write!(out, "            Ring{ring}::S{step} => {{\n                if inputs.x_{step} {{\n{body}\n");
+        if let Some(aside) = rings.aside(step) {
+            let _ = writeln!(out, "                if inputs.aside {{\n{}", moved(step, aside));
+        }
+        out.push_str("            }\n");
     }
     out.push_str("        }\n        false\n    }\n");
 }

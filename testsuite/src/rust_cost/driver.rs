@@ -48,7 +48,7 @@ impl Bench {
     }
 
     fn next(&self) -> usize {
-        if self.at + 1 == LENGTH { 0 } else { self.at + 1 }
+        if self.at + 1 == WALKED { 0 } else { self.at + 1 }
     }
 
     fn idle<const SCANS: bool>(&mut self, scans: u64) {
@@ -148,7 +148,14 @@ pub(super) fn write(rings: Rings) -> String {
          use std::time::Instant;\n\n",
     );
     let (steps, tokens, length) = (rings.steps, rings.tokens, rings.length());
-    let constants = [("STEPS", steps), ("RINGS", tokens), ("LENGTH", length), ("SLICES", SLICES), ("CHECKED", CHECKED)];
+    let constants = [
+        ("STEPS", steps),
+        ("RINGS", tokens),
+        ("LENGTH", length),
+        ("WALKED", rings.walked),
+        ("SLICES", SLICES),
+        ("CHECKED", CHECKED),
+    ];
     for (name, value) in constants {
         let _ = writeln!(out, "const {name}: usize = {value};");
     }

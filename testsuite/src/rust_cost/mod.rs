@@ -132,7 +132,8 @@ pub fn measure(
     let mut timed: Vec<Timed> = Vec::new();
     for &rings in &job.rings {
         for spelling in spellings(job, rings, library) {
-            let place = folder.join(format!("{}_{}_{}", rings.steps, rings.tokens, spelling.name().replace(", ", "_")));
+            let Rings { steps, tokens, walked } = rings;
+            let place = folder.join(format!("{steps}_{tokens}_{walked}_{}", spelling.name().replace(", ", "_")));
             let named = |said: String| format!("{}, {rings:?}: {said}", spelling.name());
             progress(&format!("building {}, {} steps, {} tokens", spelling.name(), rings.steps, rings.tokens));
             let built = build(tools, library, &place, rings, spelling, job.limit).map_err(named)?;
@@ -163,7 +164,8 @@ fn spellings(job: &Job, rings: Rings, library: Option<&Library>) -> Vec<Spelling
         spellings.push(Spelling::ByHand(evolution));
         spellings.extend(job.encodings.iter().map(|encoding| Spelling::Grafc(*encoding, evolution)));
     }
-    spellings.extend((library.is_some() && rings.steps <= texts::MANY_BITS).then_some(Spelling::Sfc));
+    let sfc = library.is_some() && rings.steps <= texts::MANY_BITS && rings.walked == rings.length();
+    spellings.extend(sfc.then_some(Spelling::Sfc));
     spellings
 }
 
@@ -200,7 +202,10 @@ fn figures(timed: &[Timed], samples: &[Vec<Sample>], index: usize) -> Figures {
         other.filter(|other| *other != index)
     };
     let by_hand = spelling.by_hand().and_then(|spelling| find(rings, spelling));
-    let base = find(Rings { steps: BASE, ..rings }, spelling);
+    // With as many steps walked through, or all of them as here.
+    let all = rings.walked == rings.length();
+    let base = Rings::of(BASE, rings.tokens).and_then(|base| if all { Some(base) } else { base.walked(rings.walked) });
+    let base = base.and_then(|base| find(base, spelling));
     let sfc = find(rings, Spelling::Sfc);
     let own = &samples[index];
     let figure = |of: fn(&Sample) -> f64| Figure {
@@ -229,14 +234,14 @@ mod tests {
         let Some(tools) = Tools::find_or_skip() else { return };
         let folder = tempfile::tempdir().expect("a folder");
         let job = Job {
-            rings: vec![Rings { steps: 10, tokens: 2 }],
+            rings: vec![Rings { steps: 10, tokens: 2, walked: 5 }, Rings { steps: 10, tokens: 2, walked: 3 }],
             encodings: vec![Encoding::Switch, Encoding::SinglePhase, Encoding::Sequent],
             evolutions: vec![Evolution::Stable, Evolution::Scan],
             repetitions: 1,
             limit: Duration::from_secs(300),
         };
         let rows = measure(&tools, None, folder.path(), &job, &|_| {}).expect("all are built and run");
-        assert_eq!(rows.len(), 2 * (1 + 3));
+        assert_eq!(rows.len(), 2 * 2 * (1 + 3));
         for row in &rows {
             let figures = row.figures.as_ref().expect("rustc takes ten steps");
             let is_by_hand = row.spelling.starts_with("match by hand");
