@@ -190,39 +190,12 @@ fn is_move(pool: &Pool, statement: &Statement) -> bool {
 mod tests {
     use super::*;
     use crate::formula::{Arithmetic, Comparison, Value};
-    use crate::scan::{Arm, Flag, State, Timer, Variable};
+    use crate::scan::by_hand::{assign, empty, variable};
+    use crate::scan::{Arm, Flag, State, Timer};
     use crate::{Encoding, Options, compile};
     use grafc_diagnostics::{Diagnostics, FileId};
     use grafc_model::chart::StepId;
     use grafc_model::reaction::{Evolution, Profile};
-
-    /// A program that is written by hand, variable by variable.
-    fn empty() -> Program {
-        Program {
-            name: "P".to_owned(),
-            comment: None,
-            variables: IndexVec::new(),
-            timers: IndexVec::new(),
-            pool: Pool::default(),
-            steps: IndexVec::new(),
-            states: Vec::new(),
-            first: Vec::new(),
-            before: Vec::new(),
-            micro_step: Vec::new(),
-            repeat: None,
-            after: Vec::new(),
-        }
-    }
-
-    fn variable(program: &mut Program, role: Role, ty: Type) -> VarId {
-        let initial = crate::symbols::zero(ty);
-        let name = String::new();
-        program.variables.push(Variable { role, name, ty, initial, comment: None, address: None, span: None })
-    }
-
-    fn assign(target: VarId, value: FormulaId) -> Statement {
-        Statement::Assign { target, value, remark: None }
-    }
 
     /// Five Boolean inputs to write formulas with.
     fn bits(program: &mut Program) -> [FormulaId; 5] {

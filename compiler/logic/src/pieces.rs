@@ -134,44 +134,19 @@ impl Cutter<'_> {
 mod tests {
     use super::*;
     use crate::evaluate::Evaluator;
-    use crate::formula::Pool;
+    use crate::scan::by_hand::{assign, bit, empty};
     use grafc_model::reaction::Stimulus;
-    use index_vec::IndexVec;
-
-    fn variable(role: Role, name: String) -> Variable {
-        let initial = Value::Bool(false);
-        Variable { role, name, ty: Type::Bool, initial, comment: None, address: None, span: None }
-    }
 
     /// `w := NOT (i0 OR i1 OR …)` and, if that is false, `v := i0 AND i1 AND …`.
     fn program(length: usize) -> Program {
-        let mut variables: IndexVec<VarId, Variable> = IndexVec::new();
-        let mut pool = Pool::default();
-        let inputs: Vec<FormulaId> = (0..length)
-            .map(|n| variables.push(variable(Role::Input, format!("i{n}"))))
-            .map(|v| pool.variable(v, Type::Bool))
-            .collect();
-        let [w, v] = ["w", "v"].map(|name| variables.push(variable(Role::Output, name.to_owned())));
-        let any = pool.or(inputs.clone());
-        let none = pool.not(any);
-        let all = pool.and(inputs);
-        let assign = |target, value| Statement::Assign { target, value, remark: None };
+        let mut p = empty();
+        let inputs: Vec<FormulaId> = (0..length).map(|_| bit(&mut p, Role::Input).1).collect();
+        let [w, v] = [(); 2].map(|()| bit(&mut p, Role::Output).0);
+        let any = p.pool.or(inputs.clone());
+        let (none, all) = (p.pool.not(any), p.pool.and(inputs));
         let branches = vec![(any, vec![assign(v, all)])];
-        let micro_step = vec![assign(w, none), Statement::If { branches, otherwise: Vec::new() }];
-        Program {
-            name: "long".to_owned(),
-            comment: None,
-            steps: IndexVec::new(),
-            states: Vec::new(),
-            variables,
-            timers: IndexVec::new(),
-            pool,
-            first: Vec::new(),
-            before: Vec::new(),
-            micro_step,
-            repeat: None,
-            after: Vec::new(),
-        }
+        p.micro_step = vec![assign(w, none), Statement::If { branches, otherwise: Vec::new() }];
+        p
     }
 
     #[test]

@@ -10,6 +10,9 @@ use crate::scan::{Program, Role, Statement, VarId};
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
 
+#[cfg(test)]
+mod tests;
+
 /// Sweeps a program.
 pub(crate) fn sweep(program: &mut Program) {
     let variables = program.variables.iter();

@@ -14,6 +14,8 @@
 //! value of every `Assign` has the type of its target, and storing it wraps around; a state and its copies take no
 //! values but those of the state.
 
+#[cfg(test)]
+pub(crate) mod by_hand;
 mod verify;
 
 pub use verify::verify;
