@@ -1,6 +1,6 @@
 //! The variables of the function block, in the order in which a reader asks for them.
 
-use super::literals::{is_zero, literal, type_name};
+use super::literals::{self, is_zero, type_name};
 use super::names::{Names, remark};
 use crate::comment::clean;
 use crate::writer::Writer;
@@ -170,7 +170,7 @@ pub(super) fn entry(id: VarId, variable: &Variable, names: &Names) -> Entry {
         name: name.clone(),
         address: None,
         ty: EntryType::Elementary(variable.ty),
-        initial: shown.then(|| literal(variable.initial, variable.ty)),
+        initial: shown.then(|| literals::initial(variable.initial, variable.ty)),
         comment,
     }
 }

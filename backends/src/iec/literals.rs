@@ -16,8 +16,8 @@ pub(crate) fn type_name(ty: Type) -> &'static str {
     }
 }
 
-/// A constant; its form alone shows its type, for typed literals (`REAL#1`) are not taken everywhere.
-pub(crate) fn literal(value: Value, ty: Type) -> String {
+/// A constant as the initial value of a variable, whose declaration says the type.
+pub(crate) fn initial(value: Value, ty: Type) -> String {
     match (value, ty) {
         (Value::Bool(true), _) => "TRUE".to_owned(),
         (Value::Bool(false), _) => "FALSE".to_owned(),
@@ -28,12 +28,36 @@ pub(crate) fn literal(value: Value, ty: Type) -> String {
     }
 }
 
+/// A constant in a formula. `0.1` alone is of the type LREAL in CODESYS, TwinCAT and MATIEC, which then reckon in
+/// double precision, so that a constant of the type REAL says what it is. A sign stands before the type: STruC++ knows
+/// no other place for it.
+pub(crate) fn literal(value: Value, ty: Type) -> String {
+    let text = initial(value, ty);
+    match ty {
+        Type::Real => match text.strip_prefix('-') {
+            Some(digits) => format!("-REAL#{digits}"),
+            None => format!("REAL#{text}"),
+        },
+        Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Lreal | Type::Time => text,
+    }
+}
+
+/// A constant as the operand of an instruction, where nothing but a literal may stand: the sign is within it.
+pub(crate) fn operand(value: Value, ty: Type) -> String {
+    let text = initial(value, ty);
+    match ty {
+        Type::Real => format!("REAL#{text}"),
+        Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Lreal | Type::Time => text,
+    }
+}
+
 /// The zero of a type.
 pub(crate) fn zero(ty: Type) -> String {
     match ty {
         Type::Bool => "FALSE".to_owned(),
         Type::Int | Type::Dint | Type::Uint | Type::Udint => "0".to_owned(),
-        Type::Real | Type::Lreal => "0.0".to_owned(),
+        Type::Real => "REAL#0.0".to_owned(),
+        Type::Lreal => "0.0".to_owned(),
         Type::Time => time(0),
     }
 }
@@ -86,9 +110,22 @@ mod tests {
             (-2.5e20, Type::Lreal, "-2.5E20"),
             (1e16, Type::Real, "1.0E16"),
         ] {
-            assert_eq!(literal(Value::Real(x), ty), expected);
+            assert_eq!(initial(Value::Real(x), ty), expected);
         }
-        assert_eq!(literal(Value::Int(-3), Type::Lreal), "-3.0");
+        assert_eq!(initial(Value::Int(-3), Type::Lreal), "-3.0");
+    }
+
+    #[test]
+    fn a_formula_says_which_constants_are_single() {
+        let both = |x, ty| (literal(Value::Real(x), ty), operand(Value::Real(x), ty));
+        assert_eq!(both(f64::from(0.1f32), Type::Real), ("REAL#0.1".into(), "REAL#0.1".into()));
+        assert_eq!(both(f64::from(-1.5e-9f32), Type::Real), ("-REAL#1.5E-9".into(), "REAL#-1.5E-9".into()));
+        assert_eq!(both(-0.1, Type::Lreal), ("-0.1".into(), "-0.1".into()));
+        assert_eq!(literal(Value::Int(-3), Type::Real), "-REAL#3.0");
+        assert_eq!(
+            (literal(Value::Int(-3), Type::Int), operand(Value::Int(-3), Type::Int)),
+            ("-3".into(), "-3".into())
+        );
     }
 
     #[test]

@@ -10,7 +10,7 @@
 //! for none has an effect. Recursion is as deep as a formula, which [`crate::limits`] bounds.
 
 use super::code::Code;
-use crate::iec::literals::{literal, type_name, zero};
+use crate::iec::literals::{self, type_name, zero};
 use crate::iec::names::Names;
 use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type};
 use grafc_logic::scan::Program;
@@ -62,7 +62,7 @@ impl<'p> Expressions<'p> {
     pub fn operand(&self, names: &Names, id: FormulaId) -> Option<String> {
         let pool = &self.program.pool;
         match pool.get(id) {
-            Formula::Constant(value) => Some(literal(*value, pool.ty(id))),
+            Formula::Constant(value) => Some(literals::operand(*value, pool.ty(id))),
             Formula::Variable(variable) => Some(names.variables[*variable].clone()),
             Formula::TimerDone(timer) => Some(format!("{}.Q", names.timers[*timer])),
             Formula::TimerElapsed(timer) => Some(format!("{}.ET", names.timers[*timer])),
@@ -99,7 +99,8 @@ impl<'p> Expressions<'p> {
             Formula::Arithmetic(op, a, b) => Form::Pair(*a, arithmetic(*op), *b),
             Formula::Negate(a) => match pool.ty(id) {
                 // Negates a zero, too.
-                Type::Real | Type::Lreal => Form::Then(*a, "MUL".into(), "-1.0"),
+                Type::Real => Form::Then(*a, "MUL".into(), "REAL#-1.0"),
+                Type::Lreal => Form::Then(*a, "MUL".into(), "-1.0"),
                 ty @ (Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Time) => {
                     Form::From(zero(ty), "SUB", *a)
                 }

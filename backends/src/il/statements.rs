@@ -5,7 +5,7 @@
 
 use super::code::{Code, Known};
 use super::expressions::Expressions;
-use crate::iec::literals::{literal, time, zero};
+use crate::iec::literals::{operand, time, zero};
 use crate::iec::names::Names;
 use crate::limits::is_empty;
 use crate::writer::{self, Writer};
@@ -172,7 +172,7 @@ impl Body<'_, '_> {
         if result == Type::Dint && ty == Type::Dint && constant.is_none_or(|a| a == least) {
             let divide = self.new_label("divide");
             self.load(b);
-            self.code.operation("EQ", &literal(Value::Int(-1), ty));
+            self.code.operation("EQ", &operand(Value::Int(-1), ty));
             self.code.jump_unless(&divide);
             match (modulo, constant) {
                 (true, _) => self.code.operation("LD", "0"),
