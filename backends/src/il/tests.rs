@@ -154,7 +154,7 @@ fn numbers_and_times() {
     check(Type::Int, |b, i| b.pool().negate(i[0]), "LD 0, SUB n");
     check(Type::Uint, |b, i| b.pool().negate(i[2]), "LD 0, SUB u");
     check(Type::Time, |b, i| b.pool().negate(i[4]), "LD T#0ms, SUB t");
-    check(Type::Real, |b, i| b.pool().negate(i[3]), "LD x, MUL -1.0");
+    check(Type::Real, |b, i| b.pool().negate(i[3]), "LD x, MUL REAL#-1.0");
     // A comparison turns round where that saves a parenthesis.
     check(
         Type::Bool,

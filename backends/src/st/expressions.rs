@@ -19,6 +19,8 @@ pub(super) struct Expressions<'p> {
 struct StructuredText<'p> {
     program: &'p Program,
     names: &'p Names,
+    /// Whether a formula is made of comparisons and negations alone.
+    bare: Vec<bool>,
 }
 
 /// What parentheses depend on.
@@ -36,7 +38,12 @@ pub(super) enum Level {
 impl<'p> Expressions<'p> {
     /// Measures all formulas.
     pub fn new(program: &'p Program, names: &'p Names) -> Self {
-        Expressions { formulas: Formulas::new(StructuredText { program, names }, program.pool.ids()) }
+        let mut notation = StructuredText { program, names, bare: Vec::new() };
+        for id in program.pool.ids() {
+            let bare = notation.is_bare(id);
+            notation.bare.push(bare);
+        }
+        Expressions { formulas: Formulas::new(notation, program.pool.ids()) }
     }
 
     /// The columns that a formula takes on one line.
@@ -164,9 +171,9 @@ impl Notation for StructuredText<'_> {
                 (Level::Atom, Parts::Atom(format!("{}.ET", self.names.timers[*timer]).into()))
             }
             Formula::Not(a) => match pool.get(*a) {
-                Formula::Xor(b, c) if self.is_plain(*b) && self.is_plain(*c) => {
-                    (Level::Comparison, Parts::Infix("=", pair(*b, *c)))
-                }
+                Formula::Xor(b, c) => (Level::Comparison, Parts::Infix("=", pair(*b, *c))),
+                Formula::And(list) if self.bare[a.index()] => (Level::Junction, self.negated(" OR ", list)),
+                Formula::Or(list) if self.bare[a.index()] => (Level::Junction, self.negated(" AND ", list)),
                 Formula::Compare(Comparison::Equal, b, c) => (Level::Comparison, Parts::Infix("<>", pair(*b, *c))),
                 _ => (Level::Not, Parts::Prefix("NOT ", *a)),
             },
@@ -196,6 +203,59 @@ impl Notation for StructuredText<'_> {
 }
 
 impl StructuredText<'_> {
+    /// Whether a formula is made of comparisons and negations alone. A conjunction of these is a number in the C++ that
+    /// STruC++ writes, and a `NOT` of it does not compile.
+    fn is_bare(&self, id: FormulaId) -> bool {
+        let pool = &self.program.pool;
+        match pool.get(id) {
+            Formula::Compare(..) => true,
+            Formula::Not(a) => !matches!(pool.get(*a), Formula::And(_) | Formula::Or(_)) || self.bare[a.index()],
+            Formula::And(list) | Formula::Or(list) => list.iter().all(|a| self.bare[a.index()]),
+            Formula::Xor(a, b) => {
+                self.is_plain(*a) && self.is_plain(*b) || self.bare[a.index()] && self.bare[b.index()]
+            }
+            Formula::Constant(_)
+            | Formula::Variable(_)
+            | Formula::TimerDone(_)
+            | Formula::TimerElapsed(_)
+            | Formula::Arithmetic(..)
+            | Formula::Negate(_)
+            | Formula::Widen(_) => false,
+        }
+    }
+
+    /// The negations of operands with a word between them, each `NOT` as deep as it goes.
+    fn negated<'s>(&'s self, word: &'static str, operands: &'s [FormulaId]) -> Parts<'s> {
+        let mut pieces = Vec::new();
+        self.negate(&mut pieces, word, operands);
+        Parts::Pieces(pieces)
+    }
+
+    fn negate<'s>(&'s self, pieces: &mut Vec<Piece<'s>>, word: &'static str, operands: &'s [FormulaId]) {
+        let text = |text: &'static str| Piece::Text(text.into());
+        for (place, operand) in operands.iter().enumerate() {
+            if place > 0 {
+                pieces.push(text(word));
+            }
+            match self.program.pool.get(*operand) {
+                Formula::Not(a) => pieces.push(Piece::Operand(0, *a)),
+                Formula::And(list) => self.negate_within(pieces, " OR ", list),
+                Formula::Or(list) => self.negate_within(pieces, " AND ", list),
+                Formula::Xor(a, b) => {
+                    let both = [text("(("), Piece::Enclosed(*a), text(") = ("), Piece::Enclosed(*b), text("))")];
+                    pieces.extend(both);
+                }
+                _ => pieces.extend([text("NOT ("), Piece::Enclosed(*operand), text(")")]),
+            }
+        }
+    }
+
+    fn negate_within<'s>(&'s self, pieces: &mut Vec<Piece<'s>>, word: &'static str, operands: &'s [FormulaId]) {
+        pieces.push(Piece::Text("(".into()));
+        self.negate(pieces, word, operands);
+        pieces.push(Piece::Text(")".into()));
+    }
+
     /// Whether a formula is a single word.
     fn is_plain(&self, id: FormulaId) -> bool {
         match self.program.pool.as_constant(id) {

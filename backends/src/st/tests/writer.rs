@@ -201,11 +201,48 @@ fn parentheses() {
         y := NOT (a AND b);
         y := NOT (n > 3);
         y := (a = b);
-        y := NOT ((a AND b) XOR c);
+        y := ((a AND b) = c);
         y := (a <> b) OR ((a AND b) XOR c);
         y := (n - (-3) = -3 * n) AND (a <> b);
         y := NOT a XOR (n > 3);
         y := (n - (-3) <> -3 * n);
+
+    "#]],
+    );
+}
+
+/// What a `NOT` stands before has a variable in it, else it stands before each operand: STruC++ takes nothing else.
+#[test]
+fn negations_of_comparisons() {
+    let inputs = [("a", Type::Bool), ("b", Type::Bool), ("n", Type::Int), ("k", Type::Int)];
+    let program = body(&inputs, Type::Bool, |b, v, y| {
+        let (a, bb, n, k) = (v[0], v[1], v[2], v[3]);
+        let p = b.pool();
+        let (not_a, not_b) = (p.not(a), p.not(bb));
+        let three = p.constant(Value::Int(3), Type::Int);
+        let (above, below) = (p.compare(Comparison::Greater, n, three), p.compare(Comparison::Less, k, three));
+        let (apart, joined) = (p.xor(above, below), p.or([above, not_a]));
+        let values = [
+            p.or([above, below]),
+            p.and([above, not_a]),
+            p.and([below, joined]),
+            p.and([below, apart]),
+            p.and([above, a]),
+            p.or([not_a, not_b]),
+            apart,
+        ];
+        values.map(|value| assign(y, p.not(value))).into()
+    });
+    check_body(
+        &program,
+        expect![[r#"
+        y := NOT (n > 3) AND NOT (k < 3);
+        y := NOT (n > 3) OR a;
+        y := NOT (k < 3) OR (NOT (n > 3) AND a);
+        y := NOT (k < 3) OR ((n > 3) = (k < 3));
+        y := NOT ((n > 3) AND a);
+        y := a AND b;
+        y := ((n > 3) = (k < 3));
 
     "#]],
     );
@@ -279,8 +316,8 @@ fn division() {
         y := a MOD 2;
         y := 0;
         DIV0 := TRUE;
-        IF r = 0.0 THEN
-            ratio := 0.0;
+        IF r = REAL#0.0 THEN
+            ratio := REAL#0.0;
             DIV0 := TRUE;
         ELSE
             ratio := r / r;
