@@ -91,7 +91,7 @@ pub(crate) fn flags(program: &Program) -> impl Iterator<Item = (VarId, Flag)> {
 }
 
 /// The responses of one job, from all that was printed.
-fn read(job: &Job, index: usize, printed: &str) -> Result<Vec<Response>, String> {
+pub(crate) fn read(job: &Job, index: usize, printed: &str) -> Result<Vec<Response>, String> {
     let head = format!("{index} ");
     let mut responses = Vec::new();
     for line in printed.lines().filter(|line| line.starts_with(&head)) {

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! cargo run --release -p grafc-testsuite -- diff --charts 20000 --executors built-in
+//! cargo run --release -p grafc-testsuite -- plants --scans 10000 --executors all
 //! cargo run --release -p grafc-testsuite -- executors
 //! ```
 
@@ -9,6 +10,7 @@
 
 use clap::{Parser, Subcommand};
 use grafc_testsuite::differential::command;
+use grafc_testsuite::plants;
 use std::process::ExitCode;
 
 /// Long runs of the test suite of grafc
@@ -22,6 +24,7 @@ struct CommandLine {
 #[derive(Subcommand, Debug)]
 enum Command {
     Diff(command::Arguments),
+    Plants(plants::command::Arguments),
     /// List the executors: what they run, what they cannot, and whether their tools are here
     Executors,
 }
@@ -29,6 +32,7 @@ enum Command {
 fn main() -> ExitCode {
     let result = match CommandLine::parse().command {
         Command::Diff(arguments) => command::run(&arguments),
+        Command::Plants(arguments) => plants::command::run(&arguments),
         Command::Executors => command::list(),
     };
     result.unwrap_or_else(|fault| {

@@ -4,7 +4,7 @@
 //! turns: a figure is the median of the turns, and a ratio is the median of the ratios within a turn. Where other load
 //! slows the machine for a while, it stands in the figures, and hardly in the ratios.
 
-use crate::matiec::call;
+use crate::programs::call;
 use std::path::PathBuf;
 use std::process::Command;
 

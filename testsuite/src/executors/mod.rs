@@ -4,11 +4,13 @@
 //! stages, the last ones through tools from outside, and must do the same. Tools are looked for on PATH or where an
 //! environment variable says; an executor without its tool says so and is not run.
 
+mod ironplc;
 mod matiec;
 mod net;
 mod rust;
 mod scan;
 mod simulator;
+mod strucpp;
 
 use crate::differential::first_difference;
 use grafc_model::chart::Chart;
@@ -87,6 +89,8 @@ pub fn all() -> Vec<Box<dyn Executor>> {
     all.extend(scan::executors());
     all.push(Box::new(rust::Rust::find()));
     all.extend(matiec::executors());
+    all.push(Box::new(ironplc::Ironplc::find()));
+    all.push(Box::new(strucpp::Strucpp::find()));
     all
 }
 

@@ -1,20 +1,21 @@
 //! Generated Structured Text and instruction lists, as MATIEC compiles them and a C compiler runs them.
 //!
-//! The function blocks of many charts go into one file for `iec2c`, what it writes and a driver of ours (`driver`)
+//! The function blocks of many charts go into one file for `iec2c`, what it writes and a driver of ours (`c_driver`)
 //! into one program for `gcc`, which plays each chart's trace and prints what came out. The time is fixed throughout a
 //! call, as the PLC's cycle fixes it.
 
-mod driver;
 mod tools;
 
+use crate::c_driver::Runtime;
+use crate::function_block::FunctionBlock;
 use crate::jobs;
 pub use crate::jobs::Job;
-use grafc_backends::{il, st};
+use grafc_backends::il;
+use grafc_logic::scan::Program;
 use grafc_model::chart::{Arithmetic, Chart, ExprKind, Type};
 use grafc_model::reaction::Response;
 use std::fs;
 pub use tools::Tools;
-pub(crate) use tools::call;
 
 /// The language of the code.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -38,6 +39,26 @@ struct Unit {
     driver: String,
 }
 
+/// How the C code that MATIEC writes is used.
+const RUNTIME: Runtime = Runtime {
+    head: "\
+#include <stdio.h>
+#include <string.h>
+#include \"iec_std_lib.h\"
+TIME __CURRENT_TIME;
+BOOL __DEBUG;
+#include \"POUS.h\"
+#include \"POUS.c\"
+static TIME ms(long long t) { TIME r; r.tv_sec = t / 1000; r.tv_nsec = (t % 1000) * 1000000; return r; }
+static long long in_ms(TIME t) { return (long long)t.tv_sec * 1000 + t.tv_nsec / 1000000; }
+",
+    instance: |block| format!("static {block} d; {block}_init__(&d, 0);"),
+    clock: "__CURRENT_TIME = ms(t);",
+    call: |block| format!("{block}_body__(&d);"),
+    get: |name| format!("d.{name}.value"),
+    set: |name, value| format!("d.{name}.value = {value};"),
+};
+
 /// Runs all jobs, in one batch if possible. A job's fault is what a tool said.
 pub fn run(tools: &Tools, language: Language, jobs: &[Job]) -> Vec<Result<Vec<Response>, String>> {
     let units = jobs.iter().enumerate().map(|(index, job)| unit(language, index, job)).collect();
@@ -45,25 +66,15 @@ pub fn run(tools: &Tools, language: Language, jobs: &[Job]) -> Vec<Result<Vec<Re
 }
 
 fn unit(language: Language, index: usize, job: &Job) -> Result<Unit, String> {
-    let mut program = job.program.clone();
-    program.name = format!("Job_{index}");
-    // A function block has no addresses.
-    for variable in &mut program.variables {
-        variable.address = None;
-    }
-    let (text, names) = match language {
-        Language::St => (st::emit(&program, &st::Options::default()), st::names(&program)),
-        Language::Il => (il::emit(&program, &il::Options::default()), il::names(&program)),
+    let block = match language {
+        Language::St => FunctionBlock::structured_text(index, job)?,
+        Language::Il => {
+            let emit = |program: &Program| il::emit(program, &il::Options::default());
+            FunctionBlock::new(index, job, emit, il::names)?
+        }
     };
-    let text = text.map_err(|said| format!("{said:#?}"))?;
-    let block = text
-        .lines()
-        .find_map(|line| line.trim().strip_prefix("FUNCTION_BLOCK "))
-        .ok_or("the text has no function block")?
-        .trim()
-        .to_string();
-    let driver = driver::write(index, &program, &names, &block, &job.stimuli)?;
-    Ok(Unit { text, driver })
+    let driver = RUNTIME.driver(index, &block, &job.stimuli)?;
+    Ok(Unit { text: block.text, driver })
 }
 
 fn build_and_play(tools: &Tools, batch: &[usize], units: &[&Unit]) -> Result<String, String> {
@@ -71,11 +82,7 @@ fn build_and_play(tools: &Tools, batch: &[usize], units: &[&Unit]) -> Result<Str
     let source: String = units.iter().map(|u| u.text.as_str()).collect::<Vec<_>>().join("\n");
     fs::write(folder.path().join("charts.st"), &source).map_err(|e| e.to_string())?;
     tools.iec2c(folder.path()).map_err(|said| format!("{said}\n{source}"))?;
-    let mut main = driver::HEAD.to_string();
-    for unit in units {
-        main.push_str(&unit.driver);
-    }
-    main.push_str(&driver::main(batch));
+    let main = RUNTIME.main(batch, units.iter().map(|unit| unit.driver.as_str()));
     fs::write(folder.path().join("main.c"), &main).map_err(|e| e.to_string())?;
     tools.gcc(folder.path()).map_err(|said| format!("{said}\n{source}"))?;
     tools.play(folder.path()).map_err(|said| format!("{said}\n{source}"))

@@ -1,7 +1,7 @@
 //! Finds and calls `iec2c` and `gcc`.
 
+use crate::programs::{call, on_path, or_skip};
 use std::env;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -38,10 +38,8 @@ impl Tools {
     }
 
     /// The tools, or nothing and a line that says why the test that wants them does nothing.
-    ///
-    /// The line goes to the process's own standard error, because a passing test's output is not shown.
     pub fn find_or_skip() -> Option<Tools> {
-        Tools::find().map_err(|missing| writeln!(std::io::stderr(), "skipped: {missing}")).ok()
+        or_skip(Tools::find())
     }
 
     /// Compiles `charts.st` in a folder to C.
@@ -62,20 +60,5 @@ impl Tools {
     /// Runs what was built.
     pub(super) fn play(&self, folder: &Path) -> Result<String, String> {
         call(&mut Command::new(folder.join("main")))
-    }
-}
-
-fn on_path(name: &str) -> Option<PathBuf> {
-    let path = env::var_os("PATH")?;
-    env::split_paths(&path).map(|folder| folder.join(name)).find(|file| file.is_file())
-}
-
-pub(crate) fn call(command: &mut Command) -> Result<String, String> {
-    let output = command.output().map_err(|e| format!("{command:?}: {e}"))?;
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    if output.status.success() {
-        Ok(text(&output.stdout))
-    } else {
-        Err(format!("{command:?}: {}\n{}{}", output.status, text(&output.stdout), text(&output.stderr)))
     }
 }

@@ -1,7 +1,6 @@
 //! rustc.
 
-use crate::matiec::call;
-use std::io::Write as _;
+use crate::programs::{call, or_skip};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -26,7 +25,7 @@ impl Tools {
 
     /// rustc, or nothing and a line on standard error that says why the test that wants it does nothing.
     pub fn find_or_skip() -> Option<Tools> {
-        Tools::find().map_err(|missing| writeln!(std::io::stderr(), "skipped: {missing}")).ok()
+        or_skip(Tools::find())
     }
 
     /// What rustc says of itself.

@@ -3,7 +3,8 @@
 //! The tests build with `-O0`, where compiling is what takes the time; here it is running.
 
 use super::driver;
-use crate::matiec::{Tools, call};
+use crate::matiec::Tools;
+use crate::programs::call;
 use crate::rings::Rings;
 use std::env;
 use std::fs;

@@ -1,0 +1,47 @@
+//! Generated Structured Text, compiled by IronPLC and run by its virtual machine.
+
+use super::rust::job;
+use super::{Executor, Outcome, Task};
+use crate::ironplc::{Tools, run};
+use crate::jobs::run_some;
+
+/// IronPLC: `ironplcc` and `ironplcvm` on PATH.
+pub(super) struct Ironplc {
+    tools: Result<Tools, String>,
+}
+
+impl Ironplc {
+    pub fn find() -> Self {
+        Ironplc { tools: Tools::find() }
+    }
+}
+
+impl Executor for Ironplc {
+    fn name(&self) -> &str {
+        "ironplc:st"
+    }
+
+    fn about(&self) -> &str {
+        "generated Structured Text through IronPLC, the encodings in turn"
+    }
+
+    fn limits(&self) -> &str {
+        "as a program, with timers that have the test's clock"
+    }
+
+    fn missing(&self) -> Option<&str> {
+        self.tools.as_ref().err().map(String::as_str)
+    }
+
+    fn is_external(&self) -> bool {
+        true
+    }
+
+    fn run(&self, tasks: &[Task]) -> Vec<Outcome> {
+        let jobs = tasks.iter().map(|task| job(task).map_err(Outcome::Failed));
+        run_some(jobs.collect(), |jobs| match &self.tools {
+            Ok(tools) => run(tools, jobs),
+            Err(missing) => jobs.iter().map(|_| Err(missing.clone())).collect(),
+        })
+    }
+}

@@ -1,0 +1,98 @@
+//! A chart in every target and every encoding, and the compilers that take the text unchanged.
+
+use super::Plant;
+use crate::{ironplc, matiec, strucpp};
+use grafc::pipeline::{self, Product};
+use grafc_backends::{iec61131_10, il, plcopen, rust, scl, st, tcpou};
+use grafc_diagnostics::{Code, FileId};
+use grafc_logic::{Encoding, Options};
+use grafc_model::reaction::Profile;
+
+/// The compilers that are asked; none by default.
+#[derive(Default)]
+pub struct Tools {
+    matiec: Option<matiec::Tools>,
+    ironplc: Option<ironplc::Tools>,
+    strucpp: Option<strucpp::Tools>,
+}
+
+impl Tools {
+    /// Those that are here, and what the others lack.
+    pub fn find() -> (Self, Vec<String>) {
+        let mut missing = Vec::new();
+        let tools = Tools {
+            matiec: matiec::Tools::find().map_err(|said| missing.push(said)).ok(),
+            ironplc: ironplc::Tools::find().map_err(|said| missing.push(said)).ok(),
+            strucpp: strucpp::Tools::find().map_err(|said| missing.push(said)).ok(),
+        };
+        (tools, missing)
+    }
+}
+
+/// What came of it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Written {
+    /// So many texts were written.
+    pub texts: usize,
+    /// So many were given to a compiler, which took them.
+    pub taken: usize,
+    /// So many drawings as a sequential function chart were refused, because it would mean something else (E0503).
+    pub undrawn: usize,
+}
+
+/// Writes a chart for every target in every encoding; an error is what grafc or a compiler said.
+pub fn targets(plant: &Plant, tools: &Tools) -> Result<Written, String> {
+    let mut written = Written::default();
+    for encoding in Encoding::ALL {
+        for product in products() {
+            let lowering = Options { profile: Profile::default(), encoding, simplify: true };
+            let options = pipeline::Options { lowering, product };
+            let (text, said) = pipeline::compile(FileId::default(), &plant.text, &plant.name, &options);
+            let Some(text) = text else {
+                if is_drawing(&options.product) && said.iter().any(|message| message.code == Code::E0503) {
+                    written.undrawn += 1;
+                    continue;
+                }
+                return Err(format!("{:?}, {}: {said:#?}", options.product, encoding.name()));
+            };
+            written.texts += 1;
+            for (compiler, taken) in taken(tools, &options.product, &text) {
+                taken.map_err(|said| format!("{compiler}, {}: {said}", encoding.name()))?;
+                written.taken += 1;
+            }
+        }
+    }
+    Ok(written)
+}
+
+fn products() -> [Product; 9] {
+    let plcopen = |dialect, body| Product::Plcopen(plcopen::Options { dialect, body, ..plcopen::Options::default() });
+    [
+        Product::St(st::Options::default()),
+        Product::Il(il::Options::default()),
+        plcopen(plcopen::Dialect::Neutral, plcopen::Body::St),
+        plcopen(plcopen::Dialect::Codesys, plcopen::Body::St),
+        plcopen(plcopen::Dialect::Neutral, plcopen::Body::Sfc),
+        Product::Scl(scl::Options::default()),
+        Product::Tcpou(tcpou::Options::default()),
+        Product::Iec61131_10(iec61131_10::Options::default()),
+        Product::Rust(rust::Options::default()),
+    ]
+}
+
+fn is_drawing(product: &Product) -> bool {
+    matches!(product, Product::Plcopen(options) if options.body == plcopen::Body::Sfc)
+}
+
+/// What the compilers say that read the language.
+fn taken(tools: &Tools, product: &Product, text: &str) -> Vec<(&'static str, Result<(), String>)> {
+    let mut said = Vec::new();
+    if matches!(product, Product::St(_) | Product::Il(_)) {
+        said.extend(tools.matiec.iter().map(|tools| ("MATIEC", matiec::accepts(tools, text))));
+    }
+    if matches!(product, Product::St(_)) {
+        said.extend(tools.ironplc.iter().map(|tools| ("IronPLC", ironplc::accepts(tools, text))));
+        said.extend(tools.strucpp.iter().map(|tools| ("STruC++", strucpp::accepts(tools, text))));
+    }
+    said
+}
