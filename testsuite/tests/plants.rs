@@ -19,7 +19,7 @@ fn charts_of_agrafe_run_alike_everywhere() {
     assert!(plants.len() >= 15, "only {} charts", plants.len());
     for executor in all() {
         if let Some(missing) = executor.missing() {
-            let _ = or_skip::<()>(Err(format!("{}: {missing}", executor.name())));
+            or_skip::<()>(Err(format!("{}: {missing}", executor.name())));
         }
     }
     for executor in select("all").expect("executors").into_iter().filter(|executor| !executor.name().starts_with("net"))
@@ -38,7 +38,9 @@ fn charts_of_agrafe_run_alike_everywhere() {
 fn charts_of_agrafe_are_written_for_every_target() {
     let Some(plants) = or_skip(plants()) else { return };
     let (tools, missing) = Tools::find();
-    missing.into_iter().for_each(|what| drop(or_skip::<()>(Err(what))));
+    for what in missing {
+        or_skip::<()>(Err(what));
+    }
     for plant in &plants {
         let tools = if plant.chart.steps.len() < LARGE { &Tools::default() } else { &tools };
         let written = targets(plant, tools).unwrap_or_else(|said| panic!("{}: {said}", plant.name));
