@@ -1,7 +1,7 @@
 //! The edits that make a chart's text shorter, by the places in its syntax tree.
 
 use grafc_diagnostics::{FileId, Span};
-use grafc_syntax::ast::{ActionKind, Chart, Event, ExprId, ExprKind, Item, Situation, Step, StepKind};
+use grafc_syntax::ast::{ActionKind, Chart, Event, ExprId, ExprKind, Item, Situation, Step, StepKind, Transition};
 use std::collections::BTreeMap;
 
 /// What is put in the place of what: one place, or several that only go together.
@@ -148,10 +148,12 @@ pub(super) fn of(text: &str) -> Vec<Edit> {
     edits
 }
 
-/// What cannot go alone: a macro-step with its expansion, an enclosure with the word that makes its step enclosing.
+/// What cannot go alone: a macro-step with its expansion, an enclosure with the word that makes its step enclosing, an
+/// initial step with the transition after it, where the next steps become initial in its place.
 fn pairs(text: &str, chart: &Chart) -> Vec<Edit> {
     let mut steps: BTreeMap<&str, &Step> = BTreeMap::new();
     let mut blocks: Vec<(&str, Span)> = Vec::new();
+    let mut transitions: Vec<&Transition> = Vec::new();
     let mut open: Vec<&Item> = chart.items.iter().collect();
     while let Some(item) = open.pop() {
         match item {
@@ -167,9 +169,18 @@ fn pairs(text: &str, chart: &Chart) -> Vec<Edit> {
                 blocks.push((&expansion.macro_step.text, expansion.span));
                 open.extend(&expansion.items);
             }
-            Item::Declaration(_) | Item::Transition(_) => {}
+            Item::Transition(transition) => transitions.push(transition),
+            Item::Declaration(_) => {}
         }
     }
+    let later = |transition: &Transition| {
+        let [from] = &transition.from[..] else { return None };
+        let first = steps.get(from.text.as_str()).filter(|step| step.initial)?;
+        let next = transition.to.iter().filter_map(|name| steps.get(name.text.as_str()));
+        let start = |step: &&Step| Span::new(step.span.file, step.span.start as usize, step.span.start as usize);
+        let initial = next.map(|step| (start(step), "initial ".to_string()));
+        Some(Edit([(transition.span, String::new()), (first.span, String::new())].into_iter().chain(initial).collect()))
+    };
     let pair = |(label, block): (&str, Span)| {
         let step = steps.get(label)?;
         let span = match step.kind {
@@ -179,7 +190,7 @@ fn pairs(text: &str, chart: &Chart) -> Vec<Edit> {
         };
         Some(Edit(vec![(block, String::new()), (span, String::new())]))
     };
-    blocks.into_iter().filter_map(pair).collect()
+    blocks.into_iter().filter_map(pair).chain(transitions.into_iter().filter_map(later)).collect()
 }
 
 /// A word before the label of a step.
