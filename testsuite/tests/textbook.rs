@@ -187,6 +187,26 @@ fn r_triggers_are_those_of_table_12_1() {
     }
 }
 
+/// Where a step is set by the one before it while the one after it is active already, S wins, where an R-trigger would
+/// never set it. By `S OR NOT R AND X`, one micro-step a row: `1 := NOT 2·1`, `2 := 1·a OR NOT 3·2`, `3 := 2·b OR 3`.
+#[test]
+fn s_triggers_set_what_is_set_and_reset() {
+    let text = "input a, b : bool initial step 1 step 2 initial step 3 transition 1 -> 2 : a transition 2 -> 3 : b";
+    let chart = charts::check("two_tokens", text).expect("a chart");
+    let profile = Profile { evolution: Evolution::Scan, ..Profile::default() };
+    let options = Options { profile, encoding: Encoding::STrigger, ..Options::default() };
+    let program = differential::compile(&chart, &options).expect("a program");
+    let mut evaluator = Evaluator::new(&program);
+    for (row, (a, situation)) in
+        [(false, vec![0, 2]), (true, vec![0, 1, 2]), (true, vec![1, 2]), (true, vec![2])].into_iter().enumerate()
+    {
+        let inputs = vec![Value::Bool(a), Value::Bool(false)];
+        let response = evaluator.react(&Stimulus { t_ms: 10 * row as i64, inputs });
+        let ours: Vec<usize> = response.situation.into_iter().map(|step| step.index()).collect();
+        assert_eq!(ours, situation, "row {row}");
+    }
+}
+
 /// No more than the book's own programs, and `docs/statistics.md` says the same.
 #[test]
 fn the_figures_of_the_book() {
