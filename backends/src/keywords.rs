@@ -12,6 +12,8 @@ pub enum Family {
     Iec,
     /// The instruction list of IEC 61131-3, where operators are words.
     InstructionList,
+    /// The statement list of STEP 7, in both its sets of mnemonics.
+    StatementList,
     /// Fields, local variables and functions of Rust.
     RustValues,
     /// Types, variants and constants of Rust.
@@ -25,6 +27,8 @@ pub struct Reserved {
     /// What the overloaded and the converting functions begin with, and what follows: `ADD_TIME`, `INT_TO_REAL`.
     heads: FxHashSet<&'static str>,
     tails: FxHashSet<&'static str>,
+    /// What makes an address together with a number: `M10`, `DB1`.
+    addresses: FxHashSet<&'static str>,
 }
 
 impl Reserved {
@@ -33,6 +37,10 @@ impl Reserved {
         match family {
             Family::Iec => Reserved::iec(""),
             Family::InstructionList => Reserved::iec(INSTRUCTIONS),
+            Family::StatementList => Reserved {
+                addresses: split(&[STL_ADDRESSES]),
+                ..Reserved::words(&[STL_KEYWORDS, STL_ENGLISH, STL_GERMAN, STL_ADDRESSES])
+            },
             Family::RustValues => Reserved::words(&[RUST_KEYWORDS, RUST_VALUES]),
             Family::RustTypes => Reserved::words(&[RUST_KEYWORDS, RUST_TYPES]),
         }
@@ -43,16 +51,18 @@ impl Reserved {
             words: split(&[KEYWORDS, TYPES, FUNCTIONS, FUNCTION_BLOCKS, LATER_EDITIONS, DIALECTS, SCL, C_MACROS, more]),
             heads: split(&[TYPES, FUNCTIONS, "BCD CTD CTU CTUD TO"]),
             tails: split(&[TYPES, "BCD TO TRUNC"]),
+            addresses: FxHashSet::default(),
         }
     }
 
     fn words(tables: &[&'static str]) -> Self {
-        Reserved { words: split(tables), heads: FxHashSet::default(), tails: FxHashSet::default() }
+        let none = FxHashSet::default;
+        Reserved { words: split(tables), heads: none(), tails: none(), addresses: none() }
     }
 
     /// Whether a word, in upper case, is reserved.
     pub fn contains(&self, word: &str) -> bool {
-        if self.words.contains(word) {
+        if self.words.contains(word) || self.addresses.contains(word.trim_end_matches(|c: char| c.is_ascii_digit())) {
             return true;
         }
         match word.split_once('_') {
@@ -119,6 +129,36 @@ const SCL: &str = "
     LABEL NOP ORGANIZATION_BLOCK REGION S5TIME VARIANT VOID
 ";
 
+/// Words of source files of STEP 7, and its types.
+const STL_KEYWORDS: &str = "
+    ANY ARRAY AUTHOR BEGIN BLOCK_DB BLOCK_FB BLOCK_FC BLOCK_SDB BOOL BYTE CHAR CODE_VERSION1 COUNTER DATA_BLOCK DATE
+    DATE_AND_TIME DINT DT DWORD END_DATA_BLOCK END_FUNCTION END_FUNCTION_BLOCK END_ORGANIZATION_BLOCK END_STRUCT
+    END_SYSTEM_FUNCTION END_SYSTEM_FUNCTION_BLOCK END_TYPE END_VAR EN ENO FALSE FAMILY FUNCTION FUNCTION_BLOCK INT
+    KNOW_HOW_PROTECT NAME NETWORK NON_RETAIN NULL OF ORGANIZATION_BLOCK POINTER READ_ONLY REAL RET_VAL S5TIME STANDARD STRING
+    STRUCT SYSTEM_FUNCTION SYSTEM_FUNCTION_BLOCK TIME TIMER TIME_OF_DAY TITLE TOD TRUE TYPE UNLINKED VAR VAR_INPUT
+    VAR_IN_OUT VAR_OUTPUT VAR_TEMP VERSION VOID WORD
+";
+
+/// Mnemonics of STL, the English ones; bits of the status word.
+const STL_ENGLISH: &str = "
+    A ABS ACOS AD AN AR1 AR2 ASIN ATAN AW BCD BE BEC BEU BLD BR BTD BTI CAD CALL CAR CAW CC CD CDB CLR COS CU DEC DTB DTR
+    ENT EXP FN FP FR INC INVD INVI ITB ITD JBI JC JCB JCN JL JM JMZ JN JNB JNBI JO JP JPZ JU JUO JZ L LAR1 LAR2 LC LEAVE
+    LN LOOP MCR MCRA MCRD MOD NEGD NEGI NEGR NOP NOT O OD ON OPN OS OV OW POP PUSH R RLD RLDA RND RRD RRDA S SAVE SD SE
+    SET SF SIN SLD SLW SP SQR SQRT SRD SRW SS SSD SSI STW T TAK TAN TAR1 TAR2 TRUNC UC UO X XN XOD XOW
+";
+
+/// Those that the German set has for itself.
+const STL_GERMAN: &str = "
+    AUF BEA BEB BIE SA SI SPA SPB SPBB SPBI SPBIN SPBN SPBNB SPL SPM SPMZ SPN SPO SPP SPPZ SPS SPU SPZ SV TAD TAW TDB U UD
+    UN UW ZR ZV
+";
+
+/// Memory areas and blocks, of both sets.
+const STL_ADDRESSES: &str = "
+    A AB AD AW B C D DB DBB DBD DBW DBX DI DIB DID DIW DIX E EB ED EW FB FC I IB ID IW L LB LD LW M MB MD MW OB P PA PAB
+    PAD PAW PE PEB PED PEW PI PIB PID PIW PQ PQB PQD PQW Q QB QD QW SDB SFB SFC T UDT V VAT Z
+";
+
 /// Macros and types of the headers that C code made by MATIEC includes: its members are our names in upper case.
 const C_MACROS: &str = "
     FILE
@@ -180,7 +220,8 @@ mod tests {
 
     #[test]
     fn words_are_upper_case_identifiers() {
-        let families = [Family::Iec, Family::InstructionList, Family::RustValues, Family::RustTypes];
+        let families =
+            [Family::Iec, Family::InstructionList, Family::StatementList, Family::RustValues, Family::RustTypes];
         for word in families.into_iter().flat_map(|family| Reserved::of(family).words) {
             assert!(word.chars().all(|c| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_'), "{word}");
         }

@@ -3,6 +3,7 @@
 //! A backend chooses names, layout and notation, never meaning. [`namer`] makes every identifier that reaches a target,
 //! by the tables of [`keywords`]; [`comment`] makes every text of the user's harmless inside a comment.
 
+pub mod awl;
 pub mod comment;
 mod formulas;
 mod iec;

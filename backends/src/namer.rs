@@ -7,6 +7,16 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// The longest name that is given: more is unreadable, and some PLC editors stop there.
 pub const MAX_LENGTH: usize = 63;
 
+impl Family {
+    /// The longest name that is given for a target.
+    fn longest(self) -> usize {
+        match self {
+            Family::StatementList => 24,
+            Family::Iec | Family::InstructionList | Family::RustValues | Family::RustTypes => MAX_LENGTH,
+        }
+    }
+}
+
 /// Gives names that are unique without regard to case and not reserved; the same wishes in the same order get the same
 /// names.
 #[derive(Clone)]
@@ -26,7 +36,8 @@ impl Namer {
 
     /// A name as near to the wanted one as can be.
     pub fn name(&mut self, wanted: &str) -> String {
-        let stem = identifier(wanted, MAX_LENGTH);
+        let longest = self.family.longest();
+        let stem = identifier(wanted, longest);
         if self.take(&stem) {
             return stem;
         }
@@ -36,7 +47,7 @@ impl Namer {
             // Rust wants no underscore between a letter and something else in the name of a type.
             let joined = self.family == Family::RustTypes && !stem.ends_with(|c: char| c.is_ascii_digit());
             let suffix = format!("{}{number}", if joined { "" } else { "_" });
-            let kept = stem[..stem.len().min(MAX_LENGTH - suffix.len())].trim_end_matches('_');
+            let kept = stem[..stem.len().min(longest - suffix.len())].trim_end_matches('_');
             let name = format!("{kept}{suffix}");
             number += 1;
             if self.take(&name) {
@@ -51,7 +62,9 @@ impl Namer {
         let wanted: Vec<&str> = wanted.into_iter().collect();
         let mut given: Vec<Option<String>> = wanted
             .iter()
-            .map(|name| (identifier(name, MAX_LENGTH) == **name && self.take(name)).then(|| name.to_string()))
+            .map(|name| {
+                (identifier(name, self.family.longest()) == **name && self.take(name)).then(|| name.to_string())
+            })
             .collect();
         for (name, place) in wanted.iter().zip(&mut given) {
             if place.is_none() {

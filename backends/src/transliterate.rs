@@ -39,6 +39,12 @@ pub fn ascii(text: &str) -> String {
             Some(spelling) => out.letters(c, spelling, before, after),
             None => match c {
                 '−' | '–' | '—' => out.out.push('-'),
+                '↑' => out.out.push_str("rise "),
+                '↓' => out.out.push_str("fall "),
+                '→' => out.out.push_str("->"),
+                '≤' => out.out.push_str("<="),
+                '≥' => out.out.push_str(">="),
+                '≠' => out.out.push_str("<>"),
                 '\u{300}'..='\u{36F}' => {}
                 _ => out.out.push('?'),
             },

@@ -30,6 +30,9 @@ pub(crate) const IEC: Comments = Comments { first: "(* ", next: "   ", end: " *)
 /// Comments of SCL.
 pub(crate) const SCL: Comments = Comments { first: "// ", next: "// ", end: "" };
 
+/// Comments of STL.
+pub(crate) const STL: Comments = Comments { first: "// ", next: "// ", end: "" };
+
 /// Comments of Rust.
 pub(crate) const RUST: Comments = Comments { first: "// ", next: "// ", end: "" };
 

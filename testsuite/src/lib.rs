@@ -3,6 +3,7 @@
 //! What a chart means is said once, by the reference simulator; expectations written by hand check the simulator, and
 //! everything else is checked against it: the scan program, and the generated code as other tools run it.
 
+pub mod awlsim;
 pub mod binary;
 mod c_driver;
 pub mod charts;

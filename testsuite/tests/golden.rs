@@ -1,13 +1,13 @@
 //! What the compiler writes for the example charts, word for word: so that a change of it is seen and read before it
 //! lands.
 //!
-//! `NAME.st` and `NAME.il` are the code in the default encoding, `ENCODING/NAME.st` and `.il` that in another,
+//! `NAME.st`, `.il` and `.awl` are the code in the default encoding, `ENCODING/NAME.st` and so on that in another,
 //! `rust/` holds some of it in Rust, `dumps/NAME/` what lies between the stages. A golden file proves nothing about
 //! meaning; that is what the other tests are for. `UPDATE_EXPECT=1` rewrites them.
 
 use expect_test::expect_file;
 use grafc::pipeline::{self, Options, Product};
-use grafc_backends::{il, rust, st};
+use grafc_backends::{awl, il, rust, st};
 use grafc_diagnostics::FileId;
 use grafc_logic::{Encoding, Options as Lowering};
 use grafc_net::passes;
@@ -51,12 +51,13 @@ impl Golden {
         text.unwrap_or_else(|| panic!("{}: {said:?}", case.name))
     }
 
-    /// Both languages of PLCs; the name of the file has no ending yet.
+    /// The languages of PLCs; the name of the file has no ending yet.
     fn code(&mut self, case: &Case, encoding: Encoding, simplify: bool, file: &str) {
         let header = vec![format!("from {}.gct", case.name)];
         let text = Product::St(st::Options { header: header.clone(), ..st::Options::default() });
-        let list = Product::Il(il::Options { header, ..il::Options::default() });
-        for (product, ending) in [(text, "st"), (list, "il")] {
+        let list = Product::Il(il::Options { header: header.clone(), ..il::Options::default() });
+        let source = Product::Awl(awl::Options { header, organization_block: true, ..awl::Options::default() });
+        for (product, ending) in [(text, "st"), (list, "il"), (source, "awl")] {
             let text = self.made(case, encoding, simplify, product);
             self.expect(format!("{file}.{ending}"), &text);
         }
@@ -116,8 +117,8 @@ fn what_the_compiler_writes_is_as_it_was_read_last() {
         }
     }
     let count = |start: &str| golden.files.iter().filter(|file| file.starts_with(start)).count();
-    assert!(golden.files.iter().filter(|file| !file.contains('/')).count() >= 2 * 16, "charts are missing");
-    assert_eq!(count("switch/"), 2 * IN_EVERY_ENCODING.len());
+    assert!(golden.files.iter().filter(|file| !file.contains('/')).count() >= 3 * 16, "charts are missing");
+    assert_eq!(count("switch/"), 3 * IN_EVERY_ENCODING.len());
     assert_eq!(count("rust/"), IN_RUST.len() * Encoding::ALL.len());
     assert_eq!(count("dumps/"), STAGE_BY_STAGE.len() * (6 + passes::ORDER.len()));
     assert_eq!(present(), golden.files, "golden files without a chart");

@@ -1,17 +1,26 @@
 //! Texts that no one would write on purpose, through every stage: messages or code, never a panic, never a hang.
 //!
-//! Where MATIEC is at hand, what comes out for awkward but correct charts must be taken by it.
+//! Where MATIEC is at hand, what comes out for awkward but correct charts must be taken by it; where awlsim is, by that.
 
-use grafc_backends::{il, st};
-use grafc_diagnostics::{Diagnostics, FileId};
+use grafc_backends::{awl, il, st};
+use grafc_diagnostics::{Code, Diagnostics, FileId};
 use grafc_logic::scan::Program;
 use grafc_logic::{Encoding, Options};
+use grafc_testsuite::awlsim;
 use grafc_testsuite::charts::{cases, charts_folder};
 use grafc_testsuite::matiec::{Tools, accepts};
 use std::time::{Duration, Instant};
 
-/// Structured Text and an instruction list, or nothing and at least one error.
-fn compile(text: &str, encoding: Encoding) -> Result<String, Diagnostics> {
+/// What a chart becomes.
+struct Codes {
+    /// Structured Text and an instruction list.
+    iec: String,
+    /// A statement list, if S7-300 and S7-400 can hold the chart.
+    awl: Option<String>,
+}
+
+/// All codes, or nothing and at least one error.
+fn compile(text: &str, encoding: Encoding) -> Result<Codes, Diagnostics> {
     let (tree, mut said) = grafc_syntax::parse(FileId::default(), text);
     if said.has_errors() {
         return Err(said);
@@ -32,12 +41,17 @@ fn compile(text: &str, encoding: Encoding) -> Result<String, Diagnostics> {
         return Err(said);
     };
     let text = st::emit(&program, &st::Options::default())?;
+    let awl = match awl::emit(&program, &awl::Options::default()) {
+        Ok(text) => Some(text),
+        Err(said) if said.iter().all(|one| matches!(one.code, Code::E0504 | Code::E0505 | Code::E0506)) => None,
+        Err(said) => return Err(said),
+    };
     let list = Program { name: format!("{}_il", program.name), ..program };
-    Ok(text + &il::emit(&list, &il::Options::default())?)
+    Ok(Codes { iec: text + &il::emit(&list, &il::Options::default())?, awl })
 }
 
 /// Neither panics nor takes long; every message lies within the text and at the bounds of characters.
-fn survives(text: &str) -> Result<String, Diagnostics> {
+fn survives(text: &str) -> Result<Codes, Diagnostics> {
     let started = Instant::now();
     let result = compile(text, Encoding::SinglePhase);
     let state_by_state = compile(text, Encoding::Switch);
@@ -58,10 +72,13 @@ fn survives(text: &str) -> Result<String, Diagnostics> {
 }
 
 fn taken(text: &str) {
-    let code = survives(text).unwrap_or_else(|said| panic!("{said:?}\n{text}"));
+    let codes = survives(text).unwrap_or_else(|said| panic!("{said:?}\n{text}"));
     // Where the tool is missing the code has at least been written.
     if let Ok(tools) = Tools::find() {
-        accepts(&tools, &code).unwrap_or_else(|said| panic!("{said}\n{code}"));
+        accepts(&tools, &codes.iec).unwrap_or_else(|said| panic!("{said}\n{}", codes.iec));
+    }
+    if let (Ok(tools), Some(awl)) = (awlsim::Tools::find(), codes.awl) {
+        awlsim::accepts(&tools, &[awl]).unwrap_or_else(|said| panic!("{said}"));
     }
 }
 
@@ -158,11 +175,11 @@ fn deep_nesting() {
             let condition = format!("{}a{}", open.repeat(depth), close.repeat(depth));
             let text = format!("input a : bool\ninitial step 1\nstep 2\ntransition 1 -> 2 : {condition}\n");
             // MATIEC takes minutes over thousands of timers.
-            if let Ok(code) = survives(&text)
+            if let Ok(codes) = survives(&text)
                 && let Ok(tools) = Tools::find()
                 && (depth == 100 || !open.contains("1s"))
             {
-                accepts(&tools, &code).unwrap_or_else(|said| panic!("{depth} times `{open}`: {said}"));
+                accepts(&tools, &codes.iec).unwrap_or_else(|said| panic!("{depth} times `{open}`: {said}"));
             }
         }
     }
@@ -257,6 +274,15 @@ fn names_that_targets_reserve() {
         "struct",
         "default",
         "long",
+        "A",
+        "UN",
+        "SPB",
+        "M10",
+        "DB1",
+        "NOW",
+        "RESTART",
+        "clock",
+        "NETWORK",
     ];
     let mut codes = Vec::new();
     for (index, word) in words.iter().enumerate() {
@@ -269,9 +295,15 @@ fn names_that_targets_reserve() {
         codes.extend(survives(&text));
     }
     assert!(codes.len() + 5 > words.len(), "only {} of {} names were taken", codes.len(), words.len());
+    let (iec, awl): (Vec<String>, Vec<Option<String>>) = codes.into_iter().map(|codes| (codes.iec, codes.awl)).unzip();
+    if let Ok(tools) = awlsim::Tools::find() {
+        let awl: Vec<String> = awl.into_iter().flatten().collect();
+        assert_eq!(awl.len(), iec.len(), "a name is no reason to refuse a chart");
+        awlsim::accepts(&tools, &awl).unwrap_or_else(|said| panic!("{said}"));
+    }
     let Ok(tools) = Tools::find() else { return };
-    if accepts(&tools, &codes.concat()).is_err() {
-        for code in &codes {
+    if accepts(&tools, &iec.concat()).is_err() {
+        for code in &iec {
             accepts(&tools, code).unwrap_or_else(|said| panic!("{said}\n{code}"));
         }
     }

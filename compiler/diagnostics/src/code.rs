@@ -122,6 +122,9 @@ codes! {
     W0413 "visible-overlap" Warning;
 
     E0503 "not-a-sequential-function-chart" Error;
+    E0504 "no-double-precision" Error;
+    E0505 "time-too-long-for-target" Error;
+    E0506 "block-too-long" Error;
 
     E0601 "malformed-trace" Error;
     E0602 "unknown-trace-column" Error;

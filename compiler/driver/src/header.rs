@@ -3,7 +3,7 @@
 //! No directories and no dates: equal charts give equal code wherever and whenever they are compiled.
 
 use crate::files::Place;
-use grafc_backends::{il, plcopen, rust, st};
+use grafc_backends::{awl, il, plcopen, rust, st};
 use grafc_model::reaction::{Evolution, Profile};
 
 /// The head of Structured Text.
@@ -14,6 +14,17 @@ pub fn of_st(chart: &Place, lowering: &grafc_logic::Options, pou: st::Pou, inter
 /// The head of an instruction list.
 pub fn of_il(chart: &Place, lowering: &grafc_logic::Options, pou: il::Pou, interval_ms: u32) -> Vec<String> {
     header(chart, "il", lowering, &around(pou, interval_ms))
+}
+
+/// The head of a source file in STL.
+pub fn of_awl(chart: &Place, lowering: &grafc_logic::Options, options: &awl::Options) -> Vec<String> {
+    let pou = if options.organization_block { "program" } else { "function-block" };
+    let mnemonics = match options.mnemonics {
+        awl::Mnemonics::English => "english",
+        awl::Mnemonics::German => "german",
+    };
+    let own = format!("--pou {pou} --block-number {} --mnemonics {mnemonics}", options.number);
+    header(chart, "awl", lowering, &own)
 }
 
 /// What stands around a function block.

@@ -8,7 +8,7 @@
 //! stage that found an error, no other begins, save that a text with syntax errors is checked as far as it was read.
 //! What lies between two stages can be had as text.
 
-use grafc_backends::{iec61131_10, il, plcopen, rust, scl, st, tcpou};
+use grafc_backends::{awl, iec61131_10, il, plcopen, rust, scl, st, tcpou};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
 use grafc_logic::Encoding;
 use grafc_logic::scan::Program;
@@ -36,6 +36,8 @@ pub enum Product {
     St(st::Options),
     /// IEC 61131-3 instruction list.
     Il(il::Options),
+    /// Siemens STL.
+    Awl(awl::Options),
     /// A PLCopen XML project.
     Plcopen(plcopen::Options),
     /// Siemens SCL.
@@ -93,6 +95,7 @@ pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) 
         }
         Product::St(options) => emit(file, text, default_name, lowering, |program| st::emit(program, options)),
         Product::Il(options) => emit(file, text, default_name, lowering, |program| il::emit(program, options)),
+        Product::Awl(options) => emit(file, text, default_name, lowering, |program| awl::emit(program, options)),
         Product::Plcopen(options) => match options.body {
             plcopen::Body::St => emit(file, text, default_name, lowering, |program| plcopen::emit(program, options)),
             plcopen::Body::Sfc => draw(file, text, default_name, lowering, options),

@@ -133,7 +133,9 @@ fn choices_reach_the_files_of_tools() {
         (["scl", "--body", "st"], "`--target plcopen`"),
         (["rust", "--task-interval", "1s"], "`--target st`, `--target il` and `--target plcopen`"),
         (["plcopen", "--runtime", "crate"], "`--target rust`"),
-        (["tcpou", "--pou", "program"], "`--target st` and `--target il`"),
+        (["tcpou", "--pou", "program"], "`--target st`, `--target il` and `--target awl`"),
+        (["scl", "--block-number", "7"], "`--target awl`"),
+        (["il", "--mnemonics", "german"], "`--target awl`"),
     ] {
         let all: Vec<&str> = ["valve.gct", "--target"].iter().chain(&arguments).copied().collect();
         place.run(&all).ends(2, &format!("`{}` is an option of {owner}", arguments[1]));
@@ -159,8 +161,41 @@ fn an_instruction_list_is_the_same_function_block() {
     assert!(code("il", &["--pou", "configuration", "--task-interval", "50ms"]).contains("T#50ms"));
     place.run(&["valve.gct", "--target", "il", "--task-interval", "50ms"]).ends(2, "of a configuration's task");
     place.run(&["valve.gct", "--target", "il", "--runtime", "crate"]).ends(2, "an option of `--target rust`");
-    place.run(&["valve.gct", "--target", "rust", "--pou", "program"]).ends(2, "`--target st` and `--target il`");
+    place
+        .run(&["valve.gct", "--target", "rust", "--pou", "program"])
+        .ends(2, "`--target st`, `--target il` and `--target awl`");
 }
+
+#[test]
+fn a_source_of_step_7_has_numbered_blocks() {
+    let place = Place::new(&[("valve.gct", VALVE), ("scale.gct", SCALE)]);
+    let code = |arguments: &[&str]| {
+        let all: Vec<&str> = ["valve.gct", "--target", "awl"].iter().chain(arguments).copied().collect();
+        place.run(&all).is_done().out.clone()
+    };
+    let plain = code(&[]);
+    assert_eq!(code(&["--pou", "function-block", "--block-number", "1", "--mnemonics", "english"]), plain);
+    assert!(plain.contains("\nFUNCTION_BLOCK FB 1\n") && plain.contains("\nDATA_BLOCK DB 1\n"), "{plain}");
+    assert!(plain.contains("--target awl --encoding single-phase") && !plain.contains("ORGANIZATION_BLOCK"), "{plain}");
+    let whole = code(&["--pou", "program", "--block-number", "70"]);
+    assert!(whole.contains("\nORGANIZATION_BLOCK OB 1\n") && whole.contains("CALL  FB 70, DB 70 ("), "{whole}");
+    assert!(code(&["--mnemonics", "german"]).contains("      U     #"));
+    let wrong = |arguments: &[&str], said: &str| {
+        let all: Vec<&str> = ["valve.gct", "--target", "awl"].iter().chain(arguments).copied().collect();
+        place.run(&all).ends(2, said);
+    };
+    wrong(&["--pou", "configuration"], "`--pou program` writes an OB 1");
+    wrong(&["--task-interval", "50ms"], "an option of `--target st`");
+    wrong(&["--block-number", "0"], "0");
+    place
+        .run(&["scale.gct", "--target", "awl"])
+        .ends(1, "error[E0504]: `weight` is an `lreal`")
+        .ends(1, "scale.gct:1:7");
+}
+
+/// A number of double precision.
+const SCALE: &str = "input weight : lreal\noutput full : bool\ninitial step 1\nstep 2 { full }\n\
+    transition 1 -> 2 : [weight > 1.5]\ntransition 2 -> 1 : [weight < 0.5]\n";
 
 #[test]
 fn every_encoding_holds_the_situation_in_its_own_way() {

@@ -18,7 +18,9 @@ fn a_chart_has_a_row_for_each_encoding() {
     assert!(table.starts_with("Valve: 2 steps, 2 transitions, evolution scan\n\nencoding  "), "{table}");
     // clr_1 := X1 AND a; clr_2 := X2 AND b; X1 := clr_2 OR X1 AND NOT clr_1; X2 alike; V := X2: 3 + 3 + 4 + 4 + 2.
     // In the instruction list also LDN started, JMPCN, ST started, ST X1 of the first call.
+    // In STL AN started, S started, S X1; a bare O in X1 and X2; A RESTART, JCN and four R; BE.
     assert_eq!(row(&table, "single-phase"), ["2", "0", "2", "0", "0", "none", "5", "16", "20"]);
+    assert!(table.contains("\nin AWL\n  single-phase 28, "), "{table}");
     let names: Vec<&str> = table.lines().skip(3).take(5).filter_map(|line| line.split(' ').next()).collect();
     assert_eq!(names, ["single-phase", "r-trigger", "s-trigger", "sequent", "switch"]);
     assert_eq!(row(&table, "switch")[..2], ["0", "1"]);
@@ -66,6 +68,8 @@ fn json_is_one_object_with_keys_that_stay() {
         "delays": 0, "loop": { "bound": 200 }, "statements": 6, "instructions": 19,
         // And 4 at the first call, 5 before each micro-step and 7 after it.
         "il_instructions": 35,
+        // 28, an R of LIVELOCK, 3 for `again`, 6 before each micro-step and 7 after it.
+        "awl_instructions": 45,
         // A word for the steps, V, four flags, the mark of the first call; aligned to the word.
         "rust_bytes": 12,
     });

@@ -4,6 +4,7 @@
 //! stages, the last ones through tools from outside, and must do the same. Tools are looked for on PATH or where an
 //! environment variable says; an executor without its tool says so and is not run.
 
+mod awlsim;
 mod ironplc;
 mod matiec;
 mod net;
@@ -91,6 +92,7 @@ pub fn all() -> Vec<Box<dyn Executor>> {
     all.extend(matiec::executors());
     all.push(Box::new(ironplc::Ironplc::find()));
     all.push(Box::new(strucpp::Strucpp::find()));
+    all.push(Box::new(awlsim::Awlsim::find()));
     all
 }
 

@@ -1,10 +1,13 @@
-//! Faults of the backends for Structured Text and Rust.
+//! Faults of the backends for Structured Text, the statement list of STEP 7, and Rust.
 
 use super::Fault;
 
 const FORMULAS: &str = "backends/src/formulas.rs";
 const ST_STATEMENTS: &str = "backends/src/st/statements.rs";
 const ST_EXPRESSIONS: &str = "backends/src/st/expressions.rs";
+const AWL_CONDITIONS: &str = "backends/src/awl/conditions.rs";
+const AWL_NUMBERS: &str = "backends/src/awl/numbers.rs";
+const AWL_TIMERS: &str = "backends/src/awl/timers.rs";
 const RUST_SCAN: &str = "backends/src/rust/scan.rs";
 const RUST_EXPRESSIONS: &str = "backends/src/rust/expressions.rs";
 const RUST_PARTS: &str = "backends/src/rust/parts.rs";
@@ -107,6 +110,34 @@ pub(super) const FAULTS: &[Fault] = &[
         breaks: "what is done if no branch applies is not written",
         text: "crate::limits::is_empty(otherwise)",
         instead: "true",
+    },
+    Fault {
+        name: "awl-product-joins-the-sum",
+        file: AWL_CONDITIONS,
+        breaks: "a product behind a sum is not added to it",
+        text: "code.bit(\"O\", \"\");",
+        instead: "",
+    },
+    Fault {
+        name: "awl-what-is-no-number-is-less",
+        file: AWL_NUMBERS,
+        breaks: "the contrary of a comparison of reals is the comparison",
+        text: "code.bit(\"NOT\", \"\");",
+        instead: "",
+    },
+    Fault {
+        name: "awl-clock-wraps-around-once",
+        file: AWL_TIMERS,
+        breaks: "where a clock of 31 bits wraps around, all timers run out",
+        text: "code.number(\"AD\", \"DW#16#7FFFFFFF\");",
+        instead: "",
+    },
+    Fault {
+        name: "awl-timer-outlives-its-input",
+        file: AWL_TIMERS,
+        breaks: "a timer that has run out stays so when its input falls",
+        text: "code.bit(\"A\", &run);",
+        instead: "",
     },
     Fault {
         name: "rust-less-or-equal-is-less",

@@ -8,8 +8,8 @@ use crate::header;
 use crate::pipeline::{self, Options, Product};
 use crate::report::{Failure, Format, Report};
 use clap::builder::PossibleValuesParser;
-use clap::{ArgGroup, Args, ValueEnum};
-use grafc_backends::{iec61131_10, il, plcopen, rust, scl, st, tcpou};
+use clap::{ArgGroup, Args, ValueEnum, value_parser};
+use grafc_backends::{awl, iec61131_10, il, plcopen, rust, scl, st, tcpou};
 use grafc_logic::Encoding;
 use grafc_net::passes;
 use std::str::FromStr;
@@ -43,12 +43,18 @@ pub struct Arguments {
     optimize: Level,
     #[command(flatten)]
     profile: ProfileArguments,
-    /// For `st` and `il`: the kind of program organisation unit to make [default: function-block]
+    /// For `st`, `il` and `awl`: the kind of program organisation unit to make [default: function-block]
     #[arg(long, value_enum, value_name = "KIND", conflicts_with_all = NO_CODE)]
     pou: Option<Pou>,
     /// For `st`, `il` and `plcopen`: how often the task of the configuration runs, such as 20ms or 1s [default: 20ms]
     #[arg(long, value_name = "DURATION", alias = "interval", conflicts_with_all = NO_CODE)]
     task_interval: Option<Interval>,
+    /// For `awl`: the number of the function block and of its data block [default: 1]
+    #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u16).range(1..), conflicts_with_all = NO_CODE)]
+    block_number: Option<u16>,
+    /// For `awl`: the language of the instructions [default: english]
+    #[arg(long, value_enum, value_name = "LANGUAGE", conflicts_with_all = NO_CODE)]
+    mnemonics: Option<MnemonicsName>,
     /// For `plcopen`: who shall read it [default: neutral]
     #[arg(long, value_enum, value_name = "DIALECT", conflicts_with_all = NO_CODE)]
     dialect: Option<Dialect>,
@@ -69,6 +75,8 @@ enum TargetName {
     St,
     /// IEC 61131-3 instruction list
     Il,
+    /// Siemens STL (AWL), a source file for STEP 7: S7-300, S7-400
+    Awl,
     /// A PLCopen XML project: function block, program, configuration
     Plcopen,
     /// Siemens SCL, a source file for TIA Portal
@@ -151,6 +159,14 @@ enum Pou {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum MnemonicsName {
+    /// `A I 0.0`
+    English,
+    /// `U E 0.0`
+    German,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 enum Dialect {
     /// Beremiz and what comes from it
     Neutral,
@@ -221,6 +237,12 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
             "add `--pou configuration`, or leave it out".to_string(),
         ));
     }
+    if args.target == Some(TargetName::Awl) && args.pou == Some(Pou::Configuration) {
+        return Err(Failure::WrongUse(
+            "STEP 7 has no configurations".to_string(),
+            "`--pou program` writes an OB 1, which the CPU runs in each cycle".to_string(),
+        ));
+    }
     if let Some(pass) = passes::ORDER.iter().find(|pass| args.dump_after.as_deref() == Some(pass.name))
         && pass.for_overlap
         && !encoding.overlaps()
@@ -251,8 +273,10 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
 /// An option that only other targets know would be without effect.
 fn refuse_options_of_other_targets(args: &Arguments) -> Result<(), Failure> {
     let Some(target) = args.target else { return Ok(()) };
-    let options: [(&str, bool, &[TargetName]); 5] = [
-        ("pou", args.pou.is_some(), &[TargetName::St, TargetName::Il]),
+    let options: [(&str, bool, &[TargetName]); 7] = [
+        ("pou", args.pou.is_some(), &[TargetName::St, TargetName::Il, TargetName::Awl]),
+        ("block-number", args.block_number.is_some(), &[TargetName::Awl]),
+        ("mnemonics", args.mnemonics.is_some(), &[TargetName::Awl]),
         ("task-interval", args.task_interval.is_some(), &[TargetName::St, TargetName::Il, TargetName::Plcopen]),
         ("dialect", args.dialect.is_some(), &[TargetName::Plcopen]),
         ("body", args.body.is_some(), &[TargetName::Plcopen]),
@@ -300,6 +324,19 @@ fn product(args: &Arguments, lowering: &grafc_logic::Options) -> Option<Product>
         TargetName::Il => {
             let (pou, interval_ms) = around(args);
             Product::Il(il::Options { pou, header: header::of_il(chart, lowering, pou, interval_ms), interval_ms })
+        }
+        TargetName::Awl => {
+            let mut options = awl::Options {
+                organization_block: args.pou == Some(Pou::Program),
+                mnemonics: match args.mnemonics {
+                    Some(MnemonicsName::English) | None => awl::Mnemonics::English,
+                    Some(MnemonicsName::German) => awl::Mnemonics::German,
+                },
+                number: args.block_number.unwrap_or(awl::Options::default().number),
+                header: Vec::new(),
+            };
+            options.header = header::of_awl(chart, lowering, &options);
+            Product::Awl(options)
         }
         TargetName::Plcopen => {
             let mut options = plcopen::Options {

@@ -6,7 +6,7 @@ use crate::files::{Place, print};
 use crate::pipeline;
 use crate::report::{Failure, Format, Report};
 use clap::{Args, ValueEnum};
-use grafc_backends::{il, rust};
+use grafc_backends::{awl, il, rust};
 use grafc_diagnostics::{Diagnostics, FileId, Severity};
 use grafc_logic::scan::{Program, State};
 use grafc_logic::{Encoding, Measure, Options, arrow, compile, measure};
@@ -106,6 +106,8 @@ struct Row {
     instructions: u64,
     /// Those of the instruction list that `--target il` writes.
     il_instructions: u64,
+    /// Those of the function block that `--target awl` writes; none where it cannot.
+    awl_instructions: Option<u64>,
     /// What `size_of` gives for the chart's struct in Rust.
     rust_bytes: usize,
 }
@@ -215,6 +217,7 @@ impl Row {
             statements,
             instructions,
             il_instructions: il::instructions(program)?,
+            awl_instructions: awl::instructions(program).ok(),
             rust_bytes: rust::size_of(program),
         })
     }
@@ -273,9 +276,14 @@ impl Figures {
             }
             out.push('\n');
         }
-        let bytes: Vec<String> =
-            self.encodings.iter().map(|row| format!("{} {}", row.encoding, row.rust_bytes)).collect();
-        out.push_str(&format!("\nbytes in Rust\n  {}\n", bytes.join(", ")));
+        let by_encoding = |figure: &dyn Fn(&Row) -> String| {
+            let all: Vec<String> =
+                self.encodings.iter().map(|row| format!("{} {}", row.encoding, figure(row))).collect();
+            all.join(", ")
+        };
+        let awl = |row: &Row| row.awl_instructions.map_or("none".to_string(), |count| count.to_string());
+        out.push_str(&format!("\nin AWL\n  {}\n", by_encoding(&awl)));
+        out.push_str(&format!("\nbytes in Rust\n  {}\n", by_encoding(&|row| row.rust_bytes.to_string())));
         self.transients.list(&mut out);
         self.switch.list(&mut out);
         out

@@ -1,0 +1,238 @@
+//! The instructions of one call.
+
+use super::code::Code;
+use super::conditions::Conditions;
+use super::division::Division;
+use super::numbers::{Numbers, literal};
+use super::{AwlNames, Mnemonics, restart, timers};
+use crate::limits::is_empty;
+use grafc_logic::formula::{FormulaId, Type, Value};
+use grafc_logic::scan::{Arm, Flag, Program, Repeat, Role, Statement, VarId};
+
+/// So many arms of a choice are tried one after the other; of more, a jump passes over half.
+const FEW_ARMS: usize = 8;
+
+/// The instructions of one call.
+pub(super) fn body(program: &Program, names: &mut AwlNames, mnemonics: Mnemonics) -> Code {
+    let (conditions, numbers) = (Conditions::new(program), Numbers::new(program));
+    let mut body = Body { program, names, conditions, numbers, code: Code::new(mnemonics), depth: 0 };
+    if let Some(clock) = &body.names.clock {
+        clock.update(&mut body.code);
+    }
+    restart::write(&mut body.code, program, body.names);
+    body.code.network("one call");
+    body.block(&program.first, None);
+    body.block(&program.before, None);
+    match program.repeat {
+        Some(repeat) => body.repeat(repeat),
+        None => body.block(&program.micro_step, None),
+    }
+    body.block(&program.after, None);
+    body.code.instruct_label();
+    body.code.instruction("BE", "");
+    body.code
+}
+
+struct Body<'p, 'n> {
+    program: &'p Program,
+    names: &'n mut AwlNames,
+    conditions: Conditions<'p>,
+    numbers: Numbers<'p>,
+    code: Code,
+    /// How many statements stand around.
+    depth: usize,
+}
+
+impl Body<'_, '_> {
+    fn condition(&mut self, id: FormulaId) {
+        match self.program.pool.as_truth(id) {
+            Some(truth) => self.code.truth(truth),
+            None => self.conditions.load(&mut self.code, self.names, id),
+        }
+    }
+
+    /// A comparison of a variable, a whole number, with a constant.
+    fn compare(&mut self, variable: VarId, operator: &str, value: i64) {
+        let ty = self.program.variables[variable].ty;
+        self.code.number("L", &self.names.variable(variable));
+        self.code.number("L", &literal(Value::Int(value), ty));
+        self.code.comparison(&format!("{operator}{}", if ty == Type::Int { "I" } else { "D" }));
+    }
+
+    /// The stability loop; where it has a limit, the flag when it was cut off.
+    fn repeat(&mut self, repeat: Repeat) {
+        let start = self.code.new_label();
+        let again = self.names.variable(repeat.again);
+        if let Some(limit) = repeat.limit {
+            self.code.number("L", "0");
+            self.code.instruction("T", &self.names.variable(limit.count));
+        }
+        self.code.label(start.clone());
+        if let Some(limit) = repeat.limit {
+            let (count, ty) = (self.names.variable(limit.count), self.program.variables[limit.count].ty);
+            let is_short = matches!(ty, Type::Int | Type::Uint);
+            self.code.remark(Some("one micro-step"));
+            self.code.number("L", &count);
+            self.code.number("L", if is_short { "1" } else { "L#1" });
+            self.code.number(if is_short { "+I" } else { "+D" }, "");
+            self.code.instruction("T", &count);
+        }
+        self.block(&self.program.micro_step, None);
+        self.code.network("another micro-step, until the situation is stable");
+        let Some(limit) = repeat.limit else {
+            self.code.bit("A", &again);
+            return self.code.jump_if(&start);
+        };
+        // No CPU does more in one call.
+        self.compare(limit.count, "<", i64::from(limit.bound).min(i64::from(i32::MAX)));
+        self.code.bit("A", &again);
+        self.code.jump_if(&start);
+        let flag = self.program.variables.iter_enumerated().find(|(_, v)| v.role == Role::Flag(Flag::Livelock));
+        if let Some((flag, _)) = flag {
+            self.code.bit("A", &again);
+            self.code.instruction("S", &self.names.variable(flag));
+        }
+    }
+
+    /// Statements in order. If a label is given, what comes after them is a jump to it or the label itself, so that the
+    /// last of them may jump there.
+    fn block(&mut self, statements: &[Statement], after: Option<&str>) {
+        for (place, statement) in statements.iter().enumerate() {
+            let after = after.filter(|_| place + 1 == statements.len());
+            match statement {
+                Statement::Heading(text) if self.depth == 0 => self.code.network(text),
+                Statement::Heading(text) => self.code.heading(text),
+                Statement::Assign { target, value, remark } => {
+                    self.code.remark(remark.as_deref());
+                    self.assign(*target, *value);
+                }
+                Statement::Divide { target, modulo, dividend, divisor, flag } => {
+                    let (target, modulo, a, b, flag) = (*target, *modulo, *dividend, *divisor, *flag);
+                    self.numbers.divide(&mut self.code, self.names, Division { target, modulo, a, b, flag });
+                }
+                Statement::CallTimer { timer, input } => {
+                    let timer_of = &self.program.timers[*timer];
+                    self.code.remark(timer_of.comment.as_deref());
+                    self.condition(*input);
+                    timers::call(&mut self.code, self.names, *timer, timer_of.preset);
+                }
+                Statement::Case { of, arms } => self.case(*of, arms, after),
+                Statement::If { branches, otherwise } => self.branch(branches, otherwise, after),
+            }
+        }
+    }
+
+    fn inner(&mut self, statements: &[Statement], after: &str) {
+        self.depth += 1;
+        self.block(statements, Some(after));
+        self.depth -= 1;
+    }
+
+    fn assign(&mut self, target: VarId, value: FormulaId) {
+        if self.program.pool.ty(value) != Type::Bool {
+            return self.numbers.assign(&mut self.code, self.names, target, value);
+        }
+        let operand = self.names.variable(target);
+        match (self.program.pool.as_truth(value), self.code.rlo) {
+            (Some(truth), Some(true)) => self.code.instruction(if truth { "S" } else { "R" }, &operand),
+            (Some(truth), _) => {
+                self.code.truth(truth);
+                self.code.assign(&operand);
+            }
+            (None, _) => {
+                self.condition(value);
+                self.code.assign(&operand);
+            }
+        }
+    }
+
+    /// An arm a value, with what the value stands for beside it.
+    fn case(&mut self, of: VarId, arms: &[Arm], after: Option<&str>) {
+        let done = after.map_or_else(|| self.code.new_label(), str::to_owned);
+        let mut arms: Vec<&Arm> = arms.iter().collect();
+        if arms.len() > FEW_ARMS {
+            arms.sort_by_key(|arm| arm.value);
+        }
+        self.arms(of, &arms, &done, true);
+        if after.is_none() {
+            self.code.label(done);
+        }
+    }
+
+    /// Tries arms; recursion is as deep as they can be halved. After the last of all there is no need to jump.
+    fn arms(&mut self, of: VarId, arms: &[&Arm], done: &str, last: bool) {
+        if arms.len() > FEW_ARMS {
+            let (low, high) = arms.split_at(arms.len() / 2);
+            let upper = self.code.new_label();
+            self.compare(of, ">=", high[0].value);
+            self.code.jump_if(&upper);
+            self.arms(of, low, done, false);
+            self.code.label(upper);
+            return self.arms(of, high, done, last);
+        }
+        for (place, arm) in arms.iter().enumerate() {
+            let is_last = place + 1 == arms.len();
+            let next = if is_last { done.to_owned() } else { self.code.new_label() };
+            self.code.remark(arm.remark.as_deref());
+            self.compare(of, "==", arm.value);
+            self.code.jump_unless(&next);
+            self.inner(&arm.body, done);
+            if !(is_last && last) {
+                self.code.jump(done);
+            }
+            if !is_last {
+                self.code.label(next);
+            }
+        }
+    }
+
+    /// The first branch whose condition is true.
+    fn branch(&mut self, branches: &[(FormulaId, Vec<Statement>)], otherwise: &[Statement], after: Option<&str>) {
+        if branches.is_empty() {
+            return self.block(otherwise, after);
+        }
+        if let [(condition, body)] = branches
+            && is_empty(otherwise)
+            && let Some(bits) = self.bits(body)
+        {
+            self.condition(*condition);
+            self.code.rlo = None;
+            for (target, truth, remark) in bits {
+                self.code.remark(remark);
+                self.code.instruction(if truth { "S" } else { "R" }, &self.names.variable(target));
+            }
+            return;
+        }
+        let done = after.map_or_else(|| self.code.new_label(), str::to_owned);
+        for (place, (condition, body)) in branches.iter().enumerate() {
+            let is_last = place + 1 == branches.len() && is_empty(otherwise);
+            let next = if is_last { done.clone() } else { self.code.new_label() };
+            self.condition(*condition);
+            self.code.jump_unless(&next);
+            self.inner(body, &done);
+            if !is_last {
+                self.code.jump(&done);
+                self.code.label(next);
+            }
+        }
+        self.inner(otherwise, &done);
+        if after.is_none() {
+            self.code.label(done);
+        }
+    }
+
+    /// What a body sets and resets, if it does nothing else: then there is no need to jump.
+    fn bits<'s>(&self, body: &'s [Statement]) -> Option<Vec<(VarId, bool, Option<&'s str>)>> {
+        let bit = |statement: &'s Statement| match statement {
+            Statement::Assign { target, value, remark } => {
+                Some((*target, self.program.pool.as_truth(*value)?, remark.as_deref()))
+            }
+            Statement::Heading(_)
+            | Statement::Divide { .. }
+            | Statement::CallTimer { .. }
+            | Statement::Case { .. }
+            | Statement::If { .. } => None,
+        };
+        body.iter().map(bit).collect()
+    }
+}

@@ -1,0 +1,241 @@
+//! Generated STL in awlsim: it does what the chart means.
+//!
+//! Needs a Python with awlsim, `python3` or what `AWLSIM_PYTHON` names; without it each test says so and does nothing.
+
+use grafc_backends::awl;
+use grafc_logic::evaluate::Evaluator;
+use grafc_logic::{Encoding, Options};
+use grafc_model::reaction::{Evolution, Profile};
+use grafc_testsuite::awlsim::{Tools, beyond, play_cycles, run};
+use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
+use grafc_testsuite::differential::{compile, first_difference, profile, report, simulate};
+use grafc_testsuite::jobs::Job;
+use grafc_testsuite::random::{Kind, checked, trace};
+
+/// The encodings that are exact, with formulas shortened.
+fn encodings() -> impl Iterator<Item = Encoding> {
+    Encoding::ALL.into_iter().filter(|encoding| !encoding.overlaps())
+}
+
+/// Runs all cases in all exact encodings and compares them with what is expected of them; those of them that S7-300 and
+/// S7-400 can hold are at least so many.
+fn agree(cases: &[Case], least: usize) {
+    let Some(tools) = Tools::find_or_skip() else { return };
+    let mut faults = Vec::new();
+    let mut jobs = Vec::new();
+    let mut run_cases = Vec::new();
+    for (case, encoding) in cases.iter().flat_map(|case| encodings().map(move |encoding| (case, encoding))) {
+        let options = Options { profile: case.profile, encoding, simplify: true };
+        let prepared = check(&case.name, &case.text).and_then(|chart| {
+            let stimuli = stimuli(&case.name, &case.trace, &chart)?;
+            let program = compile(&chart, &options)?;
+            Ok((chart, Job { program, stimuli }))
+        });
+        match prepared {
+            Err(fault) => faults.push(format!("{}, {}:\n{fault}", case.name, encoding.name())),
+            Ok((_, job)) if beyond(&job).is_some() => {}
+            Ok((chart, job)) => {
+                jobs.push(job);
+                run_cases.push((case, encoding, chart));
+            }
+        }
+    }
+    for (((case, encoding, chart), job), result) in run_cases.iter().zip(&jobs).zip(run(&tools, &jobs)) {
+        let name = format!("{}, {}", case.name, encoding.name());
+        match result {
+            Err(fault) => faults.push(format!("{name}:\n{fault}")),
+            Ok(responses) => {
+                let actual = spell(chart, &job.stimuli, &responses);
+                if actual != case.expected {
+                    faults.push(format!("{name}:\nexpected\n{}actual\n{actual}", case.expected));
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{} of {} fail\n{}", faults.len(), jobs.len(), faults.join("\n"));
+    assert!(jobs.len() >= least, "only {} were run", jobs.len());
+}
+
+#[test]
+fn vectors_agree() {
+    let cases = cases(&vectors_folder());
+    agree(&cases, 3 * cases.len() * 9 / 10);
+}
+
+#[test]
+fn charts_agree() {
+    let cases = cases(&charts_folder());
+    agree(&cases, 3 * cases.len());
+}
+
+/// The r- and s-trigger too are written as they are evaluated, in one micro-step a call as well.
+#[test]
+fn overlapping_encodings_are_written_as_they_are() {
+    let Some(tools) = Tools::find_or_skip() else { return };
+    let mut jobs = Vec::new();
+    let mut expected = Vec::new();
+    for (index, case) in cases(&charts_folder()).iter().enumerate() {
+        let chart = check(&case.name, &case.text).expect("a chart without errors");
+        let stimuli = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
+        let encoding = if index % 2 == 0 { Encoding::RTrigger } else { Encoding::STrigger };
+        let evolution = if index % 4 < 2 { Evolution::Stable } else { Evolution::Scan };
+        let profile = Profile { evolution, ..case.profile };
+        let program = compile(&chart, &Options { profile, encoding, simplify: index % 3 > 0 }).expect("a scan program");
+        let mut evaluator = Evaluator::new(&program);
+        expected.push(stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect::<Vec<_>>());
+        jobs.push(Job { program, stimuli });
+    }
+    for ((job, expected), actual) in jobs.iter().zip(&expected).zip(run(&tools, &jobs)) {
+        assert_eq!(actual.as_ref(), Ok(expected), "{}", job.program.name);
+    }
+}
+
+/// Charts drawn from seeds, with and without a hierarchy, compared with the simulator call by call.
+#[test]
+fn random_charts_agree() {
+    const COUNT: usize = 60;
+    let Some(tools) = Tools::find_or_skip() else { return };
+    let mut jobs = Vec::new();
+    let mut drawn_charts = Vec::new();
+    for seed in 3000.. {
+        if jobs.len() == COUNT {
+            break;
+        }
+        let drawn = checked(seed, if seed % 2 == 0 { Kind::Flat } else { Kind::Hierarchical });
+        let encoding = encodings().nth(seed as usize % 3).unwrap_or_default();
+        let options = Options { profile: profile(seed), encoding, simplify: seed % 5 > 0 };
+        let program = compile(&drawn.chart, &options).unwrap_or_else(|e| panic!("seed {seed}: {e}\n{}", drawn.text));
+        let stimuli = trace(seed, &drawn.chart, 25);
+        let job = Job { program, stimuli };
+        if beyond(&job).is_none() {
+            jobs.push(job);
+            drawn_charts.push((seed, drawn));
+        }
+    }
+    let mut faults = Vec::new();
+    for (((seed, drawn), job), result) in drawn_charts.iter().zip(&jobs).zip(run(&tools, &jobs)) {
+        let expected = simulate(&drawn.chart, profile(*seed), &job.stimuli);
+        match result {
+            Err(fault) => faults.push(format!("seed {seed}: {fault}\n{}", drawn.text)),
+            Ok(actual) if first_difference(&expected, &actual).is_some() => {
+                let report = report(&drawn.chart, profile(*seed), &job.stimuli, &expected, &actual);
+                faults.push(format!("seed {seed}\n{}\n{report}", drawn.text));
+            }
+            Ok(_) => {}
+        }
+    }
+    assert!(faults.is_empty(), "{} of {} charts fail\n{}", faults.len(), jobs.len(), faults.join("\n"));
+}
+
+/// Arithmetic and comparisons at the ends of the types, against the simulator.
+#[test]
+fn numbers_agree_at_the_ends_of_their_types() {
+    let Some(tools) = Tools::find_or_skip() else { return };
+    let types: [(&str, &[&str]); 5] = [
+        ("int", &["-32768", "-7", "-1", "0", "1", "2", "181", "182", "32767"]),
+        ("uint", &["0", "1", "2", "7", "255", "256", "32767", "32768", "65535"]),
+        ("dint", &["-2147483648", "-65537", "-7", "-1", "0", "1", "2", "46341", "2147483647"]),
+        ("udint", &["0", "1", "2", "7", "65537", "2147483647", "2147483648", "4294967294", "4294967295"]),
+        ("real", &["-16777216", "-2.5", "-0.1", "0", "0.1", "3", "1.0e10", "-1.0e10", "1.0e-10"]),
+    ];
+    let mut jobs = Vec::new();
+    let mut charts = Vec::new();
+    let profile = Profile { evolution: Evolution::Scan, ..Profile::default() };
+    for (ty, values) in types {
+        let whole = ty != "real";
+        let mut operations = vec!["p + q", "p - q", "p * q", "p / q", "p / 7", "p * 3"];
+        operations.extend(["-p"].iter().filter(|_| !ty.starts_with('u')));
+        operations.extend(["p mod q", "p mod 7"].iter().filter(|_| whole));
+        operations.extend(["p / 3000000000", "p mod 3000000000"].iter().filter(|_| ty == "udint"));
+        let comparisons = ["p = q", "p <> q", "p < q", "p <= q", "p > q", "p >= q", "p < 7", "not (p >= q)"];
+        let mut text = format!("input p, q : {ty}\ninput w : time\ninput n : int\noutput w1, w2, w3 : time\n");
+        let mut actions =
+            "  w1 := w * n on activation\n  w2 := w / n on activation\n  w3 := w - w * 2 on activation\n".to_string();
+        for (place, operation) in operations.iter().enumerate() {
+            text += &format!("output r{place} : {ty}\n");
+            actions += &format!("  r{place} := {operation} on activation\n");
+        }
+        for (place, comparison) in comparisons.iter().enumerate() {
+            text += &format!("output c{place} : bool\n");
+            actions += &format!("  c{place} if [{comparison}]\n");
+        }
+        text += &format!("initial step s1 {{\n{actions}}}\nstep s2 {{\n{actions}}}\n");
+        text += "transition s1 -> s2 : true\ntransition s2 -> s1 : true\n";
+        let chart = check(ty, &text).unwrap_or_else(|said| panic!("{said}\n{text}"));
+        let mut rows = "t_ms,p,q,w,n\n".to_string();
+        for (row, (p, q)) in values.iter().flat_map(|p| values.iter().map(move |q| (p, q))).enumerate() {
+            rows += &format!("{},{p},{q},{},{}\n", row * 10, (row as i64 - 40) * 1_000_003, row as i64 % 17 - 8);
+        }
+        let stimuli = stimuli(ty, &rows, &chart).unwrap_or_else(|said| panic!("{said}\n{rows}"));
+        for encoding in encodings() {
+            let program = compile(&chart, &Options { profile, encoding, simplify: true }).expect("a scan program");
+            jobs.push(Job { program, stimuli: stimuli.clone() });
+            charts.push(chart.clone());
+        }
+    }
+    for ((chart, job), actual) in charts.iter().zip(&jobs).zip(run(&tools, &jobs)) {
+        assert_eq!(beyond(job), None, "{}", chart.name);
+        let expected = simulate(chart, profile, &job.stimuli);
+        let actual = actual.unwrap_or_else(|said| panic!("{said}"));
+        if first_difference(&expected, &actual).is_some() {
+            panic!("{}", report(chart, profile, &job.stimuli, &expected, &actual));
+        }
+    }
+}
+
+/// `OB 1` reads inputs and writes outputs at their addresses, and the block with its number.
+#[test]
+fn the_organization_block_wires_addresses() {
+    let Some(tools) = Tools::find_or_skip() else { return };
+    let chart = check(
+        "wired",
+        "input go : bool at %IX1.3\ninput n : int at %IW2\noutput run : bool at %QX0.1\noutput twice : dint at %QD4\n\
+         initial step 1\nstep 2 {\n run\n twice := n + n on activation\n}\ntransition 1 -> 2 : go\ntransition 2 -> 1 : not go\n",
+    )
+    .expect("a chart without errors");
+    let program = compile(&chart, &Options::default()).expect("a scan program");
+    let options = awl::Options { organization_block: true, number: 12, ..awl::Options::default() };
+    let text = awl::emit(&program, &options).expect("a source");
+    assert!(text.contains("FUNCTION_BLOCK FB 12\n") && text.contains("CALL  FB 12, DB 12 (\n"), "{text}");
+    // Bytes 0 to 3 of the inputs: nothing; -7 alone; and with `go`, bit 3 of byte 1; then nothing again.
+    let inputs = [[0, 0, 0, 0], [0, 0, 0xFF, 0xF9], [0, 8, 0xFF, 0xF9], [0, 0, 0, 0]];
+    let outputs = play_cycles(&tools, &text, &inputs.map(Vec::from), 8).expect("a run");
+    // `run` is bit 1 of byte 0, `twice` is the four bytes from 4 on: -14.
+    let on = vec![2, 0, 0, 0, 0xFF, 0xFF, 0xFF, 0xF2];
+    let off = vec![0, 0, 0, 0, 0xFF, 0xFF, 0xFF, 0xF2];
+    assert_eq!(outputs, [vec![0; 8], vec![0; 8], on, off]);
+}
+
+/// `RESTART` puts the chart back into its initial situation, and a delay begins anew.
+#[test]
+fn a_restart_begins_anew() {
+    let Some(tools) = Tools::find_or_skip() else { return };
+    // RESTART is an input of the block, so a chart cannot have a variable of that name without another being found.
+    let text = "input a : bool\noutput n, m : int\ninitial step 1 { n := n + 1 on activation }\nstep 2 { m := m + 1 on activation }\n\
+                step 3\ntransition 1 -> 2 : a and 1s/X1\ntransition 2 -> 3 : 500ms/X2\n";
+    let chart = check("again", text).expect("a chart without errors");
+    for encoding in encodings() {
+        let program = compile(&chart, &Options { encoding, ..Options::default() }).expect("a scan program");
+        let trace = "t_ms,a\n0,1\n1000,1\n1400,1\n1500,1\n2000,1\n2999,1\n3000,1\n";
+        let stimuli = stimuli("again", trace, &chart).expect("a trace without errors");
+        let job = Job { program, stimuli };
+        // At 2000 ms all is as at the start: step 1, one activation counted, a second to wait.
+        let rows = grafc_testsuite::awlsim::run_restarted(&tools, &job, 4).expect("a run");
+        let expected = "again,n,m|1,1,0|2,1,1|2,1,1|3,1,1|1,1,0|1,1,0|2,1,1"
+            .split('|')
+            .skip(1)
+            .map(str::to_string)
+            .collect::<Vec<_>>();
+        let spelt: Vec<String> = rows
+            .iter()
+            .map(|response| {
+                let step = response.situation.iter().map(|step| chart.steps[*step].label.clone()).collect::<String>();
+                let values: Vec<String> = response.outputs.iter().map(|value| format!("{value:?}")).collect();
+                let values: Vec<&str> =
+                    values.iter().map(|text| text.trim_start_matches("Int(").trim_end_matches(')')).collect();
+                format!("{step},{}", values.join(","))
+            })
+            .collect();
+        assert_eq!(spelt, expected, "{}", encoding.name());
+    }
+}
