@@ -7,7 +7,8 @@
 
 use crate::comment::clean;
 use crate::iec::declarations::{Block, Entry, EntryType, Kind};
-use crate::st::{self, Parts, Style};
+use crate::iec::parts::Parts;
+use crate::st::{self, Style};
 use crate::transliterate::ascii;
 use crate::writer::{self, Writer};
 use grafc_diagnostics::Diagnostics;

@@ -2,8 +2,8 @@
 //! right by the rules of the project's own lint, and by the schema where it is at hand.
 
 use grafc::pipeline::{self, Options, Product};
-use grafc_backends::plcopen::{self, Dialect};
-use grafc_backends::{iec61131_10, scl, tcpou};
+use grafc_backends::plcopen::{self, Body, Dialect};
+use grafc_backends::{iec61131_10, il, scl, tcpou};
 use grafc_diagnostics::FileId;
 use grafc_logic::{Encoding, Options as Lowering};
 use grafc_testsuite::charts::{Case, cases, charts_folder, vectors_folder};
@@ -191,9 +191,9 @@ fn made(case: &Case, product: Product) -> String {
     text.unwrap_or_else(|| panic!("{}: {said:?}", case.name))
 }
 
-fn project(dialect: Dialect) -> Product {
+fn project(dialect: Dialect, body: Body) -> Product {
     let header = vec!["Made --by hand-- ]]> *) \u{2}".to_string()];
-    Product::Plcopen(plcopen::Options { dialect, header, interval_ms: Some(10), ..plcopen::Options::default() })
+    Product::Plcopen(plcopen::Options { dialect, body, header, interval_ms: Some(10) })
 }
 
 fn all_cases() -> Vec<Case> {
@@ -211,9 +211,11 @@ fn every_project_is_right_by_the_lint_and_by_other_readers() {
     let mut documents = vec![NEUTRAL.to_string(), CODESYS.to_string()];
     for case in all_cases() {
         for dialect in [Dialect::Neutral, Dialect::Codesys] {
-            let text = made(&case, project(dialect));
-            assert_eq!(lint(&text, dialect), [], "{}: {text}", case.name);
-            documents.push(text);
+            for body in [Body::St, Body::Il] {
+                let text = made(&case, project(dialect, body));
+                assert_eq!(lint(&text, dialect), [], "{}: {text}", case.name);
+                documents.push(text);
+            }
         }
     }
     assert!(documents.len() > 100, "charts are missing");
@@ -245,7 +247,7 @@ fn the_tools_see_what_is_wrong() {
 #[test]
 fn another_reader_finds_the_same_units_and_statements() {
     for case in all_cases() {
-        let text = made(&case, project(Dialect::Neutral));
+        let text = made(&case, project(Dialect::Neutral, Body::St));
         let read: plcopen_reader::Project =
             plcopen_reader::from_str(&text).unwrap_or_else(|e| panic!("{}: {e}", case.name));
         let units = read.types.and_then(|types| types.pous).map(|pous| pous.pou).unwrap_or_default();
@@ -260,10 +262,31 @@ fn another_reader_finds_the_same_units_and_statements() {
     }
 }
 
-/// The statements of a function block in Structured Text.
+#[test]
+fn instructions_are_those_of_the_instruction_list() {
+    for case in all_cases() {
+        let options = il::Options { pou: il::Pou::Program, ..il::Options::default() };
+        let list = made(&case, Product::Il(options));
+        let (block, program) = list.split_once("\nEND_FUNCTION_BLOCK\n").expect("a function block and a program");
+        let expected = [statements(block), statements(program)];
+        for dialect in [Dialect::Neutral, Dialect::Codesys] {
+            let text = made(&case, project(dialect, Body::Il));
+            let document = Document::read(&text).unwrap_or_else(|e| panic!("{}: {e}", case.name));
+            assert_eq!(document.all("ST").count(), 0, "{}: {text}", case.name);
+            let bodies = document.all("IL").map(|id| document.get(document.get(id).children[0]).text.trim());
+            let expected = expected.map(|body| match dialect {
+                Dialect::Neutral => body.replace("]]>", "]] >"),
+                Dialect::Codesys => body.to_string(),
+            });
+            assert_eq!(bodies.collect::<Vec<_>>(), expected, "{}", case.name);
+        }
+    }
+}
+
+/// The statements of a function block in Structured Text, or of a unit in instructions.
 fn statements(structured: &str) -> &str {
     let start = structured.rfind("END_VAR\n").map_or(0, |at| at + "END_VAR\n".len());
-    structured[start..].trim().trim_end_matches("END_FUNCTION_BLOCK").trim()
+    structured[start..].trim().trim_end_matches("END_FUNCTION_BLOCK").trim_end_matches("END_PROGRAM").trim()
 }
 
 /// The texts of all elements of a name.

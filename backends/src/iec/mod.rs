@@ -7,6 +7,7 @@ pub(crate) mod declarations;
 pub(crate) mod frame;
 pub(crate) mod literals;
 pub(crate) mod names;
+pub(crate) mod parts;
 
 /// What is written around the function block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]

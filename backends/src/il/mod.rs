@@ -20,6 +20,7 @@ mod statements;
 mod tests;
 
 use crate::comment::clean;
+use crate::iec::parts::{Language, Parts};
 pub use crate::iec::{Options, Pou};
 use crate::iec::{declarations, frame, names};
 use crate::keywords::Family;
@@ -42,38 +43,61 @@ const LONG: usize = 16_000;
 pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
     limits::check(program)?;
     let mut names = Names::new(program, Family::InstructionList);
-    let body = statements::body(program, &mut names);
+    let (body, parts) = self::body(program, &mut names);
     let mut out = Writer::new(&writer::IEC);
     out.block_comment(options.header.iter().map(|line| clean(line)));
     out.blank();
     out.comment(&names::remark(&program.name, &names.block, program.comment.as_deref()).unwrap_or_default());
     out.line(&format!("FUNCTION_BLOCK {}", names.block));
     out.blank();
-    let parts = body.parts.into_iter().map(|name| Entry::plain(name, Type::Bool)).collect();
     declarations::write(&mut out, &declarations::interface(program, &names, parts));
     out.blank();
+    out.append(body);
+    out.blank();
+    out.line("END_FUNCTION_BLOCK");
+    frame::write(&mut out, program, &names, options, |out, inputs, published| {
+        let body = call(out.apart(), &names.instance, inputs, published);
+        out.append(body);
+    });
+    Ok(out.finish())
+}
+
+/// The parts of a program.
+pub(crate) fn parts(program: &Program) -> Result<Parts, Diagnostics> {
+    limits::check(program)?;
+    let mut names = Names::new(program, Family::InstructionList);
+    let (body, parts) = self::body(program, &mut names);
+    let (inputs, published) = frame::wired(program, &names);
+    let program_body = call(Writer::new(&writer::IEC), &names.instance, &inputs, &published);
+    Ok(Parts::new(program, names, Language::Il, parts, body.finish(), program_body.finish()))
+}
+
+/// The instructions of the function block, and the declarations of what holds parts of formulas.
+fn body(program: &Program, names: &mut Names) -> (Writer, Vec<Entry>) {
+    let body = statements::body(program, names);
+    let mut out = Writer::new(&writer::IEC);
     if body.out.len() > LONG {
         out.comment("this label tells MATIEC that a long instruction list begins");
         out.line(&format!("{}:", names.namer.name("no_end_action")));
         out.blank();
     }
     out.append(body.out);
-    out.blank();
-    out.line("END_FUNCTION_BLOCK");
-    frame::write(&mut out, program, &names, options, |out, inputs, published| {
-        let mut code = Code::new(out.apart());
-        for name in inputs {
-            code.instruction("LD", name);
-            code.instruction("ST", &format!("{}.{name}", names.instance));
-        }
-        code.instruction("CAL", &names.instance);
-        for name in published {
-            code.instruction("LD", &format!("{}.{name}", names.instance));
-            code.instruction("ST", name);
-        }
-        out.append(code.out);
-    });
-    Ok(out.finish())
+    (out, body.parts.into_iter().map(|name| Entry::plain(name, Type::Bool)).collect())
+}
+
+/// The instructions of the program around the function block.
+fn call(out: Writer, instance: &str, inputs: &[&str], published: &[&str]) -> Writer {
+    let mut code = Code::new(out);
+    for name in inputs {
+        code.instruction("LD", name);
+        code.instruction("ST", &format!("{instance}.{name}"));
+    }
+    code.instruction("CAL", instance);
+    for name in published {
+        code.instruction("LD", &format!("{instance}.{name}"));
+        code.instruction("ST", name);
+    }
+    code.out
 }
 
 /// How many instructions the function block of [`emit`] has.

@@ -14,6 +14,7 @@ pub mod sfc;
 
 pub use dialect::Dialect;
 
+use crate::il;
 use crate::st::{self, Style};
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::scan::Program;
@@ -24,6 +25,8 @@ pub enum Body {
     /// Structured Text.
     #[default]
     St,
+    /// An instruction list, which [`emit_il`] writes.
+    Il,
     /// A sequential function chart, which [`sfc::emit`] writes.
     Sfc,
 }
@@ -47,4 +50,12 @@ pub struct Options {
 pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
     let parts = st::parts(program, Style::default())?;
     Ok(project::write(&parts, options, &[], |xml, dialect| dialect.body(xml, "ST", &parts.body)))
+}
+
+/// Writes a program as a project, with bodies of instructions, those of [`il::emit`].
+///
+/// An error is a fault of grafc, as with [`emit`].
+pub fn emit_il(program: &Program, options: &Options) -> Result<String, Diagnostics> {
+    let parts = il::parts(program)?;
+    Ok(project::write(&parts, options, &[], |xml, dialect| dialect.body(xml, "IL", &parts.body)))
 }

@@ -5,7 +5,7 @@ use super::dialect::{Dialect, XHTML};
 use super::interface;
 use crate::comment::clean;
 use crate::iec::declarations::Block;
-use crate::st::Parts;
+use crate::iec::parts::Parts;
 use crate::xml::Xml;
 
 /// The schema demands dates; the same chart gives the same file on every day.
@@ -32,7 +32,7 @@ pub(super) fn write(
     xml.open("pou", &[("name", &parts.block), ("pouType", "functionBlock")]);
     unit(&mut xml, &parts.interface, actions, parts.description.as_deref(), dialect, body);
     xml.open("pou", &[("name", &parts.program), ("pouType", "program")]);
-    let call = |xml: &mut Xml, dialect: Dialect| dialect.body(xml, "ST", &parts.program_body);
+    let call = |xml: &mut Xml, dialect: Dialect| dialect.body(xml, parts.language.name(), &parts.program_body);
     unit(&mut xml, &parts.program_variables, &[], None, dialect, call);
     xml.close();
     xml.close();

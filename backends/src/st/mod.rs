@@ -10,12 +10,12 @@ mod statements;
 pub(crate) mod tests;
 
 use crate::comment::clean;
+use crate::iec::parts::{Language, Parts};
 pub use crate::iec::{Options, Pou};
 use crate::iec::{declarations, frame, names};
 use crate::keywords::Family;
 use crate::limits;
 use crate::writer::{self, Comments, Writer};
-use declarations::Block;
 use expressions::Expressions;
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::formula::FormulaId;
@@ -45,29 +45,6 @@ pub fn names(program: &Program) -> IndexVec<VarId, String> {
     Names::new(program, Family::Iec).variables
 }
 
-/// A function block and the program around it in parts, for targets that have a place for each.
-pub(crate) struct Parts {
-    /// The name of the function block.
-    pub block: String,
-    /// What it is, clean.
-    pub description: Option<String>,
-    /// Its variables.
-    pub interface: Vec<Block>,
-    /// Its statements.
-    pub body: String,
-    /// The name of the program.
-    pub program: String,
-    /// The variables of the program.
-    pub program_variables: Vec<Block>,
-    /// The statements of the program.
-    pub program_body: String,
-    /// Names for what runs the program.
-    pub configuration: String,
-    pub resource: String,
-    pub task: String,
-    pub program_instance: String,
-}
-
 /// What differs in the statements of a function block from dialect to dialect.
 #[derive(Clone, Copy)]
 pub(crate) struct Style {
@@ -93,19 +70,7 @@ pub(crate) fn parts(program: &Program, style: Style) -> Result<Parts, Diagnostic
     let mut program_body = Writer::new(&writer::IEC);
     let (inputs, published) = frame::wired(program, &names);
     call::write(&mut program_body, &names.instance, &inputs, &published);
-    Ok(Parts {
-        description: names::remark(&program.name, &names.block, program.comment.as_deref()),
-        interface: declarations::interface(program, &names, Vec::new()),
-        body: body.finish(),
-        program_variables: frame::variables(program, &names),
-        program_body: program_body.finish(),
-        block: names.block,
-        program: names.program,
-        configuration: names.configuration,
-        resource: names.resource,
-        task: names.task,
-        program_instance: names.program_instance,
-    })
+    Ok(Parts::new(program, names, Language::St, Vec::new(), body.finish(), program_body.finish()))
 }
 
 /// Formulas on a line each, some variables spelt otherwise than they are named.

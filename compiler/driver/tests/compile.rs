@@ -123,6 +123,8 @@ fn choices_reach_the_files_of_tools() {
     let codesys = code(&["plcopen", "--dialect", "codesys"]);
     assert!(codesys.contains("tc6_0200") && codesys.contains("<configurations/>"), "{codesys}");
     assert!(code(&["plcopen", "--dialect", "codesys", "--task-interval", "2s"]).contains("interval=\"PT2.000S\""));
+    let instructions = code(&["plcopen", "--body", "il"]);
+    assert!(instructions.contains("<IL>") && instructions.contains("--body il"), "{instructions}");
     let drawn = code(&["plcopen", "--body", "sfc", "--evolution", "scan"]);
     assert!(drawn.contains("<SFC>") && drawn.contains("--body sfc"), "{drawn}");
     assert!(code(&["scl"]).starts_with("FUNCTION_BLOCK \"Valve\"\n"));

@@ -178,6 +178,8 @@ enum Dialect {
 enum Body {
     /// Structured Text
     St,
+    /// Instruction list
+    Il,
     /// A sequential function chart, if the chart can be one
     Sfc,
 }
@@ -346,6 +348,7 @@ fn product(args: &Arguments, lowering: &grafc_logic::Options) -> Option<Product>
                 },
                 body: match args.body {
                     Some(Body::St) | None => plcopen::Body::St,
+                    Some(Body::Il) => plcopen::Body::Il,
                     Some(Body::Sfc) => plcopen::Body::Sfc,
                 },
                 header: Vec::new(),

@@ -9,8 +9,8 @@ mod write;
 
 use super::refusal;
 use super::texts::{Action, Content, Texts};
+use crate::iec::parts::Parts;
 use crate::plcopen::{Options, project};
-use crate::st;
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::sequence::Sequence;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -32,7 +32,7 @@ struct Does {
 pub(super) fn emit(
     sequence: &Sequence,
     texts: &Texts,
-    parts: &st::Parts,
+    parts: &Parts,
     options: &Options,
 ) -> Result<String, Diagnostics> {
     let elements = tree::Tree::new(sequence)
