@@ -8,7 +8,9 @@
 //! `project` writes the frame, `interface` the variables, and each kind of [`Body`] has a file of its own.
 
 mod dialect;
+mod drawing;
 mod interface;
+pub mod ld;
 mod project;
 pub mod sfc;
 
@@ -27,6 +29,8 @@ pub enum Body {
     St,
     /// An instruction list, which [`emit_il`] writes.
     Il,
+    /// A ladder diagram, which [`ld::emit`] writes.
+    Ld,
     /// A sequential function chart, which [`sfc::emit`] writes.
     Sfc,
 }

@@ -18,6 +18,17 @@ pub(super) fn write(
     actions: &[(String, String)],
     body: impl FnOnce(&mut Xml, Dialect),
 ) -> String {
+    write_with(parts, options, |_| (), actions, body)
+}
+
+/// Writes a whole project with further units before the function block, which it needs.
+pub(super) fn write_with(
+    parts: &Parts,
+    options: &Options,
+    needed: impl FnOnce(&mut Xml),
+    actions: &[(String, String)],
+    body: impl FnOnce(&mut Xml, Dialect),
+) -> String {
     let dialect = options.dialect;
     let mut xml = Xml::new();
     match dialect {
@@ -29,6 +40,7 @@ pub(super) fn write(
     xml.open("types", &[]);
     xml.empty("dataTypes", &[]);
     xml.open("pous", &[]);
+    needed(&mut xml);
     xml.open("pou", &[("name", &parts.block), ("pouType", "functionBlock")]);
     unit(&mut xml, &parts.interface, actions, parts.description.as_deref(), dialect, body);
     xml.open("pou", &[("name", &parts.program), ("pouType", "program")]);
@@ -67,7 +79,7 @@ fn headers(xml: &mut Xml, parts: &Parts, options: &Options) {
 }
 
 /// What an open unit holds, and its end.
-fn unit(
+pub(super) fn unit(
     xml: &mut Xml,
     variables: &[Block],
     actions: &[(String, String)],

@@ -3,7 +3,7 @@
 use crate::writer::Writer;
 
 /// Calls the instance, inputs by name, and copies out what is published.
-pub(super) fn write(out: &mut Writer, instance: &str, inputs: &[&str], published: &[&str]) {
+pub(crate) fn write(out: &mut Writer, instance: &str, inputs: &[&str], published: &[&str]) {
     let arguments: Vec<String> = inputs.iter().map(|name| format!("{name} := {name}")).collect();
     let flat = format!("{instance}({});", arguments.join(", "));
     if flat.len() <= out.width() {

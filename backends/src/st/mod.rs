@@ -3,7 +3,7 @@
 //! So, beside what `crate::iec` says: no empty body, no implicit conversion. `names` fixes all names first, `limits`
 //! refuses what could not be written well, then each part is written in one walk.
 
-mod call;
+pub(crate) mod call;
 mod expressions;
 mod statements;
 #[cfg(test)]
@@ -67,10 +67,16 @@ pub(crate) fn parts(program: &Program, style: Style) -> Result<Parts, Diagnostic
     let marked = names.marked(style.mark);
     let mut body = Writer::new(style.comments);
     statements::write(&mut body, program, &marked, &Expressions::new(program, &marked));
-    let mut program_body = Writer::new(&writer::IEC);
-    let (inputs, published) = frame::wired(program, &names);
-    call::write(&mut program_body, &names.instance, &inputs, &published);
-    Ok(Parts::new(program, names, Language::St, Vec::new(), body.finish(), program_body.finish()))
+    let call = self::call(program, &names);
+    Ok(Parts::new(program, names, Language::St, Vec::new(), body.finish(), call))
+}
+
+/// The statements of the program around the function block.
+pub(crate) fn call(program: &Program, names: &Names) -> String {
+    let mut out = Writer::new(&writer::IEC);
+    let (inputs, published) = frame::wired(program, names);
+    call::write(&mut out, &names.instance, &inputs, &published);
+    out.finish()
 }
 
 /// Formulas on a line each, some variables spelt otherwise than they are named.
@@ -79,13 +85,25 @@ pub(crate) fn spell(program: &Program, spelt: &FxHashMap<VarId, String>, formula
     for (variable, text) in spelt {
         names.variables[*variable].clone_from(text);
     }
-    let expressions = Expressions::new(program, &names);
-    let text = |id: &FormulaId| {
+    let texts = Texts::new(program, &names);
+    formulas.iter().map(|id| texts.of(*id)).collect()
+}
+
+/// The formulas of a program as texts.
+pub(crate) struct Texts<'p>(Expressions<'p>);
+
+impl<'p> Texts<'p> {
+    /// Measures all formulas.
+    pub fn new(program: &'p Program, names: &'p Names) -> Self {
+        Texts(Expressions::new(program, names))
+    }
+
+    /// A formula on one line.
+    pub fn of(&self, id: FormulaId) -> String {
         let mut out = Writer::new(&writer::IEC);
-        expressions.flat(&mut out, *id);
+        self.0.flat(&mut out, id);
         out.finish()
-    };
-    formulas.iter().map(text).collect()
+    }
 }
 
 fn function_block(out: &mut Writer, program: &Program, names: &Names, expressions: &Expressions) {

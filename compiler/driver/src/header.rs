@@ -45,6 +45,7 @@ pub fn of_plcopen(chart: &Place, lowering: &grafc_logic::Options, options: &plco
     let body = match options.body {
         plcopen::Body::St => "st",
         plcopen::Body::Il => "il",
+        plcopen::Body::Ld => "ld",
         plcopen::Body::Sfc => "sfc",
     };
     let interval = options.interval_ms.map_or(String::new(), |ms| format!(" --task-interval {ms}ms"));

@@ -99,6 +99,9 @@ pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) 
         Product::Plcopen(options) => match options.body {
             plcopen::Body::St => emit(file, text, default_name, lowering, |program| plcopen::emit(program, options)),
             plcopen::Body::Il => emit(file, text, default_name, lowering, |program| plcopen::emit_il(program, options)),
+            plcopen::Body::Ld => {
+                emit(file, text, default_name, lowering, |program| plcopen::ld::emit(program, options))
+            }
             plcopen::Body::Sfc => draw(file, text, default_name, lowering, options),
         },
         Product::Scl(options) => emit(file, text, default_name, lowering, |program| scl::emit(program, options)),

@@ -4,10 +4,8 @@ use super::graph::{Graph, Kind, ROW, TO_ACTIONS, block_width, step_width};
 use super::place::{Placed, bar_above, bar_below};
 use super::texts::{Content, Texts};
 use crate::plcopen::dialect::Dialect;
+use crate::plcopen::drawing::{Point, connection, open, output, position, relative};
 use crate::xml::Xml;
-
-/// A point of the sheet.
-type Point = (i64, i64);
 
 /// The heights of the bars of selections and of simultaneous sequences.
 const SELECTION: i64 = 1;
@@ -156,11 +154,11 @@ impl<'g> Sheet<'g> {
             [path] => {
                 let (from, mut points) = self.wire(path);
                 points.push(pin);
-                connection(xml, from.object, &points);
+                connection(xml, from.object, None, &points);
             }
             _ => {
                 let (bar, height) = (self.ids[node][0], self.bar_height(node, true));
-                connection(xml, bar, &[(pin.0, self.placed.above[node] + height), pin]);
+                connection(xml, bar, None, &[(pin.0, self.placed.above[node] + height), pin]);
             }
         }
         xml.close();
@@ -217,7 +215,7 @@ impl<'g> Sheet<'g> {
             points.push(pin);
             xml.open("connectionPointIn", &[]);
             relative(xml, pin, corner);
-            connection(xml, from.object, &points);
+            connection(xml, from.object, None, &points);
             xml.close();
         }
         output(xml, "connectionPointOut", None, (self.x(node) - left, height));
@@ -237,7 +235,7 @@ impl<'g> Sheet<'g> {
         position(xml, corner);
         xml.open("connectionPointIn", &[]);
         relative(xml, pin, corner);
-        connection(xml, self.ids[node][1], &[(pin.0, self.bottom(node)), pin]);
+        connection(xml, self.ids[node][1], None, &[(pin.0, self.bottom(node)), pin]);
         xml.close();
         for end in ends {
             output(xml, "connectionPointOut", Some(""), (end - left, height));
@@ -258,7 +256,7 @@ impl<'g> Sheet<'g> {
         position(xml, corner);
         xml.open("connectionPointIn", &[]);
         relative(xml, pin, corner);
-        connection(xml, self.ids[node][1], &[(right, pin.1), pin]);
+        connection(xml, self.ids[node][1], None, &[(right, pin.1), pin]);
         xml.close();
         for (place, action) in rows.iter().enumerate() {
             let id = (self.first_action[node] + 1 + place).to_string();
@@ -277,42 +275,4 @@ impl<'g> Sheet<'g> {
         }
         xml.close();
     }
-}
-
-fn open(xml: &mut Xml, name: &'static str, id: usize, size: Point, more: &[(&str, &str)]) {
-    let (id, width, height) = (id.to_string(), size.0.to_string(), size.1.to_string());
-    let mut attributes = vec![("localId", id.as_str())];
-    attributes.extend(more);
-    attributes.extend([("width", width.as_str()), ("height", height.as_str())]);
-    xml.open(name, &attributes);
-}
-
-fn point(xml: &mut Xml, name: &'static str, at: Point) {
-    xml.empty(name, &[("x", &at.0.to_string()), ("y", &at.1.to_string())]);
-}
-
-fn position(xml: &mut Xml, at: Point) {
-    point(xml, "position", at);
-}
-
-fn relative(xml: &mut Xml, at: Point, corner: Point) {
-    point(xml, "relPosition", (at.0 - corner.0, at.1 - corner.1));
-}
-
-fn output(xml: &mut Xml, name: &'static str, pin: Option<&str>, at: Point) {
-    match pin {
-        Some(pin) => xml.open(name, &[("formalParameter", pin)]),
-        None => xml.open(name, &[]),
-    }
-    point(xml, "relPosition", at);
-    xml.close();
-}
-
-/// A wire; its points are stored from where it ends to where it comes from.
-fn connection(xml: &mut Xml, from: usize, points: &[Point]) {
-    xml.open("connection", &[("refLocalId", &from.to_string())]);
-    for at in points.iter().rev() {
-        position(xml, *at);
-    }
-    xml.close();
 }

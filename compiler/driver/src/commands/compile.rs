@@ -180,6 +180,8 @@ enum Body {
     St,
     /// Instruction list
     Il,
+    /// A ladder diagram, of the neutral dialect
+    Ld,
     /// A sequential function chart, if the chart can be one
     Sfc,
 }
@@ -243,6 +245,12 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         return Err(Failure::WrongUse(
             "STEP 7 has no configurations".to_string(),
             "`--pou program` writes an OB 1, which the CPU runs in each cycle".to_string(),
+        ));
+    }
+    if args.body == Some(Body::Ld) && args.dialect == Some(Dialect::Codesys) {
+        return Err(Failure::WrongUse(
+            "`--body ld` draws for the readers of `--dialect neutral` alone".to_string(),
+            "take `--body st`, which every dialect has, or leave out `--dialect codesys`".to_string(),
         ));
     }
     if let Some(pass) = passes::ORDER.iter().find(|pass| args.dump_after.as_deref() == Some(pass.name))
@@ -349,6 +357,7 @@ fn product(args: &Arguments, lowering: &grafc_logic::Options) -> Option<Product>
                 body: match args.body {
                     Some(Body::St) | None => plcopen::Body::St,
                     Some(Body::Il) => plcopen::Body::Il,
+                    Some(Body::Ld) => plcopen::Body::Ld,
                     Some(Body::Sfc) => plcopen::Body::Sfc,
                 },
                 header: Vec::new(),

@@ -1,0 +1,168 @@
+//! The stability loop around the rungs (R9).
+//!
+//! ```text
+//! Gate_rungs   one micro-step as a ladder: inputs and outputs as the chart has them, and
+//!                  further   input: this is not the first micro-step of the call
+//!                  again     output: another micro-step is needed
+//! Gate         REPEAT
+//!                  rungs(open := open, closed := closed, further := further);
+//!                  further := rungs.again;
+//!              UNTIL NOT further
+//!              END_REPEAT;
+//! ```
+//!
+//! What a call does once before its micro-steps is behind a contact `/further`. Outputs are computed after each
+//! micro-step, which makes no difference, since nothing reads them and the last one is what remains; save where a division
+//! may raise DIV0, which only the last may do.
+
+use super::circuit::Ladder;
+use super::local;
+use super::rung::{Contact, Item};
+use crate::iec::declarations::{Block, EntryType, Kind};
+use crate::iec::frame;
+use crate::iec::names::Names;
+use crate::st;
+use crate::writer::{self, Writer};
+use grafc_logic::formula::Type;
+use grafc_logic::scan::{Flag, Program, Repeat, Role, Statement, VarId};
+
+/// The names and the bound of a loop.
+pub(super) struct Repeated {
+    /// The function block that holds the rungs, and the instance of it.
+    pub block: String,
+    pub instance: String,
+    again: String,
+    further: String,
+    /// Whether the rungs ask for it.
+    asks_further: bool,
+    /// What says that there will be no micro-step after this, if the rungs ask for it.
+    last: Option<String>,
+    /// Whether the outputs wait for the last micro-step.
+    waits: bool,
+    limit: Option<Limit>,
+}
+
+/// The bound, and who knows when it is hit.
+struct Limit {
+    bound: u32,
+    count: String,
+    ty: Type,
+    flag: Option<String>,
+}
+
+impl Repeated {
+    /// Names what a loop needs.
+    pub fn new(program: &Program, names: &mut Names, repeat: Repeat) -> Self {
+        let name = |id: VarId| names.variables[id].clone();
+        let again = name(repeat.again);
+        let flag = program.variables.iter_enumerated().find(|(_, v)| v.role == Role::Flag(Flag::Livelock));
+        let flag = flag.map(|(id, _)| name(id));
+        let limit = repeat.limit.map(|limit| {
+            let ty = program.variables[limit.count].ty;
+            Limit { bound: limit.bound, count: name(limit.count), ty, flag }
+        });
+        let waits = program.after.iter().any(|statement| matches!(statement, Statement::Divide { .. }));
+        Repeated {
+            block: names.namer.name(&format!("{}_rungs", names.block)),
+            instance: names.namer.name("rungs"),
+            again,
+            further: names.namer.name("further"),
+            asks_further: !program.before.is_empty(),
+            last: limit.as_ref().filter(|_| waits).map(|_| names.namer.name("last")),
+            waits,
+            limit,
+        }
+    }
+
+    /// Closed in the first micro-step of a call, where something waits for it.
+    pub fn at_first(&self) -> Option<Contact> {
+        self.asks_further.then(|| Contact { name: self.further.clone(), negated: true })
+    }
+
+    /// Closed in the last micro-step of a call, where something waits for it.
+    pub fn at_last(&self, ladder: &mut Ladder) -> Option<Contact> {
+        let stable = Contact { name: self.again.clone(), negated: true };
+        match &self.last {
+            _ if !self.waits => None,
+            None => Some(stable),
+            Some(last) => {
+                let last = Contact { name: last.clone(), negated: false };
+                Some(ladder.aside(vec![Item::Group(vec![vec![stable], vec![last]])]))
+            }
+        }
+    }
+
+    /// The variables of the rungs, from those of the chart.
+    pub fn inner(&self, mut blocks: Vec<Block>) -> Vec<Block> {
+        let limit = self.limit.as_ref();
+        let flag = limit.and_then(|limit| limit.flag.as_deref());
+        let count = limit.map(|limit| limit.count.as_str());
+        let bit = || EntryType::Elementary(Type::Bool);
+        for block in &mut blocks {
+            block.retain(|name| Some(name) != flag && Some(name) != count && name != self.again);
+            let more = match block.kind {
+                Kind::Input => {
+                    let further = self.asks_further.then(|| local(&self.further, bit(), "not the first micro-step"));
+                    let last = self.last.as_ref().map(|name| local(name, bit(), "no other micro-step comes"));
+                    further.into_iter().chain(last).collect()
+                }
+                Kind::Output => vec![local(&self.again, bit(), "another micro-step is needed")],
+                Kind::Constant | Kind::Local => Vec::new(),
+            };
+            block.sections.push(("", more));
+        }
+        blocks
+    }
+
+    /// The variables of the chart's function block, from those of the chart.
+    pub fn outer(&self, blocks: Vec<Block>) -> Vec<Block> {
+        let bit = || EntryType::Elementary(Type::Bool);
+        let mut own = vec![
+            local(&self.instance, EntryType::Block(self.block.clone()), "one micro-step"),
+            local(&self.further, bit(), "another micro-step is needed"),
+        ];
+        own.extend(self.last.as_ref().map(|name| local(name, bit(), "no other micro-step comes")));
+        if let Some(limit) = &self.limit {
+            own.push(local(&limit.count, EntryType::Elementary(limit.ty), "micro-steps of this call"));
+        }
+        let mut outer: Vec<Block> =
+            blocks.into_iter().filter(|block| matches!(block.kind, Kind::Input | Kind::Output)).collect();
+        outer.push(Block { kind: Kind::Local, sections: vec![("", own)] });
+        outer
+    }
+
+    /// The statements of the chart's function block.
+    pub fn body(&self, program: &Program, names: &Names) -> String {
+        let mut out = Writer::new(&writer::IEC);
+        let (mut inputs, mut published) = frame::wired(program, names);
+        inputs.extend(self.asks_further.then_some(self.further.as_str()));
+        inputs.extend(self.last.as_deref());
+        let flag = self.limit.as_ref().and_then(|limit| limit.flag.as_deref());
+        published.retain(|name| Some(*name) != flag);
+        out.line(&format!("{} := FALSE;", self.further));
+        if let Some(limit) = &self.limit {
+            out.line(&format!("{} := 0;", limit.count));
+        }
+        out.open("REPEAT");
+        if let Some(limit) = &self.limit {
+            out.line(&format!("{0} := {0} + 1;", limit.count));
+            if let Some(last) = &self.last {
+                out.line(&format!("{last} := ({} >= {});", limit.count, limit.bound));
+            }
+        }
+        st::call::write(&mut out, &self.instance, &inputs, &published);
+        out.line(&format!("{} := {}.{};", self.further, self.instance, self.again));
+        out.leave();
+        out.line(&match &self.limit {
+            Some(limit) => format!("UNTIL NOT {} OR ({} >= {})", self.further, limit.count, limit.bound),
+            None => format!("UNTIL NOT {}", self.further),
+        });
+        out.line("END_REPEAT;");
+        if let Some(flag) = flag {
+            out.open(&format!("IF {} THEN", self.further));
+            out.line(&format!("{flag} := TRUE;"));
+            out.close("END_IF;");
+        }
+        out.finish()
+    }
+}
