@@ -28,6 +28,15 @@ pub(crate) enum Activity {
     Value(VarId, i64),
 }
 
+/// The program of a job, under a name that no other has. A function block has no addresses.
+pub(crate) fn named(index: usize, program: &Program) -> Program {
+    let mut program = Program { name: format!("Job_{index}"), ..program.clone() };
+    for variable in &mut program.variables {
+        variable.address = None;
+    }
+    program
+}
+
 impl FunctionBlock {
     /// The job as Structured Text.
     pub fn structured_text(index: usize, job: &Job) -> Result<Self, String> {
@@ -42,12 +51,7 @@ impl FunctionBlock {
         emit: impl FnOnce(&Program) -> Result<String, Diagnostics>,
         names: impl FnOnce(&Program) -> IndexVec<VarId, String>,
     ) -> Result<Self, String> {
-        let mut program = job.program.clone();
-        program.name = format!("Job_{index}");
-        // A function block has no addresses.
-        for variable in &mut program.variables {
-            variable.address = None;
-        }
+        let program = named(index, &job.program);
         let text = emit(&program).map_err(|said| format!("{said:#?}"))?;
         let name = text
             .lines()

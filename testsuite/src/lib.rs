@@ -4,6 +4,7 @@
 //! everything else is checked against it: the scan program, and the generated code as other tools run it.
 
 pub mod awlsim;
+pub mod beremiz;
 pub mod binary;
 mod c_driver;
 pub mod charts;

@@ -8,6 +8,7 @@ mod awlsim;
 mod ironplc;
 mod matiec;
 mod net;
+mod plcopen;
 mod rust;
 mod scan;
 mod simulator;
@@ -93,6 +94,7 @@ pub fn all() -> Vec<Box<dyn Executor>> {
     all.push(Box::new(ironplc::Ironplc::find()));
     all.push(Box::new(strucpp::Strucpp::find()));
     all.push(Box::new(awlsim::Awlsim::find()));
+    all.extend(plcopen::executors());
     all
 }
 

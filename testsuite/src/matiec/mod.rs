@@ -32,15 +32,15 @@ impl Language {
 }
 
 /// A job as the tools take it.
-struct Unit {
+pub(crate) struct Unit {
     /// The text of its function block.
-    text: String,
+    pub text: String,
     /// The C code that runs it.
-    driver: String,
+    pub driver: String,
 }
 
-/// How the C code that MATIEC writes is used.
-const RUNTIME: Runtime = Runtime {
+/// How the C code that MATIEC writes is used. Names are written in capitals there, but for that of the list of steps.
+pub(crate) const RUNTIME: Runtime = Runtime {
     head: "\
 #include <stdio.h>
 #include <string.h>
@@ -49,6 +49,7 @@ TIME __CURRENT_TIME;
 BOOL __DEBUG;
 #include \"POUS.h\"
 #include \"POUS.c\"
+#define __STEP_LIST __step_list
 static TIME ms(long long t) { TIME r; r.tv_sec = t / 1000; r.tv_nsec = (t % 1000) * 1000000; return r; }
 static long long in_ms(TIME t) { return (long long)t.tv_sec * 1000 + t.tv_nsec / 1000000; }
 ",
@@ -77,7 +78,8 @@ fn unit(language: Language, index: usize, job: &Job) -> Result<Unit, String> {
     Ok(Unit { text: block.text, driver })
 }
 
-fn build_and_play(tools: &Tools, batch: &[usize], units: &[&Unit]) -> Result<String, String> {
+/// Compiles the units of a batch and runs them; what they print.
+pub(crate) fn build_and_play(tools: &Tools, batch: &[usize], units: &[&Unit]) -> Result<String, String> {
     let folder = tempfile::tempdir().map_err(|e| e.to_string())?;
     let source: String = units.iter().map(|u| u.text.as_str()).collect::<Vec<_>>().join("\n");
     fs::write(folder.path().join("charts.st"), &source).map_err(|e| e.to_string())?;
