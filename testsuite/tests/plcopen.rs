@@ -15,6 +15,47 @@ use std::io::Write;
 
 const NEUTRAL: &str = include_str!("../plcopen/neutral.xml");
 const CODESYS: &str = include_str!("../plcopen/codesys.xml");
+const LADDER: &str = include_str!("../plcopen/ladder.xml");
+
+/// A rule, and an edit of the right ladder that breaks it.
+const BROKEN_LADDERS: &[(Rule, &str, &str)] = &[
+    (Rule::Order, "<inOutVariables/>", "<inOutVariables/><more/>"),
+    (Rule::Order, "<variable>go</variable>", "<connectionPointIn/><variable>go</variable>"),
+    (Rule::Attributes, "connectionPointOut formalParameter=\"\"", "connectionPointOut"),
+    (Rule::Attributes, "variable formalParameter=\"PT\"", "variable"),
+    (Rule::Attributes, " typeName=\"TON\"", ""),
+    (Rule::BlockPin, " formalParameter=\"Q\"><position", "><position"),
+    (Rule::LadderVariable, "<variable>go</variable>", "<variable>n</variable>"),
+    (Rule::LadderVariable, "<variable>late</variable>", "<variable>later</variable>"),
+    (Rule::LadderVariable, "instanceName=\"wait\"", "instanceName=\"n\""),
+    (
+        Rule::LadderPower,
+        "<connection refLocalId=\"10\"><position x=\"180\" y=\"260\"/><position x=\"160\" y=\"260\"/></connection>",
+        "",
+    ),
+    (
+        Rule::LadderPower,
+        "<connection refLocalId=\"2\"><position x=\"60\" y=\"80\"/><position x=\"23\" y=\"80\"/></connection>",
+        "<connection refLocalId=\"5\"><position x=\"60\" y=\"80\"/><position x=\"23\" y=\"80\"/></connection>",
+    ),
+    (Rule::LadderPower, "<position x=\"81\" y=\"240\"/>", "<position x=\"181\" y=\"240\"/>"),
+    (
+        Rule::NeutralBranches,
+        "<connection refLocalId=\"5\">",
+        "<connection refLocalId=\"4\"><position x=\"300\" y=\"80\"/><position x=\"81\" y=\"120\"/></connection><connection refLocalId=\"5\">",
+    ),
+    (
+        Rule::NeutralBranches,
+        "<connection refLocalId=\"4\"><position x=\"140\" y=\"80\"/>",
+        "<connection refLocalId=\"2\"><position x=\"140\" y=\"80\"/>",
+    ),
+    (
+        Rule::NeutralJump,
+        "</LD>",
+        "<label localId=\"14\" label=\"again\" width=\"50\" height=\"20\"><position x=\"20\" y=\"300\"/></label></LD>",
+    ),
+    (Rule::NeutralGeometry, "<coil localId=\"6\" width=\"21\"", "<coil localId=\"6\""),
+];
 
 /// A rule, and an edit of the right document that breaks it and it alone.
 const BROKEN: &[(Rule, Dialect, &str, &str)] = &[
@@ -149,22 +190,25 @@ fn right(dialect: Dialect) -> &'static str {
 fn documents_that_are_right_by_every_rule() {
     assert_eq!(lint(NEUTRAL, Dialect::Neutral), []);
     assert_eq!(lint(CODESYS, Dialect::Codesys), []);
+    assert_eq!(lint(LADDER, Dialect::Neutral), []);
 }
 
 #[test]
 fn every_rule_catches_a_document_that_breaks_it() {
     let mut faults = Vec::new();
-    for (rule, dialect, from, to) in BROKEN {
-        let text = right(*dialect);
+    let drawn = BROKEN.iter().map(|(rule, dialect, from, to)| (rule, *dialect, right(*dialect), from, to));
+    let ladders = BROKEN_LADDERS.iter().map(|(rule, from, to)| (rule, Dialect::Neutral, LADDER, from, to));
+    for (rule, dialect, text, from, to) in drawn.chain(ladders) {
         assert!(text.contains(from), "{rule:?}: nothing to break: {from}");
         // Every edit is made in one place, so that it breaks no more than it must.
-        let found = lint(&text.replacen(from, to, 1), *dialect);
+        let found = lint(&text.replacen(from, to, 1), dialect);
         if !found.iter().any(|finding| finding.rule == *rule) {
             faults.push(format!("{rule:?} does not see {to}: {found:?}"));
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
-    let covered: BTreeSet<Rule> = BROKEN.iter().map(|(rule, ..)| *rule).collect();
+    let covered: BTreeSet<Rule> =
+        BROKEN.iter().map(|(rule, ..)| *rule).chain(BROKEN_LADDERS.iter().map(|(rule, ..)| *rule)).collect();
     let missing: Vec<&Rule> = Rule::ALL.iter().filter(|rule| !covered.contains(rule)).collect();
     assert!(missing.is_empty(), "no document breaks {missing:?}");
 }
@@ -208,7 +252,7 @@ fn all_cases() -> Vec<Case> {
 
 #[test]
 fn every_project_is_right_by_the_lint_and_by_other_readers() {
-    let mut documents = vec![NEUTRAL.to_string(), CODESYS.to_string()];
+    let mut documents = vec![NEUTRAL.to_string(), CODESYS.to_string(), LADDER.to_string()];
     for case in all_cases() {
         for dialect in [Dialect::Neutral, Dialect::Codesys] {
             for body in [Body::St, Body::Il] {

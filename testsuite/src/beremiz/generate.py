@@ -49,6 +49,19 @@ def pretend(name, **contents):
         setattr(sys.modules[parent], last, module)
 
 
+def find_by_table(body):
+    """Looks objects up in a table: Beremiz searches the whole drawing for each."""
+    tables = {}
+
+    def find(self, local_id):
+        content = self.content
+        if content not in tables:
+            tables[content] = {int(instance.getlocalId()): instance for instance in self.getcontentInstances()}
+        return tables[content].get(int(local_id))
+
+    body.getcontentInstance = find
+
+
 def main(folder, projects):
     sys.path.insert(0, folder)
     screen = "wx wx.lib wx.lib.buttons wx.lib.agw wx.grid wx.adv wx.dataview wx.stc wx.aui controls controls.CustomToolTip"
@@ -58,7 +71,9 @@ def main(folder, projects):
     pretend("graphics.ToolTipProducer")
     builtins._ = lambda text: text
     from PLCControler import PLCControler
+    from plcopen.plcopen import PLCOpenParser
 
+    find_by_table(PLCOpenParser.GetElementClass("body"))
     for project in projects:
         name = os.path.splitext(project)[0]
         try:

@@ -8,6 +8,7 @@ use crate::matiec::misreckons;
 use grafc_backends::plcopen::Body;
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::sequence::{self, Sequence};
+use grafc_model::chart::ExprKind;
 use grafc_net::passes;
 
 /// One kind of body.
@@ -62,6 +63,9 @@ impl Executor for Plcopen {
             if misreckons(task.chart) {
                 return Err(Outcome::PassedOver("MATIEC reckons products of times wrongly"));
             }
+            if self.body == Body::Sfc && loses_a_second(task) {
+                return Err(Outcome::PassedOver("MATIEC does not carry whole seconds of a step's time"));
+            }
             match self.body {
                 Body::St | Body::Il | Body::Ld => job(task).map_err(Outcome::Failed),
                 Body::Sfc => {
@@ -82,6 +86,16 @@ impl Executor for Plcopen {
             Err(missing) => jobs.iter().map(|_| Err(missing.clone())).collect(),
         })
     }
+}
+
+/// Whether MATIEC might read the time of a step wrongly. It adds up what passes between calls, and 1.9 s and 0.1 s are 1 s
+/// and a thousand milliseconds to it, which is less than 2 s.
+fn loses_a_second(task: &Task) -> bool {
+    let times: Vec<i64> = task.stimuli.iter().map(|stimulus| stimulus.t_ms).collect();
+    let since = |start: usize, end: usize| (times[end] - times[start]) % 1000;
+    let full = |start: usize| (start + 1..times.len()).any(|end| since(start, end) == 0 && since(start, end - 1) != 0);
+    let reads = task.chart.exprs.iter().any(|expr| matches!(expr.kind, ExprKind::StepTime(_)));
+    reads && (0..times.len()).any(full)
 }
 
 /// The chart of a task as a sequential function chart, if it can be one.

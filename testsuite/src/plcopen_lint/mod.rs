@@ -2,13 +2,14 @@
 //! were found to need.
 //!
 //! A rule is an entry of [`Rule`]. `frame` checks the project around the bodies, `graph` what is drawn in any dialect,
-//! `neutral` what Beremiz needs, `codesys` the form that all exports of CODESYS have. The schema is a check of its own;
+//! `ladder` what is drawn as a ladder, `neutral` what Beremiz needs, `codesys` the form that all exports of CODESYS have. The schema is a check of its own;
 //! the order of children is checked here too, since the schema may not be at hand.
 
 mod codesys;
 pub mod document;
 mod frame;
 mod graph;
+mod ladder;
 mod neutral;
 mod order;
 
@@ -67,6 +68,10 @@ rules! {
     Duration;
     /// An action names a Boolean variable or an action of the unit.
     ActionReference;
+    /// A contact or coil is of a Boolean variable, a block of an instance of its type.
+    LadderVariable;
+    /// Power comes from a left rail or a block, flows to the right, and gets to every input.
+    LadderPower;
     /// A unit has variables.
     NeutralVariables;
     /// There is a configuration with a task.
@@ -75,6 +80,10 @@ rules! {
     NeutralConnection;
     /// Divergences and convergences are fed as the generator expects it.
     NeutralFeeding;
+    /// Branches of a ladder that meet have one contact each, or several each.
+    NeutralBranches;
+    /// A ladder has no jumps.
+    NeutralJump;
     /// Objects have a size, pins a place; what is empty is left out.
     NeutralGeometry;
     /// Local ids count from 0 in document order, and references lead back.
@@ -114,6 +123,7 @@ pub fn lint(text: &str, dialect: Dialect) -> Vec<Finding> {
     order::check(&mut lint);
     frame::check(&mut lint);
     graph::check(&mut lint);
+    ladder::check(&mut lint);
     match dialect {
         Dialect::Neutral => neutral::check(&mut lint),
         Dialect::Codesys => codesys::check(&mut lint),

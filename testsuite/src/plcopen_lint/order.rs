@@ -34,6 +34,11 @@ const CHILDREN: &[(&str, &str)] = &[
     ("contact", "position connectionPointIn connectionPointOut variable addData documentation"),
     ("coil", "position connectionPointIn connectionPointOut variable addData documentation"),
     ("block", "position inputVariables inOutVariables outputVariables addData documentation"),
+    ("inputVariables", "variable"),
+    ("inOutVariables", "variable"),
+    ("outputVariables", "variable"),
+    ("jump", "position connectionPointIn addData documentation"),
+    ("label", "position addData documentation"),
     ("comment", "position content addData documentation"),
 ];
 
@@ -54,6 +59,14 @@ const ATTRIBUTES: &[(&str, &str)] = &[
     ("simultaneousConvergence", "localId"),
     ("jumpStep", "localId targetName"),
     ("actionBlock", "localId"),
+    ("inVariable", "localId"),
+    ("outVariable", "localId"),
+    ("leftPowerRail", "localId"),
+    ("rightPowerRail", "localId"),
+    ("contact", "localId"),
+    ("coil", "localId"),
+    ("block", "localId typeName"),
+    ("comment", "localId height width"),
     ("connection", "refLocalId"),
     ("position", "x y"),
     ("relPosition", "x y"),
@@ -83,6 +96,12 @@ pub(super) fn check(lint: &mut Lint) {
         }
         for key in ATTRIBUTES.iter().filter(|(name, _)| *name == element.name).flat_map(|(_, keys)| keys.split(' ')) {
             lint.demand(document.attribute(id, key).is_some(), Rule::Attributes, id, key);
+        }
+        if in_block {
+            lint.demand(document.attribute(id, "formalParameter").is_some(), Rule::Attributes, id, "formalParameter");
+        }
+        if element.name == "connectionPointOut" && document.name(element.parent) == "leftPowerRail" {
+            lint.demand(document.attribute(id, "formalParameter").is_some(), Rule::Attributes, id, "formalParameter");
         }
         if element.name == "inline" {
             let in_condition = document.name(element.parent) == "condition";

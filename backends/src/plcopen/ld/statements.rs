@@ -15,7 +15,7 @@ use super::rung::{Block, Coil, Contact, End, Item, Sink, Storage};
 use crate::iec::literals::{literal, time, zero};
 use crate::iec::names::remark;
 use crate::limits::is_empty;
-use grafc_logic::formula::{Comparison, Formula, FormulaId, Type, Value};
+use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::{Arm, Role, Statement, TimerId, VarId};
 use rustc_hash::FxHashSet;
 
@@ -108,9 +108,7 @@ impl Ladder<'_> {
     fn assign(&mut self, target: VarId, value: FormulaId, guard: Option<&Contact>) {
         let pool = &self.program.pool;
         if pool.ty(value) != Type::Bool {
-            let text = self.texts.of(value);
-            let behind = guard.cloned().into_iter().collect();
-            return self.move_to(target, text, behind);
+            return self.calculate(target, value, guard.cloned().into_iter().collect());
         }
         let name = self.name(target);
         let Some(guard) = guard else {
@@ -195,6 +193,43 @@ impl Ladder<'_> {
         false
     }
 
+    /// Stores what a formula of numbers gives, behind some contacts. An operator is a function, and its operands texts:
+    /// a text with a literal of a time in its middle, `t + T#1s`, is a puzzle to Beremiz.
+    fn calculate(&mut self, target: VarId, value: FormulaId, behind: Vec<Contact>) {
+        let pool = &self.program.pool;
+        let ty = pool.ty(value);
+        let text = |id: &FormulaId| self.texts.of(*id);
+        let (kind, operands) = match pool.get(value) {
+            // `TIME * n` is taken everywhere, `n * TIME` is not.
+            Formula::Arithmetic(Arithmetic::Multiply, a, b) if pool.ty(*b) == Type::Time => ("MUL", [text(b), text(a)]),
+            Formula::Arithmetic(op, a, b) => {
+                let kind = match op {
+                    Arithmetic::Add => "ADD",
+                    Arithmetic::Subtract => "SUB",
+                    Arithmetic::Multiply => "MUL",
+                    Arithmetic::Divide => "DIV",
+                    Arithmetic::Modulo => "MOD",
+                };
+                (kind, [text(a), text(b)])
+            }
+            // Negates a zero, too.
+            Formula::Negate(a) if matches!(ty, Type::Real | Type::Lreal) => ("MUL", [text(a), "-1.0".to_owned()]),
+            Formula::Negate(a) => ("SUB", [zero(ty), text(a)]),
+            Formula::Constant(_)
+            | Formula::Variable(_)
+            | Formula::TimerDone(_)
+            | Formula::TimerElapsed(_)
+            | Formula::Not(_)
+            | Formula::And(_)
+            | Formula::Or(_)
+            | Formula::Xor(..)
+            | Formula::Compare(..)
+            | Formula::Widen(_) => return self.move_to(target, text(&value), behind),
+        };
+        let [a, b] = operands;
+        self.function(kind, vec![("IN1", a), ("IN2", b)], target, behind);
+    }
+
     /// Stores a number behind some contacts.
     pub fn move_to(&mut self, target: VarId, text: String, behind: Vec<Contact>) {
         self.function("MOVE", vec![("IN", text)], target, behind);
@@ -238,13 +273,16 @@ impl Ladder<'_> {
         self.move_to(target, zero(result), behind(&[&by_zero]));
         let mut others = vec![by_zero.inverse()];
         if let Some(by_minus_one) = by_minus_one {
-            let text = match (modulo, constant) {
-                (true, _) => "0".to_owned(),
+            let behind = behind(&[&by_minus_one]);
+            match (modulo, constant) {
+                (true, _) => self.move_to(target, zero(result), behind),
                 // It is what overflows. MATIEC computes with constants and refuses the difference.
-                (false, Some(_)) => dividend.clone(),
-                (false, None) => format!("0 - {dividend}"),
-            };
-            self.move_to(target, text, behind(&[&by_minus_one]));
+                (false, Some(_)) => self.move_to(target, dividend.clone(), behind),
+                (false, None) => {
+                    let operands = vec![("IN1", zero(result)), ("IN2", dividend.clone())];
+                    self.function("SUB", operands, target, behind);
+                }
+            }
             others.push(by_minus_one.inverse());
         }
         let others: Vec<&Contact> = others.iter().collect();

@@ -1,0 +1,109 @@
+//! PLCopen projects with every kind of body, through the generator of Beremiz, MATIEC and a C compiler: they do what the
+//! chart means.
+//!
+//! Needs `BEREMIZ`, a Python with lxml (`PYTHON`), `iec2c` and `gcc`; without them each test says so and does nothing.
+
+use grafc_model::chart::Chart;
+use grafc_model::reaction::{Evolution, Profile, Stimulus};
+use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
+use grafc_testsuite::differential::simulate;
+use grafc_testsuite::executors::{Executor, Outcome, Task, all};
+use grafc_testsuite::random::{Kind, checked, trace};
+use std::io::Write;
+
+/// The executor of a kind of body, or nothing and a line that says what is missing.
+fn executor(name: &str) -> Option<Box<dyn Executor>> {
+    let executor = all().into_iter().find(|executor| executor.name() == name).expect("the executor");
+    match executor.missing() {
+        None => Some(executor),
+        Some(missing) => {
+            let _ = writeln!(std::io::stderr(), "skipped: {missing}");
+            None
+        }
+    }
+}
+
+fn prepared(case: &Case) -> (Chart, Vec<Stimulus>) {
+    let chart = check(&case.name, &case.text).unwrap_or_else(|fault| panic!("{fault}"));
+    let stimuli = stimuli(&case.name, &case.trace, &chart).unwrap_or_else(|fault| panic!("{fault}"));
+    (chart, stimuli)
+}
+
+/// Runs the vectors and the charts, the encodings in turn; at least so many of them must run.
+fn vectors_and_charts_agree(name: &str, least: usize) {
+    let Some(executor) = self::executor(name) else { return };
+    let all: Vec<Case> = [vectors_folder(), charts_folder()].iter().flat_map(|folder| cases(folder)).collect();
+    let prepared: Vec<(Chart, Vec<Stimulus>)> = all.iter().map(|case| self::prepared(case)).collect();
+    let tasks: Vec<Task> = all
+        .iter()
+        .zip(&prepared)
+        .enumerate()
+        .map(|(turn, (case, (chart, stimuli)))| Task { chart, profile: case.profile, stimuli, turn })
+        .collect();
+    let (mut ran, mut faults) = (0, Vec::new());
+    for ((case, (chart, stimuli)), outcome) in all.iter().zip(&prepared).zip(executor.run(&tasks)) {
+        match outcome {
+            Outcome::PassedOver(_) => {}
+            Outcome::Failed(said) => faults.push(format!("{}:\n{said}", case.name)),
+            Outcome::Ran(responses) => {
+                ran += 1;
+                let actual = spell(chart, stimuli, &responses);
+                if actual != case.expected {
+                    faults.push(format!("{}:\nexpected\n{}actual\n{actual}", case.name, case.expected));
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{} fail\n{}", faults.len(), faults.join("\n"));
+    assert!(ran >= least, "only {ran} ran");
+}
+
+#[test]
+fn structured_text() {
+    vectors_and_charts_agree("plcopen:st", 100);
+}
+
+#[test]
+fn instruction_lists() {
+    vectors_and_charts_agree("plcopen:il", 100);
+}
+
+#[test]
+fn ladders() {
+    vectors_and_charts_agree("plcopen:ld", 100);
+}
+
+#[test]
+fn sequential_function_charts() {
+    vectors_and_charts_agree("plcopen:sfc", 5);
+}
+
+/// Random charts of the whole language as ladders, to stability and scan by scan.
+#[test]
+fn random_ladders() {
+    let Some(executor) = self::executor("plcopen:ld") else { return };
+    let charts: Vec<(Chart, Vec<Stimulus>, Profile)> = (0..10)
+        .map(|seed| {
+            let chart = checked(1000 + seed, Kind::Hierarchical).chart;
+            let evolution = if seed % 2 == 0 { Evolution::Stable } else { Evolution::Scan };
+            let stimuli = trace(seed, &chart, 30);
+            (chart, stimuli, Profile { evolution, ..Profile::default() })
+        })
+        .collect();
+    let tasks: Vec<Task> = charts
+        .iter()
+        .enumerate()
+        .map(|(turn, (chart, stimuli, profile))| Task { chart, profile: *profile, stimuli, turn })
+        .collect();
+    for (task, outcome) in tasks.iter().zip(executor.run(&tasks)) {
+        let expected = simulate(task.chart, task.profile, task.stimuli);
+        match outcome {
+            Outcome::PassedOver(_) => {}
+            Outcome::Failed(said) => panic!("{said}"),
+            Outcome::Ran(actual) => {
+                let difference = executor.difference(&expected, &actual);
+                assert!(difference.is_none(), "{}: call {difference:?}", task.chart.name);
+            }
+        }
+    }
+}
