@@ -63,6 +63,8 @@ pub(super) struct Ladder<'p> {
     pub parts: Vec<Entry>,
     /// What is to stand above the next rung.
     pub comments: Vec<String>,
+    /// The last of what was said.
+    pub said: String,
     /// The variables of formulas that got a rung since something was written.
     pub known: FxHashMap<FormulaId, String>,
 }

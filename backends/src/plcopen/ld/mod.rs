@@ -95,6 +95,7 @@ fn draw(program: &Program, names: &mut Names, repeated: Option<&Repeated>) -> (V
         rungs: Vec::new(),
         parts: Vec::new(),
         comments: Vec::new(),
+        said: String::new(),
         known: FxHashMap::default(),
     };
     ladder.block(&program.first, None);

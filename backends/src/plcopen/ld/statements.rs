@@ -12,6 +12,7 @@
 
 use super::circuit::{Factor, Ladder};
 use super::rung::{Block, Coil, Contact, End, Item, Sink, Storage};
+use crate::comment::clean;
 use crate::iec::literals::{literal, time, zero};
 use crate::iec::names::remark;
 use crate::limits::is_empty;
@@ -78,9 +79,11 @@ impl Ladder<'_> {
         self.names.variables[id].clone()
     }
 
+    /// Says something above the next rung, unless it was just said.
     fn comment(&mut self, text: &str) {
-        let text = crate::comment::clean(text);
-        if !text.is_empty() {
+        let text = clean(text);
+        if !text.is_empty() && text != self.said {
+            self.said.clone_from(&text);
             self.comments.push(text);
         }
     }
@@ -350,9 +353,9 @@ impl Ladder<'_> {
         written.add(otherwise);
         if let [(condition, body)] = branches
             && is_empty(otherwise)
-            && let Some(coils) = self.constants(body)
-            && !self.has(*condition, |formula| written.has(formula))
+            && let Some(coils) = self.constants(*condition, body)
         {
+            self.announce(body);
             let behind = guard.cloned().map(Factor::Contact);
             let items = self.items(behind.into_iter().chain([Factor::Formula(*condition, false)]).collect());
             return self.rung(items, End::Coils(coils));
@@ -360,6 +363,7 @@ impl Ladder<'_> {
         let mut before: Vec<Contact> = guard.cloned().into_iter().collect();
         let mut chosen: Vec<(Contact, &[Statement])> = Vec::new();
         for (condition, body) in branches {
+            self.announce(body);
             let contact = if before.is_empty() && !self.has(*condition, |formula| written.has(formula)) {
                 self.contact(*condition, false)
             } else {
@@ -389,21 +393,41 @@ impl Ladder<'_> {
         }
     }
 
-    /// The coils of a body that only sets and resets.
-    fn constants(&self, body: &[Statement]) -> Option<Vec<Coil>> {
-        let coil = |statement: &Statement| match statement {
-            Statement::Assign { target, value, remark: None } => {
-                let storage = if self.program.pool.as_truth(*value)? { Storage::Set } else { Storage::Reset };
-                Some(Coil { name: self.name(*target), storage })
+    /// The coils of a body that only sets and resets, if they can share the rung of its condition: Beremiz looks at the
+    /// condition anew for each coil, so what is in it can only be written by the last.
+    fn constants(&self, condition: FormulaId, body: &[Statement]) -> Option<Vec<Coil>> {
+        let (mut coils, mut last) = (Vec::new(), None);
+        let mut targets = FxHashSet::default();
+        for statement in body {
+            match statement {
+                Statement::Assign { target, value, remark: _ } => {
+                    let storage = if self.program.pool.as_truth(*value)? { Storage::Set } else { Storage::Reset };
+                    let coil = Coil { name: self.name(*target), storage };
+                    if !targets.insert(*target) {
+                        return None;
+                    }
+                    if !self.reads(condition, *target) {
+                        coils.push(coil);
+                    } else if last.replace(coil).is_some() {
+                        return None;
+                    }
+                }
+                Statement::Heading(_) => {}
+                Statement::Divide { .. }
+                | Statement::CallTimer { .. }
+                | Statement::Case { .. }
+                | Statement::If { .. } => return None,
             }
-            Statement::Assign { .. }
-            | Statement::Heading(_)
-            | Statement::Divide { .. }
-            | Statement::CallTimer { .. }
-            | Statement::Case { .. }
-            | Statement::If { .. } => None,
-        };
-        body.iter().map(coil).collect()
+        }
+        coils.extend(last);
+        Some(coils)
+    }
+
+    /// What a body says of itself stands above its condition.
+    fn announce(&mut self, body: &[Statement]) {
+        if let Some(Statement::Assign { remark: Some(text), .. }) = body.first() {
+            self.comment(text);
+        }
     }
 }
 
