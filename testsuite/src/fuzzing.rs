@@ -97,6 +97,8 @@ fn accepted(text: &str, chart: &Chart, options: &Options) -> Option<grafc_logic:
         st::emit(&program, &st::Options::default()),
         rust::emit(&program, &rust::Options::default()),
         plcopen::emit(&program, &plcopen::Options::default()),
+        plcopen::emit_il(&program, &plcopen::Options::default()),
+        plcopen::ld::emit(&program, &plcopen::Options::default()),
     ];
     for refused in written.into_iter().filter_map(Result::err) {
         places(text, &refused);

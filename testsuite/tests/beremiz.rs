@@ -33,7 +33,7 @@ fn prepared(case: &Case) -> (Chart, Vec<Stimulus>) {
 fn vectors_and_charts_agree(name: &str, least: usize) {
     let Some(executor) = self::executor(name) else { return };
     let all: Vec<Case> = [vectors_folder(), charts_folder()].iter().flat_map(|folder| cases(folder)).collect();
-    let prepared: Vec<(Chart, Vec<Stimulus>)> = all.iter().map(|case| self::prepared(case)).collect();
+    let prepared: Vec<(Chart, Vec<Stimulus>)> = all.iter().map(self::prepared).collect();
     let tasks: Vec<Task> = all
         .iter()
         .zip(&prepared)

@@ -125,6 +125,11 @@ fn choices_reach_the_files_of_tools() {
     assert!(code(&["plcopen", "--dialect", "codesys", "--task-interval", "2s"]).contains("interval=\"PT2.000S\""));
     let instructions = code(&["plcopen", "--body", "il"]);
     assert!(instructions.contains("<IL>") && instructions.contains("--body il"), "{instructions}");
+    let ladder = code(&["plcopen", "--body", "ld", "--evolution", "scan"]);
+    assert!(ladder.contains("<LD>") && ladder.contains("--body ld"), "{ladder}");
+    place
+        .run(&["valve.gct", "--target", "plcopen", "--dialect", "codesys", "--body", "ld"])
+        .ends(2, "`--body ld` draws for the readers of `--dialect neutral` alone");
     let drawn = code(&["plcopen", "--body", "sfc", "--evolution", "scan"]);
     assert!(drawn.contains("<SFC>") && drawn.contains("--body sfc"), "{drawn}");
     assert!(code(&["scl"]).starts_with("FUNCTION_BLOCK \"Valve\"\n"));

@@ -100,7 +100,7 @@ impl Ladder<'_> {
             match self.shape(id, negated) {
                 Shape::Product(list) => due.extend(list.into_iter().rev().map(|(id, not)| Factor::Formula(id, not))),
                 Shape::Sum(list) => items.push(self.group(list)),
-                Shape::Either(a, b) => items.push(self.either(a, b)),
+                Shape::Either(a, b) => items.push(Item::Group(self.either(a, b).into())),
                 Shape::Contact(id, negated) => items.push(Item::Contact(self.contact(id, negated))),
             }
         }
@@ -114,7 +114,8 @@ impl Ladder<'_> {
         while let Some((id, negated)) = due.pop() {
             match self.shape(id, negated) {
                 Shape::Sum(list) => due.extend(list.into_iter().rev()),
-                Shape::Product(_) | Shape::Either(..) | Shape::Contact(..) => branches.push(self.series(id, negated)),
+                Shape::Either(a, b) => branches.extend(self.either(a, b)),
+                Shape::Product(_) | Shape::Contact(..) => branches.push(self.series(id, negated)),
             }
         }
         match branches.len() {
@@ -124,10 +125,10 @@ impl Ladder<'_> {
     }
 
     /// Exactly one of two.
-    fn either(&mut self, a: (FormulaId, bool), b: (FormulaId, bool)) -> Item {
+    fn either(&mut self, a: (FormulaId, bool), b: (FormulaId, bool)) -> [Vec<Contact>; 2] {
         let (a, b) = (self.contact(a.0, a.1), self.contact(b.0, b.1));
         let (a_not, b_not) = (a.inverse(), b.inverse());
-        Item::Group(vec![vec![a, b_not], vec![a_not, b]])
+        [vec![a, b_not], vec![a_not, b]]
     }
 
     /// A branch. One that has a group in it gets a rung of its own.

@@ -17,6 +17,8 @@ mod layout;
 mod repeat;
 mod rung;
 mod statements;
+#[cfg(test)]
+mod tests;
 mod write;
 
 use super::{Dialect, Options, project};

@@ -129,7 +129,7 @@ impl Sheet<'_> {
                     for (x, to) in [(*meet, placed.row), (part, pin.1)] {
                         let from = points.last().map_or(to, |at| at.1);
                         // Within a branch nothing turns.
-                        if from != to && source.at.1 != pin.1 || from != to && sources.len() > 1 {
+                        if from != to && (source.at.1 != pin.1 || sources.len() > 1) {
                             points.extend([(x, from), (x, to)]);
                         }
                     }
