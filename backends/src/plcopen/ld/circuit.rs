@@ -24,7 +24,7 @@ use crate::st::Texts;
 use grafc_logic::formula::{Comparison, Formula, FormulaId, TimerId, Type, Value};
 use grafc_logic::scan::Program;
 use index_vec::IndexVec;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// So many ways through a rung are few.
 const MOST_WAYS: usize = 64;
@@ -58,6 +58,8 @@ pub(super) struct Ladder<'p> {
     pub texts: &'p Texts<'p>,
     /// For each timer the variable that its output goes to.
     pub timer_outputs: IndexVec<TimerId, String>,
+    /// The timers that are called under conditions.
+    pub enabled: FxHashSet<TimerId>,
     pub rungs: Vec<Rung>,
     /// Variables for what has a rung of its own.
     pub parts: Vec<Entry>,

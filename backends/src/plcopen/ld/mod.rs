@@ -94,6 +94,7 @@ fn draw(program: &Program, names: &mut Names, repeated: Option<&Repeated>) -> (V
         names,
         texts: &texts,
         timer_outputs,
+        enabled: statements::enabled(program),
         rungs: Vec::new(),
         parts: Vec::new(),
         comments: Vec::new(),
@@ -101,7 +102,10 @@ fn draw(program: &Program, names: &mut Names, repeated: Option<&Repeated>) -> (V
         known: FxHashMap::default(),
     };
     ladder.block(&program.first, None);
-    ladder.block(&program.before, repeated.and_then(Repeated::at_first).as_ref());
+    let at_first = repeated.and_then(Repeated::at_first);
+    for statements in program.before.chunk_by(|a, b| repeat::is_call(a) == repeat::is_call(b)) {
+        ladder.block(statements, at_first.as_ref().filter(|_| !statements.iter().all(repeat::is_call)));
+    }
     ladder.block(&program.micro_step, None);
     let at_last = repeated.and_then(|repeated| repeated.at_last(&mut ladder));
     ladder.block(&program.after, at_last.as_ref());

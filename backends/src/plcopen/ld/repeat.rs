@@ -11,7 +11,8 @@
 //!              END_REPEAT;
 //! ```
 //!
-//! What a call does once before its micro-steps is behind a contact `/further`. Outputs are computed after each
+//! What a call does once before its micro-steps is behind a contact `/further`; but timers are called there in each
+//! micro-step, as they were at the end of the one before, which makes no difference. Outputs are computed after each
 //! micro-step, which makes no difference, since nothing reads them and the last one is what remains; save where a division
 //! may raise DIV0, which only the last may do.
 
@@ -25,6 +26,11 @@ use crate::st;
 use crate::writer::{self, Writer};
 use grafc_logic::formula::Type;
 use grafc_logic::scan::{Flag, Program, Repeat, Role, Statement, VarId};
+
+/// Whether a statement brings a timer up to date.
+pub(super) fn is_call(statement: &Statement) -> bool {
+    matches!(statement, Statement::CallTimer { .. })
+}
 
 /// The names and the bound of a loop.
 pub(super) struct Repeated {
@@ -67,7 +73,7 @@ impl Repeated {
             instance: names.namer.name("rungs"),
             again,
             further: names.namer.name("further"),
-            asks_further: !program.before.is_empty(),
+            asks_further: !program.before.iter().all(is_call),
             last: limit.as_ref().filter(|_| waits).map(|_| names.namer.name("last")),
             waits,
             limit,

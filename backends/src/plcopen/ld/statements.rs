@@ -17,7 +17,7 @@ use crate::iec::literals::{literal, time, zero};
 use crate::iec::names::remark;
 use crate::limits::is_empty;
 use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
-use grafc_logic::scan::{Arm, Role, Statement, TimerId, VarId};
+use grafc_logic::scan::{Arm, Program, Role, Statement, TimerId, VarId};
 use rustc_hash::FxHashSet;
 
 /// What a timer without a preset is given: the longest time that all compilers take.
@@ -293,6 +293,7 @@ impl Ladder<'_> {
         self.function(kind, vec![("IN1", dividend), ("IN2", divisor)], target, behind(&others));
     }
 
+    /// `EN` keeps its value like any input: a timer that has it in one call has it in all.
     fn call_timer(&mut self, timer: TimerId, input: FormulaId, guard: Option<&Contact>) {
         let name = self.names.timers[timer].clone();
         let output = self.timer_outputs[timer].clone();
@@ -306,22 +307,18 @@ impl Ladder<'_> {
         let block = |power, inputs, outputs| {
             End::Block(Block { kind: "TON", instance: Some(name.clone()), power, inputs, outputs })
         };
-        match guard {
-            None => {
-                let items = match self.program.pool.as_truth(input) {
-                    Some(false) => vec![Item::Contact(self.contact(input, false))],
-                    Some(true) | None => self.items(vec![Factor::Formula(input, false)]),
-                };
-                self.rung(items, block("IN", vec![("PT", preset)], end.into()));
-            }
-            Some(guard) => {
-                let input = self.contact(input, false);
-                let input = if input.negated { self.aside(vec![Item::Contact(input)]) } else { input };
-                let items = self.items(vec![Factor::Contact(guard.clone())]);
-                let outputs = [vec![("ENO", Sink::Open)], end.into()].concat();
-                self.rung(items, block("EN", vec![("IN", input.name), ("PT", preset)], outputs));
-            }
+        if guard.is_none() && !self.enabled.contains(&timer) {
+            let items = match self.program.pool.as_truth(input) {
+                Some(false) => vec![Item::Contact(self.contact(input, false))],
+                Some(true) | None => self.items(vec![Factor::Formula(input, false)]),
+            };
+            return self.rung(items, block("IN", vec![("PT", preset)], end.into()));
         }
+        let input = self.contact(input, false);
+        let input = if input.negated { self.aside(vec![Item::Contact(input)]) } else { input };
+        let items = self.items(guard.cloned().map(Factor::Contact).into_iter().collect());
+        let outputs = [vec![("ENO", Sink::Open)], end.into()].concat();
+        self.rung(items, block("EN", vec![("IN", input.name), ("PT", preset)], outputs));
     }
 
     /// All values are compared before anything is done.
@@ -429,6 +426,17 @@ impl Ladder<'_> {
             self.comment(text);
         }
     }
+}
+
+/// The timers that are called under conditions.
+pub(super) fn enabled(program: &Program) -> FxHashSet<TimerId> {
+    let mut written = Written::default();
+    for statement in [&program.first, &program.before, &program.micro_step, &program.after].into_iter().flatten() {
+        if !matches!(statement, Statement::CallTimer { .. }) {
+            written.add(std::slice::from_ref(statement));
+        }
+    }
+    written.timers
 }
 
 /// What statements write.

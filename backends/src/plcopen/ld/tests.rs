@@ -367,6 +367,27 @@ fn operators_are_functions() {
     check(Type::Dint, |b, i| b.pool().widen(Type::Dint, i[1]), "-> MOVE(EN, IN = INT_TO_DINT(n)) OUT -> y");
 }
 
+/// `EN` is an input like others, and keeps what it was given.
+#[test]
+fn a_timer_that_waits_once_always_waits() {
+    let program = body(&[("a", Type::Bool), ("b", Type::Bool)], Type::Bool, |b, i, _| {
+        let timer = b.timer("on_a", Some(Preset { ms: 1500, constant: None }), "");
+        let not_a = b.pool().not(i[0]);
+        vec![
+            when(i[1], vec![Statement::CallTimer { timer, input: i[0] }]),
+            Statement::CallTimer { timer, input: not_a },
+        ]
+    });
+    assert_eq!(
+        lines(&program),
+        [
+            "b -> TON on_a(EN, IN = a, PT = T#1500ms) Q -> on_a_Q",
+            "/a -> part_1",
+            "-> TON on_a(EN, IN = part_1, PT = T#1500ms) Q -> on_a_Q",
+        ]
+    );
+}
+
 #[test]
 fn a_timer_has_its_variable() {
     let program = body(&[("a", Type::Bool), ("b", Type::Bool)], Type::Bool, |b, i, y| {
@@ -397,17 +418,18 @@ fn the_loop_calls_the_rungs() {
     let timer = program.timers.indices().next().expect("a timer");
     let high = program.variables.iter_enumerated().find(|(_, v)| v.name == "high").map(|(id, _)| id).expect("an input");
     let high = program.pool.variable(high, Type::Bool);
-    program.before = vec![Statement::CallTimer { timer, input: high }];
+    let event = program.variables.push(variable(Role::Temporary, "event", Type::Bool));
+    program.before = vec![Statement::CallTimer { timer, input: high }, assign(event, high)];
     let target = program.variables.push(variable(Role::Output, "n", Type::Int));
     let flag = program.variables.push(variable(Role::Flag(Flag::Div0), "DIV0", Type::Bool));
     let dividend = program.pool.variable(target, Type::Int);
     let divide = Statement::Divide { target, modulo: false, dividend, divisor: dividend, flag };
     program.after.push(divide);
     let all = lines(&program);
-    assert!(
-        all.contains(&"/further -> TON stirred(EN, IN = high, PT = stir_time) Q -> stirred_Q".to_owned()),
-        "{all:?}"
-    );
+    let called = "high -> TON stirred(IN, PT = stir_time) Q -> stirred_Q";
+    for expected in [called, "/further high -> S event", "/further /high -> R event"] {
+        assert!(all.contains(&expected.to_owned()), "{all:?}");
+    }
     assert!(all.contains(&"[/again | last] -> part_6".to_owned()), "{all:?}");
     assert!(all.contains(&"part_6 /part_7 -> DIV(EN, IN1 = n, IN2 = n) OUT -> n".to_owned()), "{all:?}");
     let text = emit(&program, &Options::default()).expect("it can be written");
