@@ -63,13 +63,13 @@ impl Executor for Plcopen {
             if misreckons(task.chart) {
                 return Err(Outcome::PassedOver("MATIEC reckons products of times wrongly"));
             }
-            if self.body == Body::Sfc && loses_a_second(task) {
-                return Err(Outcome::PassedOver("MATIEC does not carry whole seconds of a step's time"));
-            }
             match self.body {
                 Body::St | Body::Il | Body::Ld => job(task).map_err(Outcome::Failed),
                 Body::Sfc => {
                     let sequence = drawn(task).ok_or(Outcome::PassedOver("no sequential function chart (E0503)"))?;
+                    if loses_a_second(task) {
+                        return Err(Outcome::PassedOver("MATIEC does not carry whole seconds of a step's time"));
+                    }
                     let program = variables_of(&sequence);
                     sequences.push(sequence);
                     Ok(Job { program, stimuli: task.stimuli.to_vec() })
