@@ -79,23 +79,24 @@ fn sequential_function_charts() {
 }
 
 /// Runs random charts of a kind and compares them with the simulator; at least so many of them must run.
-fn random_charts_agree(name: &str, seeds: std::ops::Range<u64>, kind: Kind, least: usize) {
+fn random_charts_agree(name: &str, seeds: std::ops::Range<u64>, kind: Kind, edit: fn(String) -> String, least: usize) {
     let Some(executor) = self::executor(name) else { return };
-    let charts: Vec<(Chart, Vec<Stimulus>, Profile)> = seeds
+    let charts: Vec<(String, Chart, Vec<Stimulus>, Profile)> = seeds
         .map(|seed| {
-            let chart = checked(seed, kind).chart;
+            let text = edit(checked(seed, kind).text);
+            let chart = check("random", &text).unwrap_or_else(|fault| panic!("{fault}\n{text}"));
             let evolution = if seed % 2 == 0 { Evolution::Stable } else { Evolution::Scan };
             let stimuli = trace(seed, &chart, 30);
-            (chart, stimuli, Profile { evolution, ..Profile::default() })
+            (text, chart, stimuli, Profile { evolution, ..Profile::default() })
         })
         .collect();
     let tasks: Vec<Task> = charts
         .iter()
         .enumerate()
-        .map(|(turn, (chart, stimuli, profile))| Task { chart, profile: *profile, stimuli, turn })
+        .map(|(turn, (_, chart, stimuli, profile))| Task { chart, profile: *profile, stimuli, turn })
         .collect();
     let mut ran = 0;
-    for (task, outcome) in tasks.iter().zip(executor.run(&tasks)) {
+    for ((task, (text, ..)), outcome) in tasks.iter().zip(&charts).zip(executor.run(&tasks)) {
         let expected = simulate(task.chart, task.profile, task.stimuli);
         match outcome {
             Outcome::PassedOver(_) => {}
@@ -103,7 +104,8 @@ fn random_charts_agree(name: &str, seeds: std::ops::Range<u64>, kind: Kind, leas
             Outcome::Ran(actual) => {
                 ran += 1;
                 let difference = executor.difference(&expected, &actual);
-                assert!(difference.is_none(), "{}: call {difference:?}", task.chart.name);
+                let runs = || [&expected, &actual].map(|run| spell(task.chart, task.stimuli, run)).join("\n");
+                assert!(difference.is_none(), "call {difference:?} of\n{text}\n{}", runs());
             }
         }
     }
@@ -113,11 +115,22 @@ fn random_charts_agree(name: &str, seeds: std::ops::Range<u64>, kind: Kind, leas
 /// To stability and scan by scan.
 #[test]
 fn random_ladders() {
-    random_charts_agree("plcopen:ld", 1000..1010, Kind::Hierarchical, 5);
+    random_charts_agree("plcopen:ld", 1000..1010, Kind::Hierarchical, |text| text, 5);
 }
 
-/// Of the whole language hardly any chart is one: all have edges. Of the plain ones some are.
+/// Of the whole language hardly any chart is one. Of the plain ones many are, also with
+/// delays and falling edges, and with those of steps.
 #[test]
 fn random_sequential_function_charts() {
-    random_charts_agree("plcopen:sfc", 0..300, Kind::Plain, 5);
+    let delays = |text: String| {
+        let conditions = text.replace(": a\n", ": 500ms/a\n").replace(": not b\n", ": 300ms/(not b)/1s\n");
+        conditions.replace("↑d", "↓d").replace("↑e", "↓(d and not e)").replace(" if c }", " if c/700ms }")
+    };
+    let of_steps = |text: String| {
+        let conditions = text.replace(": a\n", ": a or ↑X101\n").replace(": b\n", ": b and not 300ms/X100/500ms\n");
+        conditions.replace(": c\n", ": 200ms/(X101 and c)\n").replace(": d\n", ": d or ↑([n > 1])\n")
+    };
+    random_charts_agree("plcopen:sfc", 0..200, Kind::Plain, |text| text, 30);
+    random_charts_agree("plcopen:sfc", 200..500, Kind::Plain, delays, 30);
+    random_charts_agree("plcopen:sfc", 500..900, Kind::Plain, of_steps, 30);
 }

@@ -71,6 +71,13 @@ pub(crate) fn parts(program: &Program, style: Style) -> Result<Parts, Diagnostic
     Ok(Parts::new(program, names, Language::St, Vec::new(), body.finish(), call))
 }
 
+/// The statements that come first and before a micro-step.
+pub(crate) fn before(program: &Program, names: &Names) -> Writer {
+    let mut out = Writer::new(&writer::IEC);
+    statements::before(&mut out, program, names, &Expressions::new(program, names));
+    out
+}
+
 /// The statements of the program around the function block.
 pub(crate) fn call(program: &Program, names: &Names) -> String {
     let mut out = Writer::new(&writer::IEC);

@@ -29,6 +29,13 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, expressi
     }
 }
 
+/// Writes what comes first and before a micro-step.
+pub(super) fn before(out: &mut Writer, program: &Program, names: &Names, expressions: &Expressions) {
+    let body = Body { program, names, expressions };
+    body.block(out, &program.first);
+    body.block(out, &program.before);
+}
+
 struct Body<'p> {
     program: &'p Program,
     names: &'p Names,

@@ -164,11 +164,13 @@ fn sequence_names(sequence: &Sequence, program: &Program, blocks: &str) -> Resul
         line.strip_prefix("STEP ").or_else(|| line.strip_prefix("INITIAL_STEP "))?.strip_suffix(':')
     });
     let declared: Vec<&str> = declared.collect();
+    let named = Sequence { program: program.clone(), ..sequence.clone() };
+    let instance = plcopen::sfc::instance(&named).map(|name| format!("{name}.")).unwrap_or_default();
     for step in &sequence.steps {
         let name = &names[step.active];
         let place = declared.iter().position(|known| known == name);
         let place = place.ok_or_else(|| format!("step {name} is not declared in\n{blocks}"))?;
-        names[step.active] = format!("__step_list[{place}].X");
+        names[step.active] = format!("{instance}__step_list[{place}].X");
     }
     Ok(names)
 }

@@ -13,25 +13,29 @@ mod graph;
 pub(super) mod nested;
 mod order;
 mod place;
+mod prepared;
 mod texts;
 mod write;
 
-use super::{Dialect, Options, project};
-use crate::st::{self, Style};
+use super::{Dialect, Options};
+use crate::iec::names::Names;
+use crate::keywords::Family;
+use crate::limits;
+use crate::xml::Xml;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use grafc_logic::scan::StepId;
 use grafc_logic::sequence::Sequence;
 use graph::Graph;
+use prepared::Units;
 use texts::Texts;
 
 /// Writes a sequential function chart as a project.
 ///
 /// An error is a chart that is not nested as CODESYS wants it, or a fault of grafc.
 pub fn emit(sequence: &Sequence, options: &Options) -> Result<String, Diagnostics> {
-    let mut parts = st::parts(&sequence.program, Style::default())?;
+    limits::check(&sequence.program)?;
     let texts = Texts::new(sequence);
-    // A step brings its activity and its duration along.
-    parts.interface.iter_mut().for_each(|block| block.retain(|name| !texts.is_of_a_step(name)));
+    let units = Units::new(sequence, &texts);
     match options.dialect {
         Dialect::Neutral => {
             let mut graph = Graph::new(sequence, &texts).map_err(|step| {
@@ -39,10 +43,17 @@ pub fn emit(sequence: &Sequence, options: &Options) -> Result<String, Diagnostic
             })?;
             order::reduce_crossings(&mut graph);
             let placed = place::place(&graph);
-            Ok(project::write(&parts, options, &[], |xml, dialect| write::write(xml, &graph, &placed, &texts, dialect)))
+            let drawing = |xml: &mut Xml, dialect| write::write(xml, &graph, &placed, &texts, dialect);
+            Ok(units.write(options, &[], drawing))
         }
-        Dialect::Codesys => nested::emit(sequence, &texts, &parts, options),
+        Dialect::Codesys => nested::emit(sequence, &texts, &units, options),
     }
+}
+
+/// The instance whose variables hold the situation, if something is found before the chart is called.
+pub fn instance(sequence: &Sequence) -> Option<String> {
+    let mut names = Names::new(&sequence.program, Family::Iec);
+    (!sequence.given.is_empty()).then(|| prepared::instance(&mut names))
 }
 
 /// Why a chart that could be a sequential function chart is not drawn.

@@ -1,29 +1,35 @@
 //! Conditions and values as formulas over the variables of a sequential function chart.
 //!
-//! What needs memory of its own from scan to scan has no place in such a chart: edges, delays of anything but a step.
+//! What needs memory of its own from scan to scan has no place in such a chart: edges, delays of anything but a step. Those
+//! that inputs alone decide are found before it is called (`prepare`).
 
+use super::prepare::Prepared;
 use super::{Reasons, SequenceStep, is_small};
 use crate::formula::{Arithmetic, Comparison, FormulaId, Pool, Type, Value};
-use crate::scan::VarId;
+use crate::scan::{Role, VarId, Variable};
 use grafc_diagnostics::Span;
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, Mode, StepId, VariableId};
-use grafc_model::reaction::{Evolution, Profile};
+use grafc_model::reaction::Profile;
 use grafc_net::Net;
 use index_vec::IndexVec;
 use indexmap::IndexMap;
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 
 pub(super) struct Expressions<'n> {
-    net: &'n Net,
+    pub net: &'n Net,
     steps: IndexVec<StepId, (VarId, VarId)>,
-    profile: Profile,
+    pub profile: Profile,
     pub pool: Pool,
-    /// The markers of steps, in the order in which they were needed: so they follow the other variables.
+    /// The markers of steps.
     pub markers: IndexMap<StepId, VarId, FxBuildHasher>,
-    variables: usize,
+    /// What is found before the chart is called.
+    pub prepared: Prepared,
+    /// How many variables the chart and its steps have, and those that follow.
+    pub variables: usize,
+    pub more: Vec<Variable>,
     /// What is known of the expressions for one owner.
-    known: FxHashMap<ExprId, FormulaId>,
-    owner: Option<StepId>,
+    pub known: FxHashMap<ExprId, FormulaId>,
+    pub owner: Option<StepId>,
 }
 
 impl<'n> Expressions<'n> {
@@ -31,7 +37,8 @@ impl<'n> Expressions<'n> {
         let variables = net.variables.len() + 2 * steps.len();
         let steps = steps.iter().map(|step| (step.active, step.duration)).collect();
         let (pool, markers, known) = (Pool::default(), IndexMap::default(), FxHashMap::default());
-        Expressions { net, steps, profile, pool, markers, variables, known, owner: None }
+        let (prepared, more) = (Prepared::default(), Vec::new());
+        Expressions { net, steps, profile, pool, markers, prepared, variables, more, known, owner: None }
     }
 
     /// The variable that was declared in the chart.
@@ -41,11 +48,19 @@ impl<'n> Expressions<'n> {
 
     /// The activity of a step, as its owner or another reads it.
     pub fn active(&mut self, step: StepId, owner: Option<StepId>) -> FormulaId {
-        let variable = if owner == Some(step) {
-            self.steps[step].0
-        } else {
-            let next = VarId::from_usize(self.variables + self.markers.len());
-            *self.markers.entry(step).or_insert(next)
+        let variable = match self.markers.get(&step) {
+            _ if owner == Some(step) => self.steps[step].0,
+            Some(marker) => *marker,
+            None => {
+                let place = &self.net.places[step];
+                let marker = self.fresh(Role::Memory, format!("at_{}", place.label));
+                let variable = &mut self.more[marker.index() - self.variables];
+                // Conditions of the first scan read it before the step has set it.
+                variable.initial = Value::Bool(place.initial);
+                variable.comment = Some(format!("step {} is active", place.label));
+                self.markers.insert(step, marker);
+                marker
+            }
         };
         self.pool.variable(variable, Type::Bool)
     }
@@ -113,8 +128,10 @@ impl<'n> Expressions<'n> {
             ExprKind::And(a, b) => self.pool.and([self.known[&a], self.known[&b]]),
             ExprKind::Or(a, b) => self.pool.or([self.known[&a], self.known[&b]]),
             ExprKind::Xor(a, b) => self.pool.xor(self.known[&a], self.known[&b]),
+            ExprKind::Rise(e) if self.is_known_before(e) => self.edge(e, true, reasons),
+            ExprKind::Fall(e) if self.is_known_before(e) => self.edge(e, false, reasons),
             ExprKind::Rise(_) | ExprKind::Fall(_) => {
-                reasons.add(expr.span, "an edge, which needs memory of its own");
+                reasons.add(expr.span, "an edge of what is not known before the chart is called");
                 self.pool.truth(false)
             }
             ExprKind::Delay { on, operand, off } => self.delay(id, on, operand, off, reasons),
@@ -146,7 +163,7 @@ impl<'n> Expressions<'n> {
         self.pool.or(active)
     }
 
-    /// To stability, a delay of a step begins with the step; in the profile of one evolution a scan, a scan later.
+    /// To stability, a delay of a step begins with the step, and so does the step's time.
     fn delay(
         &mut self,
         id: ExprId,
@@ -156,22 +173,15 @@ impl<'n> Expressions<'n> {
         reasons: &mut Reasons,
     ) -> FormulaId {
         let span = self.net.exprs[id].span;
+        if self.is_known_before(operand) {
+            return self.delay_before(operand, on, off, reasons);
+        }
         let ExprKind::StepActive(step) = self.net.exprs[operand].kind else {
-            reasons.add(span, "a delay of something other than a step, which needs a timer");
+            reasons.add(span, "a delay of what is not known before the chart is called, which needs a timer");
             return self.pool.truth(false);
         };
         if off.ms > 0 {
             reasons.add(span, "an off-delay, which needs a timer");
-        }
-        match self.profile.evolution {
-            Evolution::Stable => {}
-            Evolution::Scan => {
-                let label = &self.net.places[step].label;
-                reasons.add(
-                    span,
-                    format!("a delay, which begins a scan after the step; `[T{label} >= …]` begins with it"),
-                );
-            }
         }
         let limit = match on.constant {
             Some(constant) => self.pool.variable(self.declared(constant), Type::Time),

@@ -2,7 +2,8 @@
 //!
 //! Such a chart evolves once a scan, clears one transition after a step, and acts through its steps. A GRAFCET chart that
 //! needs more than that is refused with all its reasons (E0503): `fit` looks at the structure, `expressions` at what
-//! conditions and values are made of, `actions` at what the steps do.
+//! conditions and values are made of, `actions` at what the steps do. `prepare` finds edges and delays before the chart is
+//! called.
 //!
 //! Requires a flat net. Ensures that the sequential function chart, with actions done after the transitions of the same
 //! scan, gives the outputs of rules R1 to R14.
@@ -10,6 +11,7 @@
 mod actions;
 mod expressions;
 mod fit;
+mod prepare;
 
 use crate::formula::{FormulaId, Pool};
 use crate::scan::{Program, Role, VarId, Variable};
@@ -23,8 +25,15 @@ use index_vec::IndexVec;
 /// A sequential function chart.
 #[derive(Clone, Debug)]
 pub struct Sequence {
-    /// The variables and formulas, without statements. A step's activity and duration are among the variables.
+    /// The variables and formulas. A step's activity and duration are among the variables. Statements are only those that
+    /// are done before the chart, in each call: they find what it is given.
     pub program: Program,
+    /// What the statements find for the chart; if there is nothing, there are no statements.
+    pub given: Vec<VarId>,
+    /// What the statements keep from call to call.
+    pub memory: Vec<VarId>,
+    /// The markers of steps that the statements read.
+    pub shown: Vec<VarId>,
     /// The steps.
     pub steps: IndexVec<StepId, SequenceStep>,
     /// The transitions, in order of declaration.
@@ -102,35 +111,29 @@ pub fn sequence(net: &Net, profile: Profile) -> Result<Sequence, Diagnostics> {
     let transitions = transitions.collect();
     let (wires, mut steps) = actions::collect(net, steps.clone(), &mut expressions, &mut reasons);
     reasons.refuse()?;
-    for (step, marker) in expressions.markers {
-        variables.push(Variable {
-            role: Role::Memory,
-            name: format!("at_{}", net.places[step].label),
-            ty: Type::Bool,
-            // Conditions of the first scan read it before the step has set it.
-            initial: Value::Bool(net.places[step].initial),
-            comment: Some(format!("step {} is active", net.places[step].label)),
-            address: None,
-            span: None,
-        });
-        steps[step].marker = Some(marker);
+    for (step, marker) in &expressions.markers {
+        steps[*step].marker = Some(*marker);
     }
+    let first = expressions.first_call();
+    variables.extend(expressions.more);
+    let prepared = expressions.prepared;
 
     let program = Program {
         name: net.name.clone(),
         comment: net.comment.clone(),
         variables,
-        timers: IndexVec::new(),
+        timers: prepared.timers,
         pool: expressions.pool,
         steps: IndexVec::new(),
         states: Vec::new(),
-        first: Vec::new(),
-        before: Vec::new(),
+        first,
+        before: [prepared.before, prepared.last].concat(),
         micro_step: Vec::new(),
         repeat: None,
         after: Vec::new(),
     };
-    Ok(Sequence { program, steps, transitions, wires })
+    let (given, memory, shown) = (prepared.given, prepared.memory, prepared.shown);
+    Ok(Sequence { program, given, memory, shown, steps, transitions, wires })
 }
 
 /// The step of which a condition or action is one of its own, if there is just one.

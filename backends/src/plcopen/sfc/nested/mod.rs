@@ -7,10 +7,10 @@
 mod tree;
 mod write;
 
+use super::prepared::Units;
 use super::refusal;
 use super::texts::{Action, Content, Texts};
-use crate::iec::parts::Parts;
-use crate::plcopen::{Options, project};
+use crate::plcopen::Options;
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::sequence::Sequence;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -32,13 +32,13 @@ struct Does {
 pub(super) fn emit(
     sequence: &Sequence,
     texts: &Texts,
-    parts: &Parts,
+    units: &Units,
     options: &Options,
 ) -> Result<String, Diagnostics> {
     let elements = tree::Tree::new(sequence)
         .build()
         .map_err(|(step, why)| refusal(sequence, step, &format!("{why}; CODESYS draws only what is nested")))?;
-    let taken = parts.interface.iter().flat_map(|block| block.entries()).map(|entry| entry.name.as_str());
+    let taken = units.interface().iter().flat_map(|block| block.entries()).map(|entry| entry.name.as_str());
     let mut fresh = Fresh::new(taken.chain(texts.steps.iter().map(String::as_str)));
     let mut actions: Vec<NamedAction> = Vec::new();
     let mut known: FxHashMap<&str, String> = FxHashMap::default();
@@ -77,7 +77,7 @@ pub(super) fn emit(
         }
         does.push(step);
     }
-    Ok(project::write(parts, options, &actions, |xml, _| write::write(xml, &elements, texts, &does)))
+    Ok(units.write(options, &actions, |xml, _| write::write(xml, &elements, texts, &does)))
 }
 
 /// Names that nothing else has.

@@ -1,0 +1,136 @@
+//! The units of a project with a sequential function chart.
+//!
+//! ```text
+//! Gate_chart   the chart, drawn; what is found before it is called is an input
+//! Gate         rise_open := open AND NOT old_open;
+//!              old_open := open;
+//!              drawn(open := open, closed := closed, rise_open := rise_open);
+//!              up := drawn.up;
+//! ```
+//!
+//! If there is nothing to find, the chart is the function block itself.
+
+use super::texts::Texts;
+use crate::iec::declarations::{Block, Entry, EntryType, Kind, interface};
+use crate::iec::frame;
+use crate::iec::names::Names;
+use crate::iec::parts::{Language, Parts};
+use crate::keywords::Family;
+use crate::plcopen::dialect::Dialect;
+use crate::plcopen::{Options, project};
+use crate::st;
+use crate::xml::Xml;
+use grafc_logic::formula::Type;
+use grafc_logic::scan::VarId;
+use grafc_logic::sequence::Sequence;
+use rustc_hash::FxHashSet;
+
+/// The units around the drawing.
+pub(super) struct Units {
+    /// The function block of the chart and the program.
+    parts: Parts,
+    /// The function block that is drawn, if it is another: its name and its variables.
+    drawn: Option<(String, Vec<Block>)>,
+}
+
+/// The name of the instance that is drawn.
+pub(super) fn instance(names: &mut Names) -> String {
+    names.namer.name("drawn")
+}
+
+/// Takes the declarations of some names out.
+fn show(blocks: &mut [Block], names: &[String]) -> Vec<Entry> {
+    let mut taken = Vec::new();
+    for (_, entries) in blocks.iter_mut().flat_map(|block| &mut block.sections) {
+        let (out, kept) = std::mem::take(entries).into_iter().partition(|entry| names.contains(&entry.name));
+        *entries = kept;
+        taken.extend::<Vec<Entry>>(out);
+    }
+    taken
+}
+
+impl Units {
+    /// The units of a chart. A step brings its activity and its duration along.
+    pub fn new(sequence: &Sequence, texts: &Texts) -> Self {
+        let program = &sequence.program;
+        let mut names = Names::new(program, Family::Iec);
+        let call = st::call(program, &names);
+        if sequence.given.is_empty() {
+            let mut parts = Parts::new(program, names, Language::St, Vec::new(), String::new(), call);
+            parts.interface.iter_mut().for_each(|block| block.retain(|name| !texts.is_of_a_step(name)));
+            return Units { parts, drawn: None };
+        }
+        let instance = instance(&mut names);
+        let block = names.namer.name(&format!("{}_chart", names.block));
+        let all = |ids: &[VarId]| -> Vec<String> { ids.iter().map(|id| names.variables[*id].clone()).collect() };
+        let [given, memory, shown] = [&sequence.given, &sequence.memory, &sequence.shown].map(|ids| all(ids));
+        let timers: FxHashSet<&str> = names.timers.iter().map(String::as_str).collect();
+        let is_found = |name: &str| timers.contains(name) || given.iter().chain(&memory).any(|found| found == name);
+
+        let mut inner = interface(program, &names, Vec::new());
+        for block in &mut inner {
+            block.retain(|name| !texts.is_of_a_step(name) && !is_found(name));
+            if block.kind == Kind::Input {
+                let entries = given.iter().map(|name| Entry::plain(name.clone(), Type::Bool)).collect();
+                block.sections.push(("", entries));
+            }
+        }
+        let markers = show(&mut inner, &shown);
+        if let Some(output) = inner.iter_mut().find(|block| block.kind == Kind::Output) {
+            output.sections.push(("", markers));
+        }
+        let (mut inputs, published) = frame::wired(program, &names);
+        inputs.extend(given.iter().map(String::as_str));
+        let mut spelt = names.clone();
+        for id in &sequence.shown {
+            spelt.variables[*id] = format!("{instance}.{}", names.variables[*id]);
+        }
+        let mut body = st::before(program, &spelt);
+        body.blank();
+        st::call::write(&mut body, &instance, &inputs, &published);
+        let body = body.finish();
+
+        let mut outer = interface(program, &names, Vec::new());
+        let drawn = Entry {
+            name: instance.clone(),
+            address: None,
+            ty: EntryType::Block(block.clone()),
+            initial: None,
+            comment: Some("the chart".to_owned()),
+        };
+        for block in &mut outer {
+            if block.kind == Kind::Local {
+                block.retain(is_found);
+            }
+        }
+        if let Some(local) = outer.iter_mut().find(|block| block.kind == Kind::Local) {
+            local.sections.push(("", vec![drawn]));
+        }
+        let mut parts = Parts::new(program, names, Language::St, Vec::new(), body, call);
+        parts.interface = outer;
+        Units { parts, drawn: Some((block, inner)) }
+    }
+
+    /// The variables of the unit that is drawn.
+    pub fn interface(&self) -> &[Block] {
+        self.drawn.as_ref().map_or(&self.parts.interface, |(_, interface)| interface)
+    }
+
+    /// Writes the project; the unit that is drawn has the actions.
+    pub fn write(
+        &self,
+        options: &Options,
+        actions: &[(String, String)],
+        drawing: impl FnOnce(&mut Xml, Dialect),
+    ) -> String {
+        let Some((name, interface)) = &self.drawn else {
+            return project::write(&self.parts, options, actions, drawing);
+        };
+        let needed = |xml: &mut Xml| {
+            xml.open("pou", &[("name", name), ("pouType", "functionBlock")]);
+            project::unit(xml, interface, actions, Some("the chart, drawn"), options.dialect, drawing);
+        };
+        let body = |xml: &mut Xml, dialect: Dialect| dialect.body(xml, "ST", &self.parts.body);
+        project::write_with(&self.parts, options, needed, &[], body)
+    }
+}

@@ -1,0 +1,206 @@
+//! What is found before a sequential function chart is called.
+//!
+//! A sequential function chart has no memory for edges and no timers beside its conditions. But what is known when it is
+//! called can be found then: so statements that are done before the chart find it, and the chart is given it as further
+//! inputs. Edge operands are compared with what they were in the call before (X4), delays are brought up to date in each
+//! call (X5).
+//!
+//! Where a call is one micro-step, that is the context of this micro-step (R14): inputs, the situation as markers of the
+//! steps show it, and what was stored. To stability, edges and delays of steps have been seen by the end of the call
+//! before; there it is what inputs alone decide.
+
+use super::Reasons;
+use super::expressions::Expressions;
+use crate::formula::{Formula, FormulaId, Type, Value};
+use crate::scan::{Preset, Role, Statement, Timer, TimerId, VarId, Variable};
+use grafc_model::chart::{DelayTime, ExprId, ExprKind, Mode, VariableKind};
+use grafc_model::reaction::Evolution;
+use index_vec::IndexVec;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// The statements so far.
+#[derive(Default)]
+pub(super) struct Prepared {
+    /// What the chart is given, in order.
+    pub given: Vec<VarId>,
+    /// What keeps its value from call to call.
+    pub memory: Vec<VarId>,
+    /// The markers of steps that are read.
+    pub shown: Vec<VarId>,
+    pub timers: IndexVec<TimerId, Timer>,
+    /// In the first call, before all others.
+    pub first: Vec<Statement>,
+    /// In each call.
+    pub before: Vec<Statement>,
+    /// In each call, behind those: edge operands are kept as they are before the chart goes on.
+    pub last: Vec<Statement>,
+    old: FxHashMap<FormulaId, VarId>,
+    edges: FxHashMap<(FormulaId, bool), VarId>,
+    delays: FxHashMap<(FormulaId, i64, i64), VarId>,
+}
+
+impl Expressions<'_> {
+    /// Whether a value is known when the chart is called.
+    pub fn is_known_before(&self, root: ExprId) -> bool {
+        let once = match self.profile.evolution {
+            Evolution::Stable => false,
+            Evolution::Scan => true,
+        };
+        let (mut open, mut seen) = (vec![root], FxHashSet::default());
+        while let Some(id) = open.pop() {
+            let kind = &self.net.exprs[id].kind;
+            let known = match kind {
+                ExprKind::Variable(variable) => {
+                    let variable = &self.net.variables[*variable];
+                    match variable.kind {
+                        VariableKind::Input | VariableKind::Constant => true,
+                        VariableKind::Output => once && variable.mode == Mode::Stored,
+                        VariableKind::Internal => false,
+                    }
+                }
+                ExprKind::StepActive(_) | ExprKind::MacroActive(_) | ExprKind::GrafcetActive(_) => once,
+                ExprKind::StepTime(_) | ExprKind::Rise(_) | ExprKind::Fall(_) | ExprKind::Delay { .. } => false,
+                ExprKind::Literal(_)
+                | ExprKind::Not(_)
+                | ExprKind::And(..)
+                | ExprKind::Or(..)
+                | ExprKind::Xor(..)
+                | ExprKind::Compare(..)
+                | ExprKind::Arithmetic(..)
+                | ExprKind::Negate(_)
+                | ExprKind::Widen(_) => true,
+            };
+            if !known {
+                return false;
+            }
+            open.extend(kind.operands().filter(|operand| seen.insert(*operand)));
+        }
+        true
+    }
+
+    /// An operand as it is before the chart is called, where no step has a part in it that only itself can name.
+    fn before(&mut self, operand: ExprId, reasons: &mut Reasons) -> FormulaId {
+        let (owner, known) = (self.owner.take(), std::mem::take(&mut self.known));
+        let formula = self.formula(operand, None, reasons);
+        (self.owner, self.known) = (owner, known);
+        let (mut open, mut seen) = (vec![formula], FxHashSet::default());
+        while let Some(id) = open.pop() {
+            if let Formula::Variable(variable) = self.pool.get(id)
+                && self.markers.values().any(|marker| marker == variable)
+                && !self.prepared.shown.contains(variable)
+            {
+                self.prepared.shown.push(*variable);
+            }
+            open.extend(self.pool.operands(id).filter(|operand| seen.insert(*operand)));
+        }
+        formula
+    }
+
+    /// `↑e` or `↓e` of an operand that is known before.
+    pub fn edge(&mut self, operand: ExprId, rises: bool, reasons: &mut Reasons) -> FormulaId {
+        let current = self.before(operand, reasons);
+        if let Some(variable) = self.prepared.edges.get(&(current, rises)) {
+            return self.pool.variable(*variable, Type::Bool);
+        }
+        let word = self.word(operand);
+        let old = match self.prepared.old.get(&current) {
+            Some(old) => *old,
+            None => {
+                let old = self.fresh(Role::Memory, format!("old_{word}"));
+                self.prepared.memory.push(old);
+                self.prepared.old.insert(current, old);
+                // There is no edge at the start.
+                self.prepared.first.push(Statement::Assign { target: old, value: current, remark: None });
+                self.prepared.last.push(Statement::Assign { target: old, value: current, remark: None });
+                old
+            }
+        };
+        let was = self.pool.variable(old, Type::Bool);
+        let value = if rises {
+            let was_not = self.pool.not(was);
+            self.pool.and([current, was_not])
+        } else {
+            let is_not = self.pool.not(current);
+            self.pool.and([is_not, was])
+        };
+        let found = self.give(format!("{}_{word}", if rises { "rise" } else { "fall" }), value);
+        self.prepared.edges.insert((current, rises), found);
+        self.pool.variable(found, Type::Bool)
+    }
+
+    /// `on/e/off` of an operand that is known before. An off-delay is a TON of the negation and a bit, as everywhere.
+    pub fn delay_before(&mut self, operand: ExprId, on: DelayTime, off: DelayTime, reasons: &mut Reasons) -> FormulaId {
+        let current = self.before(operand, reasons);
+        if let Some(variable) = self.prepared.delays.get(&(current, on.ms, off.ms)) {
+            return self.pool.variable(*variable, Type::Bool);
+        }
+        let word = self.word(operand);
+        let mut value = current;
+        if on.ms > 0 {
+            value = self.timer(format!("on_{word}"), on, value);
+        }
+        if off.ms > 0 {
+            let held = self.fresh(Role::Memory, format!("held_{word}"));
+            self.prepared.memory.push(held);
+            let low = self.pool.not(value);
+            let over = self.timer(format!("off_{word}"), off, low);
+            let (still, not_over) = (self.pool.variable(held, Type::Bool), self.pool.not(over));
+            let keeps = self.pool.and([still, not_over]);
+            value = self.pool.or([value, keeps]);
+            self.prepared.before.push(Statement::Assign { target: held, value, remark: None });
+            value = still;
+        }
+        let found = self.give(format!("delayed_{word}"), value);
+        self.prepared.delays.insert((current, on.ms, off.ms), found);
+        self.pool.variable(found, Type::Bool)
+    }
+
+    /// Brings a new timer up to date; whether it has run out.
+    fn timer(&mut self, name: String, time: DelayTime, input: FormulaId) -> FormulaId {
+        let constant = time.constant.map(|constant| self.declared(constant));
+        let timer = Timer { name, preset: Some(Preset { ms: time.ms, constant }), comment: None };
+        let timer = self.prepared.timers.push(timer);
+        self.prepared.before.push(Statement::CallTimer { timer, input });
+        self.pool.timer_done(timer)
+    }
+
+    /// Finds a value, and gives it to the chart.
+    fn give(&mut self, name: String, value: FormulaId) -> VarId {
+        let target = self.fresh(Role::Temporary, name);
+        self.prepared.given.push(target);
+        self.prepared.before.push(Statement::Assign { target, value, remark: None });
+        target
+    }
+
+    /// A new variable behind those of the chart.
+    pub fn fresh(&mut self, role: Role, name: String) -> VarId {
+        let (ty, initial) = (Type::Bool, Value::Bool(false));
+        self.more.push(Variable { role, name, ty, initial, comment: None, address: None, span: None });
+        VarId::from_usize(self.variables + self.more.len() - 1)
+    }
+
+    /// A word for what an operand is: its name if it has one, else a number.
+    fn word(&self, operand: ExprId) -> String {
+        if let ExprKind::Variable(variable) = self.net.exprs[operand].kind {
+            return self.net.variables[variable].name.clone();
+        }
+        if let ExprKind::StepActive(step) = self.net.exprs[operand].kind {
+            return format!("X{}", self.net.places[step].label);
+        }
+        (self.more.len() + 1).to_string()
+    }
+
+    /// The mark of the first call, if something waits for it.
+    pub fn first_call(&mut self) -> Vec<Statement> {
+        if self.prepared.first.is_empty() {
+            return Vec::new();
+        }
+        let started = self.fresh(Role::Memory, "started".to_string());
+        self.prepared.memory.push(started);
+        let (yes, is_started) = (self.pool.truth(true), self.pool.variable(started, Type::Bool));
+        let at_first = self.pool.not(is_started);
+        let mut body = vec![Statement::Assign { target: started, value: yes, remark: None }];
+        body.append(&mut self.prepared.first);
+        vec![Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() }]
+    }
+}
