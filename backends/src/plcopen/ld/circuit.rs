@@ -19,6 +19,7 @@
 use super::rung::{Block, Coil, Contact, End, Item, Rung, Sink, Storage};
 use crate::comment::clean;
 use crate::iec::declarations::Entry;
+use crate::iec::literals;
 use crate::iec::names::Names;
 use crate::st::Texts;
 use grafc_logic::formula::{Comparison, Formula, FormulaId, TimerId, Type, Value};
@@ -210,10 +211,16 @@ impl Ladder<'_> {
         }
     }
 
+    /// A formula at a pin. Beremiz takes what stands before a `#` for a type, so the sign of a constant is behind it.
+    pub fn text(&self, id: FormulaId) -> String {
+        let pool = &self.program.pool;
+        pool.as_constant(id).map_or_else(|| self.texts.of(id), |value| literals::operand(value, pool.ty(id)))
+    }
+
     /// Writes a formula to a new variable.
     fn part(&mut self, id: FormulaId) -> String {
         if let Formula::Compare(op, a, b) = self.program.pool.get(id) {
-            return self.comparison(*op, [self.texts.of(*a), self.texts.of(*b)]).name;
+            return self.comparison(*op, [self.text(*a), self.text(*b)]).name;
         }
         let note = Some(self.texts.of(id));
         if self.program.pool.as_truth(id) == Some(false) {

@@ -13,7 +13,7 @@
 use super::circuit::{Factor, Ladder};
 use super::rung::{Block, Coil, Contact, End, Item, Sink, Storage};
 use crate::comment::clean;
-use crate::iec::literals::{literal, time, zero};
+use crate::iec::literals::{literal, operand, time, zero};
 use crate::iec::names::remark;
 use crate::limits::is_empty;
 use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
@@ -201,7 +201,7 @@ impl Ladder<'_> {
     fn calculate(&mut self, target: VarId, value: FormulaId, behind: Vec<Contact>) {
         let pool = &self.program.pool;
         let ty = pool.ty(value);
-        let text = |id: &FormulaId| self.texts.of(*id);
+        let text = |id: &FormulaId| self.text(*id);
         let (kind, operands) = match pool.get(value) {
             // `TIME * n` is taken everywhere, `n * TIME` is not.
             Formula::Arithmetic(Arithmetic::Multiply, a, b) if pool.ty(*b) == Type::Time => ("MUL", [text(b), text(a)]),
@@ -216,7 +216,9 @@ impl Ladder<'_> {
                 (kind, [text(a), text(b)])
             }
             // Negates a zero, too.
-            Formula::Negate(a) if matches!(ty, Type::Real | Type::Lreal) => ("MUL", [text(a), "-1.0".to_owned()]),
+            Formula::Negate(a) if matches!(ty, Type::Real | Type::Lreal) => {
+                ("MUL", [text(a), operand(Value::Real(-1.0), ty)])
+            }
             Formula::Negate(a) => ("SUB", [zero(ty), text(a)]),
             Formula::Constant(_)
             | Formula::Variable(_)
@@ -257,7 +259,7 @@ impl Ladder<'_> {
         let (ty, result) = (pool.ty(b), self.program.variables[target].ty);
         let behind =
             |more: &[&Contact]| -> Vec<Contact> { guard.into_iter().chain(more.iter().copied()).cloned().collect() };
-        let [dividend, divisor] = [a, b].map(|id| self.texts.of(id));
+        let [dividend, divisor] = [a, b].map(|id| self.text(id));
         if pool.as_constant(b).is_some() {
             // Other constants divide without a guard, inside a formula.
             self.move_to(target, zero(result), behind(&[]));

@@ -363,7 +363,7 @@ fn operators_are_functions() {
         "-> MUL(EN, IN1 = t, IN2 = n) OUT -> y",
     );
     check(Type::Int, |b, i| b.pool().negate(i[1]), "-> SUB(EN, IN1 = 0, IN2 = n) OUT -> y");
-    check(Type::Real, |b, i| b.pool().negate(i[2]), "-> MUL(EN, IN1 = x, IN2 = -1.0) OUT -> y");
+    check(Type::Real, |b, i| b.pool().negate(i[2]), "-> MUL(EN, IN1 = x, IN2 = REAL#-1.0) OUT -> y");
     check(Type::Dint, |b, i| b.pool().widen(Type::Dint, i[1]), "-> MOVE(EN, IN = INT_TO_DINT(n)) OUT -> y");
 }
 
