@@ -3,7 +3,7 @@
 use super::Plant;
 use crate::{ironplc, matiec, strucpp};
 use grafc::pipeline::{self, Product};
-use grafc_backends::{iec61131_10, il, plcopen, rust, scl, st, tcpou};
+use grafc_backends::{awl, iec61131_10, il, plcopen, rust, scl, st, tcpou};
 use grafc_diagnostics::{Code, FileId};
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::Profile;
@@ -65,17 +65,20 @@ pub fn targets(plant: &Plant, tools: &Tools) -> Result<Written, String> {
     Ok(written)
 }
 
-fn products() -> [Product; 9] {
+fn products() -> [Product; 12] {
     let plcopen = |dialect, body| Product::Plcopen(plcopen::Options { dialect, body, ..plcopen::Options::default() });
     [
         Product::St(st::Options::default()),
         Product::Il(il::Options::default()),
         plcopen(plcopen::Dialect::Neutral, plcopen::Body::St),
         plcopen(plcopen::Dialect::Codesys, plcopen::Body::St),
+        plcopen(plcopen::Dialect::Neutral, plcopen::Body::Il),
+        plcopen(plcopen::Dialect::Neutral, plcopen::Body::Ld),
         plcopen(plcopen::Dialect::Neutral, plcopen::Body::Sfc),
         Product::Scl(scl::Options::default()),
         Product::Tcpou(tcpou::Options::default()),
         Product::Iec61131_10(iec61131_10::Options::default()),
+        Product::Awl(awl::Options::default()),
         Product::Rust(rust::Options::default()),
     ]
 }
