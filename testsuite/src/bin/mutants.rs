@@ -6,15 +6,15 @@
 //!
 //! Builds a copy of the workspace in `target/mutants` that has all faults of `testsuite/src/mutants`, runs the tests of
 //! it without any, and then once for each fault, as far as the first test program that fails. Faults of Structured Text
-//! are tried only if MATIEC is there. The exit code is 1 if a fault was not noticed.
+//! and of the statement list are tried only if MATIEC and awlsim are there. The exit code is 1 if a fault was not noticed.
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command")]
 
 use clap::Parser;
-use grafc_testsuite::matiec::Tools;
 use grafc_testsuite::mutants::run::{passes, patience, suites};
 use grafc_testsuite::mutants::workspace::{Suite, TestProgram, build, copy};
 use grafc_testsuite::mutants::{Fault, all};
+use grafc_testsuite::{awlsim, matiec};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -51,10 +51,13 @@ fn tried(options: &Options) -> Result<usize, String> {
         }
         return Ok(0);
     }
-    if let Err(missing) = Tools::find() {
+    let tools = [("backends/src/st/", matiec::Tools::find().err()), ("backends/src/awl/", awlsim::Tools::find().err())];
+    for (folder, missing) in tools {
         let before = faults.len();
-        faults.retain(|fault| !fault.file.starts_with("backends/src/st/"));
-        println!("{} faults of Structured Text are skipped: {missing}", before - faults.len());
+        faults.retain(|fault| missing.is_none() || !fault.file.starts_with(folder));
+        if let Some(missing) = missing.filter(|_| faults.len() < before) {
+            println!("{} faults of {folder} are skipped: {missing}", before - faults.len());
+        }
     }
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let workshop = root.join("target/mutants");

@@ -33,13 +33,20 @@ const COMPILER: &[Suite] = &[
     suite("grafc-testsuite", "testsuite", Some("random")),
     suite("grafc-testsuite", "testsuite", Some("micro_steps")),
 ];
-const STRUCTURED_TEXT: &[Suite] = &[suite("grafc-testsuite", "testsuite", Some("matiec"))];
+
+/// The unit tests judge the statements that no chart leads to.
+const STRUCTURED_TEXT: &[Suite] =
+    &[suite("grafc-testsuite", "testsuite", Some("matiec")), suite("grafc-backends", "backends", None)];
+const STATEMENT_LIST: &[Suite] =
+    &[suite("grafc-testsuite", "testsuite", Some("awl")), suite("grafc-backends", "backends", None)];
 const RUST: &[Suite] = &[suite("grafc-testsuite", "testsuite", Some("rust"))];
 
 /// What has to catch a fault.
 pub fn suites(fault: &Fault) -> &'static [Suite] {
     if fault.file.starts_with("backends/src/st/") {
         STRUCTURED_TEXT
+    } else if fault.file.starts_with("backends/src/awl/") {
+        STATEMENT_LIST
     } else if fault.file.starts_with("backends/") {
         RUST
     } else {
