@@ -121,10 +121,11 @@ impl<'p> Parts<'p> {
         if self.micro_step == Some(function) { "micro_step".to_owned() } else { format!("part_{function}") }
     }
 
-    /// Whether a function only finds the one that has the arms of the active step. Where it is called costs nothing then.
+    /// Whether a function only calls those that have the arms of the active steps. To put it where it is called saves a
+    /// call then.
     pub fn only_finds(&self, function: usize) -> bool {
         let code = &self.functions[function].code;
-        let mut finds = code.iter().filter(|code| matches!(code, Code::Groups(..)));
+        let mut finds = code.iter().filter(|code| matches!(code, Code::Groups(..) | Code::Call(_)));
         finds.next().is_some()
             && code.iter().all(|code| match code {
                 Code::Groups(..) | Code::Call(_) | Code::Again(_) => true,
@@ -239,7 +240,8 @@ impl<'p> Splitter<'p, '_> {
     }
 
     fn case(&mut self, of: VarId, arms: &'p [Arm]) -> Code<'p> {
-        let state = self.places.state(of).filter(|_| arms.len() > self.group);
+        // The call of a function takes longer than the whole rest of an idle scan: only where there are to be several.
+        let state = self.places.state(of).filter(|_| arms.len() > 2 * self.group);
         let Some(state) = state else {
             let arms = arms.iter().map(|arm| (arm, self.block(&arm.body))).collect();
             return Code::Arms(of, arms);
