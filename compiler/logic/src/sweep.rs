@@ -25,10 +25,9 @@ pub(crate) fn sweep(program: &mut Program) {
     let Program { first, before, micro_step, after, pool, repeat, .. } = program;
     needed.go_back(pool, after, true);
     if let Some(repeat) = repeat {
-        // What is needed at the end of the loop: what follows, and what the next micro-step reads.
-        let follows = needed.is.clone();
+        // What is needed at the end of the loop: what follows, which is what `is` says now, and what the next micro-step
+        // reads.
         loop {
-            needed.is.iter_mut_enumerated().filter(|(v, _)| follows[*v]).for_each(|(_, needed)| *needed = true);
             needed.is[repeat.again] = true;
             let at_end = needed.is.clone();
             needed.go_back(pool, micro_step, false);

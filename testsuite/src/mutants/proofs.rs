@@ -51,8 +51,8 @@ pub(super) const FAULTS: &[Fault] = &[
     Fault {
         name: "sweep-forgets-the-next-micro-step",
         file: SWEEP,
-        breaks: "statements that only the outputs after the loop need are removed from it",
-        text: "needed.is.iter_mut_enumerated().filter(|(v, _)| follows[*v]).for_each(|(_, needed)| *needed = true);",
+        breaks: "statements that only the next micro-step needs are removed from the loop",
+        text: "needed.is.iter_mut_enumerated().filter(|(v, _)| at_start[*v]).for_each(|(_, needed)| *needed = true);",
         instead: "",
     },
     Fault {
