@@ -56,15 +56,17 @@ pub(crate) fn run<U>(
     results
 }
 
-/// Runs those that are jobs; the others have their outcome already.
-pub(crate) fn run_some(
+/// Runs those that are jobs with tools, or says of each what is missing; the others have their outcome already.
+pub(crate) fn run_some<T>(
+    tools: &Result<T, String>,
     jobs: Vec<Result<Job, Outcome>>,
-    run: impl FnOnce(&[Job]) -> Vec<Result<Vec<Response>, String>>,
+    run: impl FnOnce(&T, &[Job]) -> Vec<Result<Vec<Response>, String>>,
 ) -> Vec<Outcome> {
     let mut ready = Vec::new();
     let places: Vec<Option<Outcome>> = jobs.into_iter().map(|job| job.map(|job| ready.push(job)).err()).collect();
     // A panic of a backend is a finding of all jobs of the run: which it was, a run of each alone shows.
-    let results = caught(|| Ok(run(&ready))).unwrap_or_else(|fault| ready.iter().map(|_| Err(fault.clone())).collect());
+    let results = caught(|| Ok(run(tools.as_ref().map_err(String::clone)?, &ready)));
+    let results = results.unwrap_or_else(|fault| ready.iter().map(|_| Err(fault.clone())).collect());
     let mut results = results.into_iter();
     let mut next = || results.next().unwrap_or_else(|| Err("was not run".to_string())).into();
     places.into_iter().map(|outcome| outcome.unwrap_or_else(&mut next)).collect()

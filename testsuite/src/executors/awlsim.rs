@@ -46,9 +46,6 @@ impl Executor for Awlsim {
                 None => Ok(job),
             }
         });
-        run_some(jobs.collect(), |jobs| match &self.tools {
-            Ok(tools) => run(tools, jobs),
-            Err(missing) => jobs.iter().map(|_| Err(missing.clone())).collect(),
-        })
+        run_some(&self.tools, jobs.collect(), run)
     }
 }

@@ -39,9 +39,6 @@ impl Executor for Ironplc {
 
     fn run(&self, tasks: &[Task]) -> Vec<Outcome> {
         let jobs = tasks.iter().map(|task| job(task).map_err(Outcome::Failed));
-        run_some(jobs.collect(), |jobs| match &self.tools {
-            Ok(tools) => run(tools, jobs),
-            Err(missing) => jobs.iter().map(|_| Err(missing.clone())).collect(),
-        })
+        run_some(&self.tools, jobs.collect(), run)
     }
 }

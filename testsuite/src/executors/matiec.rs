@@ -51,9 +51,6 @@ impl Executor for Matiec {
             }
             job(task).map_err(Outcome::Failed)
         });
-        run_some(jobs.collect(), |jobs| match &self.tools {
-            Ok(tools) => run(tools, self.language, jobs),
-            Err(missing) => jobs.iter().map(|_| Err(missing.clone())).collect(),
-        })
+        run_some(&self.tools, jobs.collect(), |tools, jobs| run(tools, self.language, jobs))
     }
 }

@@ -81,10 +81,7 @@ impl Executor for Plcopen {
             Body::St | Body::Il | Body::Ld => Source::Programs(self.body),
             Body::Sfc => Source::Sequences(&sequences),
         };
-        run_some(jobs, |jobs| match &self.tools {
-            Ok(tools) => run(tools, &source, jobs),
-            Err(missing) => jobs.iter().map(|_| Err(missing.clone())).collect(),
-        })
+        run_some(&self.tools, jobs, |tools, jobs| run(tools, &source, jobs))
     }
 }
 

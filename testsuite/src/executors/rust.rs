@@ -35,10 +35,7 @@ impl Executor for Rust {
 
     fn run(&self, tasks: &[Task]) -> Vec<Outcome> {
         let jobs = tasks.iter().map(|task| job(task).map_err(Outcome::Failed)).collect();
-        run_some(jobs, |jobs| match &self.tools {
-            Ok(tools) => run(tools, jobs),
-            Err(missing) => jobs.iter().map(|_| Err(missing.clone())).collect(),
-        })
+        run_some(&self.tools, jobs, run)
     }
 }
 

@@ -42,9 +42,6 @@ impl Executor for Strucpp {
             let job = job(task).map_err(Outcome::Failed)?;
             limit(&job).map_or(Ok(job), |reason| Err(Outcome::PassedOver(reason)))
         });
-        run_some(jobs.collect(), |jobs| match &self.tools {
-            Ok(tools) => run(tools, jobs),
-            Err(missing) => jobs.iter().map(|_| Err(missing.clone())).collect(),
-        })
+        run_some(&self.tools, jobs.collect(), run)
     }
 }
