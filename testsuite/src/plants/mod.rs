@@ -14,7 +14,7 @@ use grafc_diagnostics::FileId;
 use grafc_import::Options;
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{Profile, Response, Stimulus};
-pub use targets::{Tools, Written, targets};
+pub use targets::{PRODUCTS, Tools, Written, targets};
 
 /// Turns with which an executor takes each of the exact encodings once, with shortened formulas.
 pub const TURNS: [usize; 3] = [0, 2, 4];

@@ -65,7 +65,10 @@ pub fn targets(plant: &Plant, tools: &Tools) -> Result<Written, String> {
     Ok(written)
 }
 
-fn products() -> [Product; 12] {
+/// So many texts a chart has in one encoding: a target with each dialect and body that it knows.
+pub const PRODUCTS: usize = 12;
+
+fn products() -> [Product; PRODUCTS] {
     let plcopen = |dialect, body| Product::Plcopen(plcopen::Options { dialect, body, ..plcopen::Options::default() });
     [
         Product::St(st::Options::default()),
