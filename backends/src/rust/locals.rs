@@ -113,7 +113,7 @@ impl Finder<'_> {
                         self.code(inside, body);
                     }
                 }
-                Code::Groups(of, _) => self.uses(block, place, *of, false),
+                Code::Table(of, _) => self.uses(block, place, *of, false),
             }
         }
     }

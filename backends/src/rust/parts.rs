@@ -1,16 +1,14 @@
 //! A scan as functions: one for most charts, several for large ones.
 //!
 //! rustc takes a time for a function that grows with the square of its length. So the statements of a large program are
-//! parted: runs of them become functions of their own, and of a large `Case` one for every so many arms, which are reached
-//! by the number of the group and then by the value. What more than one function needs lies in a struct that the scan
-//! passes on.
+//! parted: runs of them become functions of their own, and of a large `Case` each arm, which a table finds by the value: as
+//! quick as a `match`, however many there are. What more than one function needs lies in a struct that the scan passes on.
 
 use super::places::Places;
 use crate::limits;
 use grafc_logic::formula::{Formula, FormulaId};
 use grafc_logic::scan::{Arm, Program, Role, Statement, VarId};
 use rustc_hash::{FxHashMap, FxHashSet};
-use std::collections::BTreeMap;
 
 /// Programs with so many times more statements than one function should have are parted.
 const LARGE: usize = 3;
@@ -30,6 +28,18 @@ pub(super) struct Function<'p> {
     /// What it does.
     pub code: Vec<Code<'p>>,
     /// What it needs, together with the functions that it calls.
+    pub needs: Needs,
+    /// The table that it is in, if it is an arm.
+    pub table: Option<usize>,
+}
+
+/// An arm for each value of a state: a list of functions.
+pub(super) struct Table {
+    /// In the order of the values; none for those that nothing is done at.
+    pub arms: Vec<Option<usize>>,
+    /// The function that stands first in the text.
+    pub first: usize,
+    /// What the arms need together: all functions of a table are called alike.
     pub needs: Needs,
 }
 
@@ -66,21 +76,20 @@ pub(super) enum Code<'p> {
     If(Vec<(FormulaId, Vec<Code<'p>>)>, Vec<Code<'p>>),
     /// Arms of a state.
     Arms(VarId, Vec<(&'p Arm, Vec<Code<'p>>)>),
-    /// By the number of the group that the value of a state is in, a function.
-    Groups(VarId, Vec<(usize, usize)>),
+    /// By the value of a state, the function that a table has for it.
+    Table(VarId, usize),
 }
 
 /// The functions of a scan; the first is the scan itself.
 pub(super) struct Parts<'p> {
     pub functions: Vec<Function<'p>>,
+    pub tables: Vec<Table>,
     /// The function of a micro-step, if there is a loop.
     pub micro_step: Option<usize>,
     /// Temporaries that several functions need, in order.
     pub shared: Vec<VarId>,
     /// Statements of a function, about.
     pub longest: usize,
-    /// Values of a state that one function looks after.
-    pub group: usize,
 }
 
 impl<'p> Parts<'p> {
@@ -89,10 +98,8 @@ impl<'p> Parts<'p> {
         let sections = [&program.first, &program.before, &program.micro_step, &program.after];
         let weights = Weights { sizes: limits::sizes(program) };
         let large = sections.iter().map(|section| weights.all(section)).sum::<usize>() > longest.saturating_mul(LARGE);
-        // A power of two, so that the number of a group is a shift away.
-        let group = 1 << (longest / 2).max(2).ilog2();
-        let mut splitter =
-            Splitter { places, weights, large, longest, group, functions: vec![Function::default()], about: None };
+        let functions = vec![Function::default()];
+        let mut splitter = Splitter { places, weights, large, longest, functions, tables: Vec::new(), about: None };
         let mut code = splitter.block(&program.first);
         code.extend(splitter.block(&program.before));
         let micro_step = program.repeat.map(|repeat| {
@@ -100,7 +107,7 @@ impl<'p> Parts<'p> {
             let function = splitter.reserve();
             let mut code = splitter.block(&program.micro_step);
             code.push(Code::Again(repeat.again));
-            splitter.functions[function] = Function { about: Some(MICRO_STEP), code, needs: Needs::default() };
+            splitter.functions[function] = Function { about: Some(MICRO_STEP), code, ..Function::default() };
             function
         });
         match micro_step {
@@ -109,9 +116,9 @@ impl<'p> Parts<'p> {
         }
         code.extend(splitter.block(&program.after));
         splitter.functions[0].code = code;
-        let functions = splitter.functions;
+        let Splitter { functions, tables, .. } = splitter;
         let uses: Vec<Uses> = functions.iter().map(|function| Uses::of(program, places, &function.code)).collect();
-        let mut parts = Parts { functions, micro_step, shared: shared(program, &uses), longest, group };
+        let mut parts = Parts { functions, tables, micro_step, shared: shared(program, &uses), longest };
         parts.tell_needs(&uses);
         parts
     }
@@ -121,14 +128,13 @@ impl<'p> Parts<'p> {
         if self.micro_step == Some(function) { "micro_step".to_owned() } else { format!("part_{function}") }
     }
 
-    /// Whether a function only calls those that have the arms of the active steps. To put it where it is called saves a
-    /// call then.
+    /// Whether a function only calls the arms of the active steps. To put it where it is called saves a call then.
     pub fn only_finds(&self, function: usize) -> bool {
         let code = &self.functions[function].code;
-        let mut finds = code.iter().filter(|code| matches!(code, Code::Groups(..) | Code::Call(_)));
+        let mut finds = code.iter().filter(|code| matches!(code, Code::Table(..) | Code::Call(_)));
         finds.next().is_some()
             && code.iter().all(|code| match code {
-                Code::Groups(..) | Code::Call(_) | Code::Again(_) => true,
+                Code::Table(..) | Code::Call(_) | Code::Again(_) => true,
                 Code::Plain(Statement::Heading(_) | Statement::Assign { .. }) => true,
                 Code::Plain(_) | Code::Loop(_) | Code::If(..) | Code::Arms(..) => false,
             })
@@ -143,8 +149,21 @@ impl<'p> Parts<'p> {
             for callee in &uses[index].calls {
                 needs.and(self.functions[*callee].needs);
             }
-            self.functions[index].needs = needs;
+            for table in &uses[index].tables {
+                needs.and(self.tables[*table].needs);
+            }
+            let function = &mut self.functions[index];
+            function.needs = needs;
+            if let Some(table) = function.table {
+                self.tables[table].needs.and(needs);
+            }
         }
+    }
+
+    /// What a function is given.
+    pub fn given(&self, function: usize) -> Needs {
+        let function = &self.functions[function];
+        function.table.map_or(function.needs, |table| self.tables[table].needs)
     }
 }
 
@@ -184,8 +203,8 @@ struct Splitter<'p, 'a> {
     weights: Weights,
     large: bool,
     longest: usize,
-    group: usize,
     functions: Vec<Function<'p>>,
+    tables: Vec<Table>,
     /// The last heading.
     about: Option<&'p str>,
 }
@@ -240,24 +259,23 @@ impl<'p> Splitter<'p, '_> {
     }
 
     fn case(&mut self, of: VarId, arms: &'p [Arm]) -> Code<'p> {
-        // The call of a function takes longer than the whole rest of an idle scan: only where there are to be several.
-        let state = self.places.state(of).filter(|_| arms.len() > 2 * self.group);
+        // The call of a function takes longer than the whole rest of an idle scan: only where there are many.
+        let state = self.places.state(of).filter(|_| arms.len() > self.longest);
         let Some(state) = state else {
             let arms = arms.iter().map(|arm| (arm, self.block(&arm.body))).collect();
             return Code::Arms(of, arms);
         };
-        let mut groups: BTreeMap<usize, Vec<&'p Arm>> = BTreeMap::new();
+        let table = self.tables.len();
+        let first = self.functions.len();
+        self.tables.push(Table { arms: vec![None; state.variants.len()], first, needs: Needs::default() });
         for arm in arms {
-            groups.entry(state.place(arm.value) / self.group).or_default().push(arm);
-        }
-        let mut calls = Vec::new();
-        for (number, arms) in groups {
+            self.about = arm.remark.as_deref();
             let function = self.reserve();
-            let arms = arms.into_iter().map(|arm| (arm, self.block(&arm.body))).collect();
-            self.functions[function].code = vec![Code::Arms(of, arms)];
-            calls.push((number, function));
+            self.tables[table].arms[state.place(arm.value)] = Some(function);
+            let code = self.block(&arm.body);
+            self.functions[function] = Function { code, table: Some(table), ..self.functions[function] };
         }
-        Code::Groups(of, calls)
+        Code::Table(of, table)
     }
 
     /// A number for a function, before those that it calls.
@@ -274,6 +292,7 @@ struct Uses<'p> {
     needs: Needs,
     temporaries: FxHashSet<VarId>,
     calls: Vec<usize>,
+    tables: Vec<usize>,
     seen: FxHashSet<FormulaId>,
 }
 
@@ -285,6 +304,7 @@ impl<'p> Uses<'p> {
             needs: Needs::default(),
             temporaries: FxHashSet::default(),
             calls: Vec::new(),
+            tables: Vec::new(),
             seen: FxHashSet::default(),
         };
         uses.all(code);
@@ -313,9 +333,9 @@ impl<'p> Uses<'p> {
                     self.variable(*of);
                     arms.iter().for_each(|(_, body)| self.all(body));
                 }
-                Code::Groups(of, calls) => {
+                Code::Table(of, table) => {
                     self.variable(*of);
-                    self.calls.extend(calls.iter().map(|(_, function)| *function));
+                    self.tables.push(*table);
                 }
             }
         }

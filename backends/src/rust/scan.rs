@@ -5,7 +5,7 @@ use super::interface::fields;
 use super::literals::{literal, type_name, zero};
 use super::locals::{Locals, ROOT};
 use super::names::Names;
-use super::parts::{Code, Needs, Parts};
+use super::parts::{Code, Needs, Parts, Table};
 use super::places::Places;
 use crate::comment::clean;
 use crate::writer::Writer;
@@ -26,6 +26,9 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
             locals: Locals::new(program, &function.code, &parts.shared),
             blocks: Cell::new(ROOT),
         };
+        if let Some(table) = function.table.filter(|table| parts.tables[*table].first == index) {
+            body.table(out, table);
+        }
         out.blank();
         if index == 0 {
             body.scan(out, &function.code, function.needs);
@@ -35,12 +38,17 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
             if !parts.only_finds(index) {
                 out.line("#[inline(never)]");
             }
+            let parameter = |given: bool, needed: bool, name: &str, ty: &str| {
+                let name = if needed { name } else { "_" };
+                if given { format!(", {name}: {ty}") } else { String::new() }
+            };
+            let (given, needs) = (parts.given(index), function.needs);
             let parameters = [
-                function.needs.inputs.then_some("inputs: &Inputs"),
-                function.needs.now.then_some("now: u32"),
-                function.needs.values.then_some("values: &mut Values"),
-            ];
-            let parameters: String = parameters.into_iter().flatten().map(|word| format!(", {word}")).collect();
+                parameter(given.inputs, needs.inputs, "inputs", INPUTS),
+                parameter(given.now, needs.now, "now", NOW),
+                parameter(given.values, needs.values, "values", VALUES),
+            ]
+            .concat();
             let gives = if parts.micro_step == Some(index) { " -> bool" } else { "" };
             out.open(&format!("fn {}(&mut self{parameters}){gives} {{", parts.name(index)));
             body.function(out, &function.code, function.needs);
@@ -63,6 +71,11 @@ pub(super) fn values(out: &mut Writer, program: &Program, names: &Names, places:
     }
     out.close("}");
 }
+
+// The types of what functions are given.
+const INPUTS: &str = "&Inputs";
+const NOW: &str = "u32";
+const VALUES: &str = "&mut Values";
 
 struct Body<'p> {
     program: &'p Program,
@@ -139,24 +152,39 @@ impl Body<'_> {
                     let inside = |out: &mut Writer, place: usize| self.code(out, self.block(), &arms[place].1);
                     self.arms(out, *of, &arms.iter().map(|(arm, _)| *arm).collect::<Vec<_>>(), inside);
                 }
-                Code::Groups(of, calls) => {
-                    out.comment(&format!("{} values a function", self.parts.group));
-                    out.open(&format!("match {} as usize / {} {{", self.places.read(*of), self.parts.group));
-                    for (number, function) in calls {
-                        out.line(&format!("{number} => {},", self.call(*function)));
-                    }
-                    out.line("_ => {}");
-                    out.close("}");
+                Code::Table(of, table) => {
+                    let arguments = arguments(self.parts.tables[*table].needs);
+                    let arguments: String = arguments.into_iter().map(|word| format!(", {word}")).collect();
+                    let place = self.places.read(*of);
+                    out.line(&format!("Self::{}[{place} as usize](self{arguments});", table_name(*table)));
                 }
             }
         }
     }
 
+    /// The functions that a table has, by the values of its state.
+    fn table(&self, out: &mut Writer, table: usize) {
+        let Table { arms, needs, .. } = &self.parts.tables[table];
+        let types = [
+            Some("&mut Self"),
+            needs.inputs.then_some(INPUTS),
+            needs.now.then_some(NOW),
+            needs.values.then_some(VALUES),
+        ];
+        let types: Vec<&str> = types.into_iter().flatten().collect();
+        let nothing = format!("|{}| {{}}", vec!["_"; types.len()].join(", "));
+        out.blank();
+        out.comment("what is done at each value");
+        out.open(&format!("const {}: &[fn({}); {}] = &[", table_name(table), types.join(", "), arms.len()));
+        for arm in arms {
+            let function = arm.map_or_else(|| nothing.clone(), |arm| format!("Self::{}", self.parts.name(arm)));
+            out.line(&format!("{function},"));
+        }
+        out.close("];");
+    }
+
     fn call(&self, function: usize) -> String {
-        let needs = self.parts.functions[function].needs;
-        let arguments =
-            [needs.inputs.then_some("inputs"), needs.now.then_some("now"), needs.values.then_some("values")];
-        let arguments: Vec<&str> = arguments.into_iter().flatten().collect();
+        let arguments = arguments(self.parts.functions[function].needs);
         format!("self.{}({})", self.parts.name(function), arguments.join(", "))
     }
 
@@ -381,6 +409,16 @@ impl Body<'_> {
         }
         out.line("}");
     }
+}
+
+/// What a function is given beside the chart.
+fn arguments(needs: Needs) -> Vec<&'static str> {
+    let arguments = [needs.inputs.then_some("inputs"), needs.now.then_some("now"), needs.values.then_some("values")];
+    arguments.into_iter().flatten().collect()
+}
+
+fn table_name(table: usize) -> String {
+    format!("ARMS_{}", table + 1)
 }
 
 /// The sign of `a = a op b` where whole numbers need no method to wrap around.

@@ -154,11 +154,11 @@ pub(super) const FAULTS: &[Fault] = &[
         instead: "Parts::Infix(\"!=\", pair(*b, *c))",
     },
     Fault {
-        name: "rust-group-missed",
+        name: "rust-arm-misplaced",
         file: RUST_PARTS,
-        breaks: "in a large chart the arms of a state are looked for in another function",
-        text: "state.place(arm.value) / self.group",
-        instead: "state.place(arm.value) / self.group + 1",
+        breaks: "in a large chart what a step does is done at the step before",
+        text: "state.place(arm.value)",
+        instead: "(state.place(arm.value) + state.variants.len() - 1) % state.variants.len()",
     },
     Fault {
         name: "rust-values-not-shared",
