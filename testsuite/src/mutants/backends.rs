@@ -8,7 +8,8 @@ const ST_EXPRESSIONS: &str = "backends/src/st/expressions.rs";
 const AWL_CONDITIONS: &str = "backends/src/awl/conditions.rs";
 const AWL_NUMBERS: &str = "backends/src/awl/numbers.rs";
 const AWL_TIMERS: &str = "backends/src/awl/timers.rs";
-const RUST_SCAN: &str = "backends/src/rust/scan.rs";
+const RUST_SCAN: &str = "backends/src/rust/scan/mod.rs";
+const RUST_STATEMENTS: &str = "backends/src/rust/scan/statements.rs";
 const RUST_EXPRESSIONS: &str = "backends/src/rust/expressions.rs";
 const RUST_PARTS: &str = "backends/src/rust/parts.rs";
 
@@ -92,21 +93,21 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "rust-remainder-is-quotient",
-        file: RUST_SCAN,
+        file: RUST_STATEMENTS,
         breaks: "a guarded remainder is written as a quotient",
         text: "if modulo { \"remainder\" } else { \"divide\" }",
         instead: "\"divide\"",
     },
     Fault {
         name: "rust-compound-of-the-right",
-        file: RUST_SCAN,
+        file: RUST_STATEMENTS,
         breaks: "`a := b - a` is written as `a -= b`",
         text: "*pool.get(*a) == Formula::Variable(target)",
         instead: "*pool.get(*b) == Formula::Variable(target)",
     },
     Fault {
         name: "rust-otherwise-lost",
-        file: RUST_SCAN,
+        file: RUST_STATEMENTS,
         breaks: "what is done if no branch applies is not written",
         text: "crate::limits::is_empty(otherwise)",
         instead: "true",

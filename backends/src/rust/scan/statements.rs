@@ -1,0 +1,198 @@
+//! The statements of a function.
+
+use super::Body;
+use crate::comment::clean;
+use crate::rust::expressions::{SMALL, WIDTH};
+use crate::rust::literals::type_name;
+use crate::writer::Writer;
+use grafc_logic::formula::{Arithmetic, Formula, FormulaId, Type};
+use grafc_logic::scan::{Arm, Statement, TimerId, VarId};
+
+impl Body<'_> {
+    /// A block of statements, in a block of the text.
+    fn statements(&self, out: &mut Writer, statements: &[Statement]) {
+        let inside = self.block();
+        for (place, statement) in statements.iter().enumerate() {
+            self.declare(out, inside, place);
+            self.statement(out, inside, place, statement);
+        }
+    }
+
+    pub(super) fn statement(&self, out: &mut Writer, block: usize, place: usize, statement: &Statement) {
+        match statement {
+            Statement::Heading(text) => {
+                out.blank();
+                out.comment(&clean(text));
+            }
+            Statement::Assign { target, value, remark } => {
+                out.comment(&remark.as_deref().map(clean).unwrap_or_default());
+                let declares = self.locals.with(block, place, *target);
+                self.assign(out, declares, *target, *value);
+            }
+            Statement::Divide { target, modulo, dividend, divisor, flag } => {
+                let declares = self.locals.with(block, place, *target);
+                self.divide(out, declares, *target, *modulo, [*dividend, *divisor], *flag);
+            }
+            Statement::CallTimer { timer, input } => self.call_timer(out, *timer, *input),
+            Statement::Case { of, arms } => {
+                let inside = |out: &mut Writer, place: usize| self.statements(out, &arms[place].body);
+                self.arms(out, *of, &arms.iter().collect::<Vec<_>>(), inside);
+            }
+            Statement::If { branches, otherwise } => self.branch(out, branches, otherwise),
+        }
+    }
+
+    /// The left side of an assignment, with its `let`.
+    fn target(&self, declares: Option<bool>, target: VarId, typed: bool) -> String {
+        let name = self.places.read(target);
+        let Some(written_again) = declares else { return name.to_owned() };
+        let name = if self.locals.is_unread(target) { "_" } else { name };
+        let mutable = if written_again { "mut " } else { "" };
+        let ty = self.program.variables[target].ty;
+        let annotation = if typed { format!(": {}", type_name(ty)) } else { String::new() };
+        format!("let {mutable}{name}{annotation}")
+    }
+
+    fn assign(&self, out: &mut Writer, declares: Option<bool>, target: VarId, value: FormulaId) {
+        let pool = &self.program.pool;
+        if let Some(step) = self.places.packed(target) {
+            let step = &self.names.steps[step];
+            let width = step.len() + 2 + self.expressions.width(value);
+            if width <= SMALL && out.indent() + "self.set();".len() + width <= WIDTH {
+                out.start();
+                out.text(&format!("self.set({step}, "));
+                self.expressions.flat(out, value);
+                out.text(");");
+                out.end();
+            } else {
+                self.expressions.statement(out, "let active", value);
+                out.line(&format!("self.set({step}, active);"));
+            }
+            return;
+        }
+        if let Some(constant) = pool.as_constant(value) {
+            let ty = pool.ty(value);
+            let typed = self.places.state(target).is_none() && ty != Type::Bool;
+            let value = self.places.value(target, constant, ty);
+            return out.line(&format!("{} = {value};", self.target(declares, target, typed)));
+        }
+        // `a = a + b` has a form of its own.
+        if let Formula::Arithmetic(op, a, b) = pool.get(value)
+            && declares.is_none()
+            && *pool.get(*a) == Formula::Variable(target)
+            && let Some(sign) = compound(*op, pool.ty(value))
+        {
+            out.start();
+            out.text(&format!("{} {sign} ", self.places.read(target)));
+            self.expressions.flat(out, *b);
+            out.text(";");
+            return out.end();
+        }
+        self.expressions.statement(out, &self.target(declares, target, false), value);
+    }
+
+    fn divide(
+        &self,
+        out: &mut Writer,
+        declares: Option<bool>,
+        target: VarId,
+        modulo: bool,
+        [a, b]: [FormulaId; 2],
+        flag: VarId,
+    ) {
+        let pool = &self.program.pool;
+        let ty = self.program.variables[target].ty;
+        let function = if modulo { "remainder" } else { "divide" };
+        let operand = |id: FormulaId| {
+            let mut text = out.apart();
+            self.expressions.flat(&mut text, id);
+            let text = text.finish();
+            match pool.as_constant(id) {
+                None if ty == Type::Time && pool.ty(id) != Type::Time => format!("i64::from({text})"),
+                _ => text,
+            }
+        };
+        let flag = format!("&mut {}", self.places.read(flag));
+        let arguments = [operand(a), operand(b), flag];
+        let head = format!("{} = {function}(", self.target(declares, target, true));
+        let flat = arguments.join(", ");
+        if flat.len() <= SMALL && out.indent() + head.len() + flat.len() + 2 <= WIDTH {
+            return out.line(&format!("{head}{flat});"));
+        }
+        out.open(&head);
+        for argument in arguments {
+            out.line(&format!("{argument},"));
+        }
+        out.close(");");
+    }
+
+    fn call_timer(&self, out: &mut Writer, timer: TimerId, input: FormulaId) {
+        let timer = self.places.timer(timer);
+        let width = self.expressions.width(input) + ", now".len();
+        let chain = timer.len() + ".call()".len() + width;
+        if chain <= SMALL.max(timer.len() + 1) && out.indent() + chain < WIDTH {
+            out.start();
+            out.text(&format!("{timer}.call("));
+            self.expressions.flat(out, input);
+            out.text(", now);");
+            return out.end();
+        }
+        self.expressions.statement(out, "let input", input);
+        out.line(&format!("{timer}.call(input, now);"));
+    }
+
+    /// An arm a value, under what the value stands for; a single arm is an `if`.
+    pub(super) fn arms(&self, out: &mut Writer, of: VarId, arms: &[&Arm], inside: impl Fn(&mut Writer, usize)) {
+        let remark = |arm: &Arm| arm.remark.as_deref().map(clean).unwrap_or_default();
+        let label = |arm: &Arm| self.places.variant(of, arm.value).unwrap_or_else(|| arm.value.to_string());
+        if let [arm] = arms {
+            out.comment(&remark(arm));
+            out.open(&format!("if {} == {} {{", self.places.read(of), label(arm)));
+            inside(out, 0);
+            return out.close("}");
+        }
+        out.open(&format!("match {} {{", self.places.read(of)));
+        for (place, arm) in arms.iter().enumerate() {
+            out.comment(&remark(arm));
+            out.open(&format!("{} => {{", label(arm)));
+            inside(out, place);
+            out.close("}");
+        }
+        if self.places.state(of).is_none_or(|state| state.variants.len() > arms.len()) {
+            out.line("_ => {}");
+        }
+        out.close("}");
+    }
+
+    fn branch(&self, out: &mut Writer, branches: &[(FormulaId, Vec<Statement>)], otherwise: &[Statement]) {
+        let mut head = "if";
+        for (condition, body) in branches {
+            self.expressions.condition(out, head, *condition);
+            out.enter();
+            self.statements(out, body);
+            out.leave();
+            head = "} else if";
+        }
+        if crate::limits::is_empty(otherwise) {
+            self.block();
+        } else {
+            out.open("} else {");
+            self.statements(out, otherwise);
+            out.leave();
+        }
+        out.line("}");
+    }
+}
+
+/// The sign of `a = a op b` where whole numbers need no method to wrap around.
+fn compound(op: Arithmetic, ty: Type) -> Option<&'static str> {
+    let real = matches!(ty, Type::Real | Type::Lreal);
+    match op {
+        Arithmetic::Add if real => Some("+="),
+        Arithmetic::Subtract if real => Some("-="),
+        Arithmetic::Multiply if real => Some("*="),
+        Arithmetic::Divide => Some("/="),
+        Arithmetic::Modulo => Some("%="),
+        Arithmetic::Add | Arithmetic::Subtract | Arithmetic::Multiply => None,
+    }
+}
