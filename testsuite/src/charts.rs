@@ -1,9 +1,12 @@
 //! Charts that are kept as three files: `NAME.gct`, `NAME.trace.csv` and `NAME.expected.csv`.
 //!
 //! The expectation is derived by hand from the rules of `docs/semantics.md`, never taken from a run. A first line
-//! `// test: evolution=scan initial-actions=off bound=50` sets the profile.
+//! `// test: evolution=scan initial-actions=off bound=50` sets the profile. With `encodings=all` in it the r- and
+//! s-trigger must do what is expected, too: a chart in which no transition leads from step to step has no overlap.
 
+use crate::differential;
 use grafc_diagnostics::{Diagnostics, FileId};
+use grafc_logic::{Encoding, Options};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{Evolution, Profile, Response, Stimulus};
 use std::path::{Path, PathBuf};
@@ -20,6 +23,21 @@ pub struct Case {
     pub expected: String,
     /// How it runs.
     pub profile: Profile,
+    /// Whether the encodings whose steps overlap must do what is expected, too.
+    pub overlapping: bool,
+}
+
+impl Case {
+    /// The encodings that must do what is expected.
+    pub fn encodings(&self) -> impl Iterator<Item = Encoding> + use<> {
+        let overlapping = self.overlapping;
+        Encoding::ALL.into_iter().filter(move |encoding| overlapping || !encoding.overlaps())
+    }
+
+    /// All ways to lower the chart that must do what is expected, with a name each.
+    pub fn ways(&self) -> Vec<(String, Options)> {
+        differential::ways(self.profile, self.encodings())
+    }
 }
 
 /// The folder of the example charts.
@@ -55,16 +73,16 @@ fn case(folder: &Path, name: String) -> Case {
         std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
     };
     let text = read(".gct");
-    let profile = profile(&text);
-    Case { text, trace: read(".trace.csv"), expected: read(".expected.csv"), profile, name }
+    let (profile, overlapping) = asked_for(&text);
+    Case { text, trace: read(".trace.csv"), expected: read(".expected.csv"), profile, overlapping, name }
 }
 
-/// The profile that the first line of a chart asks for.
+/// What the first line of a chart asks for: the profile, and whether all encodings are meant.
 ///
 /// # Panics
 /// If it asks for something unknown: a test would silently test something else.
-pub fn profile(text: &str) -> Profile {
-    let mut profile = Profile::default();
+fn asked_for(text: &str) -> (Profile, bool) {
+    let (mut profile, mut overlapping) = (Profile::default(), false);
     let first = text.lines().next().unwrap_or_default();
     for word in first.strip_prefix("// test:").unwrap_or_default().split_whitespace() {
         match word.split_once('=') {
@@ -72,14 +90,15 @@ pub fn profile(text: &str) -> Profile {
             Some(("evolution", "scan")) => profile.evolution = Evolution::Scan,
             Some(("initial-actions", "on")) => profile.initial_actions = true,
             Some(("initial-actions", "off")) => profile.initial_actions = false,
+            Some(("encodings", "all")) => overlapping = true,
             Some(("bound", number)) => profile.bound = Some(number.parse().expect("a number after `bound=`")),
             Some(_) | None => panic!("`// test:` does not know `{word}`"),
         }
     }
-    profile
+    (profile, overlapping)
 }
 
-/// The line that asks for a profile, as [`profile`] reads it.
+/// The line that asks for a profile, as it is read with a case.
 pub fn profile_line(profile: Profile) -> String {
     let evolution = match profile.evolution {
         Evolution::Stable => "stable",

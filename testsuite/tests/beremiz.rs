@@ -3,11 +3,15 @@
 //!
 //! Needs `BEREMIZ`, a Python with lxml (`PYTHON`), `iec2c` and `gcc`; without them each test says so and does nothing.
 
+use grafc_backends::plcopen::Body;
+use grafc_logic::{Encoding, Options};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{Evolution, Profile, Stimulus};
+use grafc_testsuite::beremiz::{Source, Tools, run};
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
-use grafc_testsuite::differential::simulate;
+use grafc_testsuite::differential::{self, compile, simulate};
 use grafc_testsuite::executors::{Executor, Outcome, Task, all};
+use grafc_testsuite::jobs::Job;
 use grafc_testsuite::random::{Kind, checked, trace};
 use std::io::Write;
 
@@ -76,6 +80,33 @@ fn ladders() {
 #[test]
 fn sequential_function_charts() {
     vectors_and_charts_agree("plcopen:sfc", 5);
+}
+
+/// The r- and s-trigger are written as they are evaluated, and do what is expected where nothing overlaps.
+#[test]
+fn overlapping_encodings() {
+    let Ok(tools) = Tools::find() else { return };
+    let all = cases(&charts_folder()).into_iter().chain(cases(&vectors_folder()).into_iter().filter(|c| c.overlapping));
+    let mut jobs = Vec::new();
+    let mut expected = Vec::new();
+    for case in all {
+        for encoding in Encoding::ALL.into_iter().filter(|encoding| encoding.overlaps()) {
+            let (chart, stimuli) = prepared(&case);
+            let options = Options { profile: case.profile, encoding, simplify: true };
+            let program = compile(&chart, &options).unwrap_or_else(|fault| panic!("{fault}"));
+            let evaluated = differential::run(&program, &stimuli);
+            if case.overlapping {
+                assert_eq!(spell(&chart, &stimuli, &evaluated), case.expected, "{}", case.name);
+            }
+            expected.push((format!("{}, {}", case.name, encoding.name()), evaluated));
+            jobs.push(Job { program, stimuli });
+        }
+    }
+    for body in [Body::St, Body::Il, Body::Ld] {
+        for ((name, expected), actual) in expected.iter().zip(run(&tools, &Source::Programs(body), &jobs)) {
+            assert_eq!(actual.as_ref(), Ok(expected), "{name}, {body:?}");
+        }
+    }
 }
 
 /// Runs random charts of a kind and compares them with the simulator; at least so many of them must run.

@@ -45,7 +45,7 @@ fn the_scan_programs_agree() {
     each(|case| {
         let chart = check(&case.name, &case.text)?;
         let stimuli = stimuli(&case.name, &case.trace, &chart)?;
-        for (way, options) in differential::exact(case.profile) {
+        for (way, options) in case.ways() {
             let run = differential::evaluate(&chart, &options, &stimuli)?;
             compare(&case.expected, &spell(&chart, &stimuli, &run)).map_err(|fault| format!("{way}\n{fault}"))?;
         }

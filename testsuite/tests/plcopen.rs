@@ -245,8 +245,8 @@ fn all_cases() -> Vec<Case> {
     all.extend(cases(&vectors_folder()));
     let long = "n".repeat(199);
     let text = HOSTILE.replace("LONG2", &format!("{long}2")).replace("LONG", &format!("{long}1"));
-    let profile = Default::default();
-    all.push(Case { name: "hostile".to_string(), text, trace: String::new(), expected: String::new(), profile });
+    let (name, [trace, expected]) = ("hostile".to_string(), [String::new(), String::new()]);
+    all.push(Case { name, text, trace, expected, profile: Default::default(), overlapping: false });
     all
 }
 

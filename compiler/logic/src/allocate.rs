@@ -370,7 +370,8 @@ fn raise_conflict(lowering: &mut Lowering, when: FormulaId) -> Vec<Statement> {
     choose(lowering, vec![(when, vec![Statement::Assign { target, value, remark: None }])])
 }
 
-/// An IF with these branches, less those that are never taken and what follows one that always is.
+/// An IF with these branches, less those that are never taken and what follows one that always is: a source transition
+/// on 1 whose clearing is not named, as in the r- and s-trigger, is done otherwise.
 pub(crate) fn choose(lowering: &Lowering, branches: Vec<(FormulaId, Vec<Statement>)>) -> Vec<Statement> {
     let mut kept = Vec::with_capacity(branches.len());
     let mut otherwise = Vec::new();

@@ -218,7 +218,8 @@ pub enum Statement {
     If {
         /// Conditions and what they guard; none is empty.
         branches: Vec<(FormulaId, Vec<Statement>)>,
-        /// Otherwise.
+        /// Otherwise: what a source transition on 1 stores where a later one may store something else, in an encoding
+        /// that writes clearings out.
         otherwise: Vec<Statement>,
     },
 }
