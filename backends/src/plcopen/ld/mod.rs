@@ -4,14 +4,16 @@
 //! Program ─ statements, circuit ─▶ rungs ─ layout ─▶ columns and rows ─ write ─▶ XML
 //! ```
 //!
-//! `statements` makes rungs of statements, `circuit` contacts of formulas. What a rung does it does in each call, and in
-//! the order in which the elements are written: Beremiz's generator goes by that order alone (2024), other tools from the
-//! top down, which is the same.
+//! `statements` makes rungs of statements, with `branches` what stands under conditions and with `calculate` numbers;
+//! `circuit` makes contacts of formulas. What a rung does it does in each call, and in the order in which the elements are
+//! written: Beremiz's generator goes by that order alone (2024), other tools from the top down, which is the same.
 //!
 //! A ladder has no loop, and Beremiz passes over jumps without a word. So where a call is several micro-steps, the rungs
 //! are a function block of their own, one micro-step, and the chart's function block calls it until the situation is
 //! stable (`repeat`).
 
+mod branches;
+mod calculate;
 mod circuit;
 mod layout;
 mod repeat;
@@ -94,7 +96,7 @@ fn draw(program: &Program, names: &mut Names, repeated: Option<&Repeated>) -> (V
         names,
         texts: &texts,
         timer_outputs,
-        enabled: statements::enabled(program),
+        enabled: branches::enabled(program),
         rungs: Vec::new(),
         parts: Vec::new(),
         comments: Vec::new(),

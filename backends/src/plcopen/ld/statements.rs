@@ -13,17 +13,14 @@
 use super::circuit::{Factor, Ladder};
 use super::rung::{Block, Coil, Contact, End, Item, Sink, Storage};
 use crate::comment::clean;
-use crate::iec::literals::{literal, operand, time, zero};
+use crate::iec::literals::time;
 use crate::iec::names::remark;
-use crate::limits::is_empty;
-use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
-use grafc_logic::scan::{Arm, Program, Role, Statement, TimerId, VarId};
+use grafc_logic::formula::{Formula, FormulaId, Type};
+use grafc_logic::scan::{Role, Statement, TimerId, VarId};
 use rustc_hash::FxHashSet;
 
 /// What a timer without a preset is given: the longest time that all compilers take.
 const FOR_EVER_MS: i64 = i32::MAX as i64;
-/// So many contacts of branches that were not taken stand in a row.
-const MOST_EXCLUDED: usize = 4;
 
 /// Something negated or not.
 type Literal = (FormulaId, bool);
@@ -80,7 +77,7 @@ impl Ladder<'_> {
     }
 
     /// Says something above the next rung, unless it was just said.
-    fn comment(&mut self, text: &str) {
+    pub fn comment(&mut self, text: &str) {
         let text = clean(text);
         if !text.is_empty() && text != self.said {
             self.said.clone_from(&text);
@@ -179,12 +176,12 @@ impl Ladder<'_> {
     }
 
     /// Whether a formula reads a variable.
-    fn reads(&self, id: FormulaId, variable: VarId) -> bool {
+    pub fn reads(&self, id: FormulaId, variable: VarId) -> bool {
         self.has(id, |formula| *formula == Formula::Variable(variable))
     }
 
     /// Whether there is a formula of some kind in another.
-    fn has(&self, id: FormulaId, wanted: impl Fn(&Formula) -> bool) -> bool {
+    pub fn has(&self, id: FormulaId, wanted: impl Fn(&Formula) -> bool) -> bool {
         let pool = &self.program.pool;
         let (mut due, mut seen) = (vec![id], FxHashSet::default());
         while let Some(id) = due.pop() {
@@ -194,105 +191,6 @@ impl Ladder<'_> {
             due.extend(pool.operands(id).filter(|operand| seen.insert(*operand)));
         }
         false
-    }
-
-    /// Stores what a formula of numbers gives, behind some contacts. An operator is a function, and its operands texts:
-    /// a text with a literal of a time in its middle, `t + T#1s`, is a puzzle to Beremiz.
-    fn calculate(&mut self, target: VarId, value: FormulaId, behind: Vec<Contact>) {
-        let pool = &self.program.pool;
-        let ty = pool.ty(value);
-        let text = |id: &FormulaId| self.text(*id);
-        let (kind, operands) = match pool.get(value) {
-            // `TIME * n` is taken everywhere, `n * TIME` is not.
-            Formula::Arithmetic(Arithmetic::Multiply, a, b) if pool.ty(*b) == Type::Time => ("MUL", [text(b), text(a)]),
-            Formula::Arithmetic(op, a, b) => {
-                let kind = match op {
-                    Arithmetic::Add => "ADD",
-                    Arithmetic::Subtract => "SUB",
-                    Arithmetic::Multiply => "MUL",
-                    Arithmetic::Divide => "DIV",
-                    Arithmetic::Modulo => "MOD",
-                };
-                (kind, [text(a), text(b)])
-            }
-            // Negates a zero, too.
-            Formula::Negate(a) if matches!(ty, Type::Real | Type::Lreal) => {
-                ("MUL", [text(a), operand(Value::Real(-1.0), ty)])
-            }
-            Formula::Negate(a) => ("SUB", [zero(ty), text(a)]),
-            Formula::Constant(_)
-            | Formula::Variable(_)
-            | Formula::TimerDone(_)
-            | Formula::TimerElapsed(_)
-            | Formula::Not(_)
-            | Formula::And(_)
-            | Formula::Or(_)
-            | Formula::Xor(..)
-            | Formula::Compare(..)
-            | Formula::Widen(_) => return self.move_to(target, text(&value), behind),
-        };
-        let [a, b] = operands;
-        self.function(kind, vec![("IN1", a), ("IN2", b)], target, behind);
-    }
-
-    /// Stores a number behind some contacts.
-    pub fn move_to(&mut self, target: VarId, text: String, behind: Vec<Contact>) {
-        self.function("MOVE", vec![("IN", text)], target, behind);
-    }
-
-    /// Stores what a function makes of its inputs, behind some contacts.
-    fn function(
-        &mut self,
-        kind: &'static str,
-        inputs: Vec<(&'static str, String)>,
-        target: VarId,
-        behind: Vec<Contact>,
-    ) {
-        let items = self.items(behind.into_iter().map(Factor::Contact).collect());
-        let outputs = vec![("ENO", Sink::Rail), ("OUT", Sink::Variable(self.name(target)))];
-        self.rung(items, End::Block(Block { kind, instance: None, power: "EN", inputs, outputs }));
-    }
-
-    /// Division guarded against 0, and against the one quotient that a type cannot hold: its least value by -1.
-    fn divide(&mut self, target: VarId, modulo: bool, [a, b]: [FormulaId; 2], flag: VarId, guard: Option<&Contact>) {
-        let pool = &self.program.pool;
-        let (ty, result) = (pool.ty(b), self.program.variables[target].ty);
-        let behind =
-            |more: &[&Contact]| -> Vec<Contact> { guard.into_iter().chain(more.iter().copied()).cloned().collect() };
-        let [dividend, divisor] = [a, b].map(|id| self.text(id));
-        if pool.as_constant(b).is_some() {
-            // Other constants divide without a guard, inside a formula.
-            self.move_to(target, zero(result), behind(&[]));
-            let items = self.items(behind(&[]).into_iter().map(Factor::Contact).collect());
-            return self.coil(items, &self.name(flag), Storage::Set);
-        }
-        let by_zero = self.comparison(Comparison::Equal, [divisor.clone(), zero(ty)]);
-        let items = self.items(behind(&[&by_zero]).into_iter().map(Factor::Contact).collect());
-        self.coil(items, &self.name(flag), Storage::Set);
-        let least = Value::Int(i64::from(i32::MIN));
-        let constant = pool.as_constant(a);
-        let overflows = result == Type::Dint && ty == Type::Dint && constant.is_none_or(|a| a == least);
-        let by_minus_one =
-            overflows.then(|| self.comparison(Comparison::Equal, [divisor.clone(), literal(Value::Int(-1), ty)]));
-        // Each of the quotients is stored behind contacts that exclude the others, and were found before.
-        self.move_to(target, zero(result), behind(&[&by_zero]));
-        let mut others = vec![by_zero.inverse()];
-        if let Some(by_minus_one) = by_minus_one {
-            let behind = behind(&[&by_minus_one]);
-            match (modulo, constant) {
-                (true, _) => self.move_to(target, zero(result), behind),
-                // It is what overflows. MATIEC computes with constants and refuses the difference.
-                (false, Some(_)) => self.move_to(target, dividend.clone(), behind),
-                (false, None) => {
-                    let operands = vec![("IN1", zero(result)), ("IN2", dividend.clone())];
-                    self.function("SUB", operands, target, behind);
-                }
-            }
-            others.push(by_minus_one.inverse());
-        }
-        let others: Vec<&Contact> = others.iter().collect();
-        let kind = if modulo { "MOD" } else { "DIV" };
-        self.function(kind, vec![("IN1", dividend), ("IN2", divisor)], target, behind(&others));
     }
 
     /// `EN` keeps its value like any input: a timer that has it in one call has it in all.
@@ -321,168 +219,5 @@ impl Ladder<'_> {
         let items = self.items(guard.cloned().map(Factor::Contact).into_iter().collect());
         let outputs = [vec![("ENO", Sink::Open)], end.into()].concat();
         self.rung(items, block("EN", vec![("IN", input.name), ("PT", preset)], outputs));
-    }
-
-    /// All values are compared before anything is done.
-    fn case(&mut self, of: VarId, arms: &[Arm], guard: Option<&Contact>) {
-        let (name, ty) = (self.name(of), self.program.variables[of].ty);
-        let mut chosen = Vec::with_capacity(arms.len());
-        for arm in arms {
-            self.comment(arm.remark.as_deref().unwrap_or_default());
-            let value = literal(Value::Int(arm.value), ty);
-            let contact = self.comparison(Comparison::Equal, [name.clone(), value]);
-            chosen.push(match guard {
-                None => contact,
-                Some(guard) => {
-                    let items = self.items(vec![Factor::Contact(guard.clone()), Factor::Contact(contact)]);
-                    self.aside(items)
-                }
-            });
-        }
-        for (arm, contact) in arms.iter().zip(chosen) {
-            self.comment(arm.remark.as_deref().unwrap_or_default());
-            self.block(&arm.body, Some(&contact));
-        }
-    }
-
-    /// Which branch is taken is found before anything is done.
-    fn branch(&mut self, branches: &[(FormulaId, Vec<Statement>)], otherwise: &[Statement], guard: Option<&Contact>) {
-        let mut written = Written::default();
-        branches.iter().for_each(|(_, body)| written.add(body));
-        written.add(otherwise);
-        if let [(condition, body)] = branches
-            && is_empty(otherwise)
-            && let Some(coils) = self.constants(*condition, body)
-        {
-            self.announce(body);
-            let behind = guard.cloned().map(Factor::Contact);
-            let items = self.items(behind.into_iter().chain([Factor::Formula(*condition, false)]).collect());
-            return self.rung(items, End::Coils(coils));
-        }
-        let mut before: Vec<Contact> = guard.cloned().into_iter().collect();
-        let mut chosen: Vec<(Contact, &[Statement])> = Vec::new();
-        for (condition, body) in branches {
-            self.announce(body);
-            let contact = if before.is_empty() && !self.has(*condition, |formula| written.has(formula)) {
-                self.contact(*condition, false)
-            } else {
-                let behind = before.iter().cloned().map(Factor::Contact);
-                let items = self.items(behind.chain([Factor::Formula(*condition, false)]).collect());
-                self.aside(items)
-            };
-            before.push(contact.inverse());
-            if before.len() > MOST_EXCLUDED {
-                let items = self.items(before.drain(..).map(Factor::Contact).collect());
-                before.push(self.aside(items));
-            }
-            chosen.push((contact, body));
-        }
-        if !is_empty(otherwise) {
-            let contact = match &before[..] {
-                [contact] => contact.clone(),
-                _ => {
-                    let items = self.items(before.into_iter().map(Factor::Contact).collect());
-                    self.aside(items)
-                }
-            };
-            chosen.push((contact, otherwise));
-        }
-        for (contact, body) in chosen {
-            self.block(body, Some(&contact));
-        }
-    }
-
-    /// The coils of a body that only sets and resets, if they can share the rung of its condition: Beremiz looks at the
-    /// condition anew for each coil, so what is in it can only be written by the last.
-    fn constants(&self, condition: FormulaId, body: &[Statement]) -> Option<Vec<Coil>> {
-        let (mut coils, mut last) = (Vec::new(), None);
-        let mut targets = FxHashSet::default();
-        for statement in body {
-            match statement {
-                Statement::Assign { target, value, remark: _ } => {
-                    let storage = if self.program.pool.as_truth(*value)? { Storage::Set } else { Storage::Reset };
-                    let coil = Coil { name: self.name(*target), storage };
-                    if !targets.insert(*target) {
-                        return None;
-                    }
-                    if !self.reads(condition, *target) {
-                        coils.push(coil);
-                    } else if last.replace(coil).is_some() {
-                        return None;
-                    }
-                }
-                Statement::Heading(_) => {}
-                Statement::Divide { .. }
-                | Statement::CallTimer { .. }
-                | Statement::Case { .. }
-                | Statement::If { .. } => return None,
-            }
-        }
-        coils.extend(last);
-        Some(coils)
-    }
-
-    /// What a body says of itself stands above its condition.
-    fn announce(&mut self, body: &[Statement]) {
-        if let Some(Statement::Assign { remark: Some(text), .. }) = body.first() {
-            self.comment(text);
-        }
-    }
-}
-
-/// The timers that are called under conditions.
-pub(super) fn enabled(program: &Program) -> FxHashSet<TimerId> {
-    let mut written = Written::default();
-    for statement in [&program.first, &program.before, &program.micro_step, &program.after].into_iter().flatten() {
-        if !matches!(statement, Statement::CallTimer { .. }) {
-            written.add(std::slice::from_ref(statement));
-        }
-    }
-    written.timers
-}
-
-/// What statements write.
-#[derive(Default)]
-struct Written {
-    variables: FxHashSet<VarId>,
-    timers: FxHashSet<TimerId>,
-}
-
-impl Written {
-    fn add(&mut self, statements: &[Statement]) {
-        for statement in statements {
-            match statement {
-                Statement::Heading(_) => {}
-                Statement::CallTimer { timer, .. } => {
-                    self.timers.insert(*timer);
-                }
-                Statement::Assign { target, .. } => {
-                    self.variables.insert(*target);
-                }
-                Statement::Divide { target, flag, .. } => self.variables.extend([*target, *flag]),
-                Statement::Case { of: _, arms } => arms.iter().for_each(|arm| self.add(&arm.body)),
-                Statement::If { branches, otherwise } => {
-                    branches.iter().for_each(|(_, body)| self.add(body));
-                    self.add(otherwise);
-                }
-            }
-        }
-    }
-
-    /// Whether a formula is directly of something that is written.
-    fn has(&self, formula: &Formula) -> bool {
-        match formula {
-            Formula::Variable(variable) => self.variables.contains(variable),
-            Formula::TimerDone(timer) | Formula::TimerElapsed(timer) => self.timers.contains(timer),
-            Formula::Constant(_)
-            | Formula::Not(_)
-            | Formula::And(_)
-            | Formula::Or(_)
-            | Formula::Xor(..)
-            | Formula::Compare(..)
-            | Formula::Arithmetic(..)
-            | Formula::Negate(_)
-            | Formula::Widen(_) => false,
-        }
     }
 }
