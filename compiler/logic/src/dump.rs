@@ -296,33 +296,17 @@ fn remarked(remark: &Option<String>) -> String {
 #[cfg(test)]
 mod tests {
     use super::{dump, equations};
-    use crate::formula::{Arithmetic, Comparison, Pool, Type, Value};
-    use crate::scan::{Arm, Flag, Preset, Program, Role, Statement, Timer, VarId, Variable};
-    use index_vec::IndexVec;
-
-    fn empty() -> Program {
-        Program {
-            name: "P".into(),
-            comment: None,
-            variables: IndexVec::new(),
-            timers: IndexVec::new(),
-            pool: Pool::default(),
-            steps: IndexVec::new(),
-            states: Vec::new(),
-            first: Vec::new(),
-            before: Vec::new(),
-            micro_step: Vec::new(),
-            repeat: None,
-            after: Vec::new(),
-        }
-    }
+    use crate::formula::{Arithmetic, Comparison, FormulaId, Type, Value};
+    use crate::scan::by_hand::{self, empty};
+    use crate::scan::{Arm, Flag, Preset, Program, Role, Statement, Timer, VarId};
 
     fn variable(program: &mut Program, role: Role, name: &str, ty: Type) -> VarId {
-        let (name, initial) = (name.to_owned(), crate::symbols::zero(ty));
-        program.variables.push(Variable { role, name, ty, initial, comment: None, address: None, span: None })
+        let id = by_hand::variable(program, role, ty);
+        program.variables[id].name = name.to_owned();
+        id
     }
 
-    fn assign(target: VarId, value: crate::formula::FormulaId) -> Statement {
+    fn assign(target: VarId, value: FormulaId) -> Statement {
         Statement::Assign { target, value, remark: Some("why".into()) }
     }
 
