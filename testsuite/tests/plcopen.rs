@@ -9,9 +9,8 @@ use grafc_logic::{Encoding, Options as Lowering};
 use grafc_testsuite::charts::{Case, cases, charts_folder, vectors_folder};
 use grafc_testsuite::plcopen_lint::document::Document;
 use grafc_testsuite::plcopen_lint::{Rule, lint};
-use grafc_testsuite::plcopen_tools::Tool;
+use grafc_testsuite::plcopen_tools::{Tool, skipped, take_or_skip};
 use std::collections::BTreeSet;
-use std::io::Write;
 
 const NEUTRAL: &str = include_str!("../plcopen/neutral.xml");
 const CODESYS: &str = include_str!("../plcopen/codesys.xml");
@@ -263,17 +262,7 @@ fn every_project_is_right_by_the_lint_and_by_other_readers() {
         }
     }
     assert!(documents.len() > 100, "charts are missing");
-    for (name, tool) in [("the schema of PLCopen XML", Tool::schema()), ("the package plcopen", Tool::binding())] {
-        match tool {
-            Ok(tool) => tool.take(&documents).unwrap_or_else(|said| panic!("{name}: {said}")),
-            Err(why) => skipped(&format!("{name}: {why}")),
-        }
-    }
-}
-
-/// Says that a tool is missing, past the test's own output.
-fn skipped(why: &str) {
-    let _ = writeln!(std::io::stderr(), "skipped: {why}");
+    take_or_skip(&documents);
 }
 
 #[test]

@@ -9,9 +9,9 @@ use grafc_model::reaction::{Evolution, Profile};
 use grafc_testsuite::charts::{cases, charts_folder, vectors_folder};
 use grafc_testsuite::plcopen_lint::document::{Document, Id};
 use grafc_testsuite::plcopen_lint::lint;
-use grafc_testsuite::plcopen_tools::Tool;
+use grafc_testsuite::plcopen_sheet::{Flow, Sheet};
+use grafc_testsuite::plcopen_tools;
 use std::collections::BTreeMap;
-use std::io::Write;
 use std::sync::LazyLock;
 
 /// Numbers, delays, events, and conditions that nest.
@@ -86,46 +86,27 @@ fn ladders_are_right_by_the_lint_and_by_other_readers() {
         assert_eq!(units.len(), expected, "{name}");
     }
     let documents: Vec<String> = LADDERS.iter().map(|(_, text)| text.clone()).collect();
-    for tool in [Tool::schema(), Tool::binding()] {
-        match tool {
-            Ok(tool) => tool.take(&documents).unwrap_or_else(|said| panic!("{said}")),
-            Err(why) => drop(writeln!(std::io::stderr(), "skipped: {why}")),
-        }
-    }
-}
-
-/// The place and the size of an object: left, top, right, bottom.
-fn frame(document: &Document, object: Id) -> [i64; 4] {
-    let number = |id: Id, key: &str| document.attribute(id, key).and_then(|n| n.parse::<i64>().ok()).expect("a number");
-    let at = document.child(object, "position").expect("a place");
-    let (x, y) = (number(at, "x"), number(at, "y"));
-    [x, y, x + number(object, "width"), y + number(object, "height")]
-}
-
-fn point(document: &Document, id: Id) -> (i64, i64) {
-    let number = |key| document.attribute(id, key).and_then(|n| n.parse::<i64>().ok()).expect("a number");
-    (number("x"), number("y"))
-}
-
-fn ladder_of(document: &Document) -> Id {
-    document.all("LD").next().expect("a ladder")
+    plcopen_tools::take_or_skip(&documents);
 }
 
 #[test]
 fn nothing_stands_on_something_else() {
     for (name, text) in LADDERS.iter() {
         let document = Document::read(text).expect("XML");
-        let body = ladder_of(&document);
-        let mut frames: Vec<[i64; 4]> = document.get(body).children.iter().map(|id| frame(&document, *id)).collect();
-        assert!(frames.iter().all(|[left, top, ..]| *left >= 0 && *top >= 0), "{name}: off the sheet");
-        frames.sort_unstable_by_key(|frame| frame[1]);
-        for (place, a) in frames.iter().enumerate() {
-            // Only what begins above the lower end can touch it.
-            for b in frames[place + 1..].iter().take_while(|b| b[1] <= a[3]) {
-                assert!(a[2] < b[0] || b[2] < a[0], "{name}: {a:?} and {b:?}");
-            }
-        }
+        assert_eq!(sheet(&document).stands_clear(), Ok(()), "{name}");
     }
+}
+
+#[test]
+fn wires_end_at_pins_and_run_square_and_to_the_right() {
+    for (name, text) in LADDERS.iter() {
+        let document = Document::read(text).expect("XML");
+        assert_eq!(sheet(&document).is_wired(Flow::Right), Ok(()), "{name}");
+    }
+}
+
+fn sheet(document: &Document) -> Sheet<'_> {
+    Sheet::of(document, "LD").expect("a ladder")
 }
 
 /// Names stand above contacts and coils: they need room to the left and to the right.
@@ -134,9 +115,10 @@ fn names_do_not_run_into_each_other() {
     for (name, text) in LADDERS.iter() {
         let document = Document::read(text).expect("XML");
         let mut rows: BTreeMap<i64, Vec<(i64, i64)>> = BTreeMap::new();
-        for &object in &document.get(ladder_of(&document)).children {
+        let sheet = sheet(&document);
+        for &object in sheet.objects() {
             let Some(variable) = document.child(object, "variable") else { continue };
-            let [left, top, right, _] = frame(&document, object);
+            let [left, top, right, _] = sheet.frame(object).expect("a frame");
             let half = 7 * i64::try_from(document.get(variable).text.chars().count()).expect("a length") / 2;
             let middle = (left + right) / 2;
             rows.entry(top).or_default().push((middle - half, middle + half));
@@ -144,44 +126,6 @@ fn names_do_not_run_into_each_other() {
         for row in rows.values_mut() {
             row.sort_unstable();
             assert!(row.windows(2).all(|pair| pair[0].1 < pair[1].0), "{name}: {row:?}");
-        }
-    }
-}
-
-#[test]
-fn wires_end_at_pins_and_run_square_and_to_the_right() {
-    for (name, text) in LADDERS.iter() {
-        let document = Document::read(text).expect("XML");
-        let body = ladder_of(&document);
-        let objects: BTreeMap<&str, Id> = document
-            .get(body)
-            .children
-            .iter()
-            .filter_map(|id| Some((document.attribute(*id, "localId")?, *id)))
-            .collect();
-        let place = |object: Id, pin: Id| {
-            let [left, top, ..] = frame(&document, object);
-            let (x, y) = point(&document, document.child(pin, "relPosition").expect("a pin's place"));
-            (left + x, top + y)
-        };
-        let pins = |object: Id, kind: &str| -> Vec<Id> {
-            document.within(object).filter(|id| document.name(*id) == kind).collect()
-        };
-        for &object in &document.get(body).children {
-            for input in pins(object, "connectionPointIn") {
-                for wire in document.children(input, "connection") {
-                    let points: Vec<_> = document.children(wire, "position").map(|id| point(&document, id)).collect();
-                    let from = objects[document.attribute(wire, "refLocalId").expect("from something")];
-                    let ends: Vec<_> =
-                        pins(from, "connectionPointOut").into_iter().map(|pin| place(from, pin)).collect();
-                    assert_eq!(points.first(), Some(&place(object, input)), "{name}");
-                    assert!(points.last().is_some_and(|end| ends.contains(end)), "{name}: {points:?} from {ends:?}");
-                    for pair in points.windows(2) {
-                        assert!(pair[0].0 == pair[1].0 || pair[0].1 == pair[1].1, "{name}: {points:?}");
-                        assert!(pair[0].0 >= pair[1].0, "{name}: {points:?} leads to the left");
-                    }
-                }
-            }
         }
     }
 }
@@ -206,10 +150,8 @@ fn ways(document: &Document, objects: &BTreeMap<&str, Id>, pin: Id) -> Vec<Strin
 /// The coils, in order, with the ways to them: `a /b | c -> S y`.
 fn coils(text: &str) -> Vec<String> {
     let document = Document::read(text).expect("XML");
-    let body = ladder_of(&document);
-    let children = &document.get(body).children;
-    let objects: BTreeMap<&str, Id> =
-        children.iter().filter_map(|id| Some((document.attribute(*id, "localId")?, *id))).collect();
+    let sheet = sheet(&document);
+    let objects = sheet.numbered();
     let coil = |id: &Id| {
         let storage = match document.attribute(*id, "storage") {
             Some("set") => "S ",
@@ -220,7 +162,7 @@ fn coils(text: &str) -> Vec<String> {
         let ways = ways(&document, &objects, document.child(*id, "connectionPointIn").expect("an input"));
         format!("{} -> {storage}{name}", ways.join(" | "))
     };
-    children.iter().filter(|id| document.name(**id) == "coil").map(coil).collect()
+    sheet.objects().iter().filter(|id| document.name(**id) == "coil").map(coil).collect()
 }
 
 /// The gate of the book: three steps in a ring.

@@ -7,11 +7,10 @@ use grafc_diagnostics::{Code, Diagnostic, FileId};
 use grafc_logic::{Encoding, Options as Lowering};
 use grafc_model::reaction::{Evolution, Profile};
 use grafc_testsuite::charts::{cases, charts_folder, vectors_folder};
-use grafc_testsuite::plcopen_lint::document::{Document, Id};
+use grafc_testsuite::plcopen_lint::document::Document;
 use grafc_testsuite::plcopen_lint::lint;
-use grafc_testsuite::plcopen_tools::Tool;
-use std::collections::BTreeMap;
-use std::io::Write;
+use grafc_testsuite::plcopen_sheet::{Flow, Sheet};
+use grafc_testsuite::plcopen_tools;
 use std::sync::LazyLock;
 
 /// A choice, branches in parallel, loops, arcs over several layers, actions of every kind that can be drawn.
@@ -91,41 +90,14 @@ fn drawings_are_right_by_the_lint_and_by_other_readers() {
         }
         documents.extend(drawings.into_iter().map(|(_, text)| text));
     }
-    for tool in [Tool::schema(), Tool::binding()] {
-        match tool {
-            Ok(tool) => tool.take(&documents).unwrap_or_else(|said| panic!("{said}")),
-            Err(why) => drop(writeln!(std::io::stderr(), "skipped: {why}")),
-        }
-    }
-}
-
-/// The place and the size of an object: left, top, right, bottom.
-fn frame(document: &Document, object: Id) -> [i64; 4] {
-    let number = |id: Id, key: &str| document.attribute(id, key).and_then(|n| n.parse::<i64>().ok()).expect("a number");
-    let at = document.child(object, "position").expect("a place");
-    let (x, y) = (number(at, "x"), number(at, "y"));
-    [x, y, x + number(object, "width"), y + number(object, "height")]
-}
-
-fn point(document: &Document, id: Id) -> (i64, i64) {
-    let number = |key| document.attribute(id, key).and_then(|n| n.parse::<i64>().ok()).expect("a number");
-    (number("x"), number("y"))
+    plcopen_tools::take_or_skip(&documents);
 }
 
 #[test]
 fn nothing_stands_on_something_else() {
     for (name, text) in NEUTRAL.iter() {
         let document = Document::read(text).expect("XML");
-        let body = document.all("SFC").next().expect("a chart");
-        let mut frames: Vec<[i64; 4]> = document.get(body).children.iter().map(|id| frame(&document, *id)).collect();
-        assert!(frames.iter().all(|[left, top, ..]| *left >= 0 && *top >= 0), "{name}: off the sheet");
-        frames.sort_unstable_by_key(|frame| frame[1]);
-        for (place, a) in frames.iter().enumerate() {
-            // Only what begins above the lower end can touch it.
-            for b in frames[place + 1..].iter().take_while(|b| b[1] <= a[3]) {
-                assert!(a[2] < b[0] || b[2] < a[0], "{name}: {a:?} and {b:?}");
-            }
-        }
+        assert_eq!(sheet(&document).stands_clear(), Ok(()), "{name}");
     }
 }
 
@@ -133,36 +105,12 @@ fn nothing_stands_on_something_else() {
 fn wires_end_at_pins_and_run_square_and_down() {
     for (name, text) in NEUTRAL.iter() {
         let document = Document::read(text).expect("XML");
-        let body = document.all("SFC").next().expect("a chart");
-        let objects: BTreeMap<&str, Id> = document
-            .get(body)
-            .children
-            .iter()
-            .filter_map(|id| Some((document.attribute(*id, "localId")?, *id)))
-            .collect();
-        let pin = |object: Id, pin: Id| {
-            let [left, top, ..] = frame(&document, object);
-            let (x, y) = point(&document, document.child(pin, "relPosition").expect("a pin's place"));
-            (left + x, top + y)
-        };
-        for &object in &document.get(body).children {
-            for input in document.children(object, "connectionPointIn") {
-                for wire in document.children(input, "connection") {
-                    let points: Vec<_> = document.children(wire, "position").map(|id| point(&document, id)).collect();
-                    let from = objects[document.attribute(wire, "refLocalId").expect("from something")];
-                    let outputs = ["connectionPointOut", "connectionPointOutAction"];
-                    let ends: Vec<_> =
-                        outputs.iter().flat_map(|kind| document.children(from, kind)).map(|id| pin(from, id)).collect();
-                    assert_eq!(points.first(), Some(&pin(object, input)), "{name}");
-                    assert!(points.last().is_some_and(|end| ends.contains(end)), "{name}: {points:?} from {ends:?}");
-                    for pair in points.windows(2) {
-                        assert!(pair[0].0 == pair[1].0 || pair[0].1 == pair[1].1, "{name}: {points:?}");
-                        assert!(pair[0].1 >= pair[1].1, "{name}: {points:?} leads up");
-                    }
-                }
-            }
-        }
+        assert_eq!(sheet(&document).is_wired(Flow::Down), Ok(()), "{name}");
     }
+}
+
+fn sheet(document: &Document) -> Sheet<'_> {
+    Sheet::of(document, "SFC").expect("a chart")
 }
 
 #[test]
