@@ -2,11 +2,13 @@
 //! lands.
 //!
 //! `NAME.st`, `.il` and `.awl` are the code in the default encoding, `ENCODING/NAME.st` and so on that in another,
-//! `rust/` holds some of it in Rust, `dumps/NAME/` what lies between the stages. A golden file proves nothing about
+//! `rust/` holds some of it in Rust, `plcopen/` a body in instructions and a ladder, `dumps/NAME/` what lies between the
+//! stages. A golden file proves nothing about
 //! meaning; that is what the other tests are for. `UPDATE_EXPECT=1` rewrites them.
 
 use expect_test::expect_file;
 use grafc::pipeline::{self, Options, Product};
+use grafc_backends::plcopen::{self, Body};
 use grafc_backends::{awl, il, rust, st};
 use grafc_diagnostics::FileId;
 use grafc_logic::{Encoding, Options as Lowering};
@@ -23,6 +25,9 @@ const STAGE_BY_STAGE: [&str; 3] = ["figure_12_6", "lock_12_2", "weigh_mix_b5"];
 
 /// Charts whose code is kept in Rust as well: delays and branches in parallel, enclosures and orders.
 const IN_RUST: [&str; 2] = ["weigh_mix_b4", "weigh_mix_b5"];
+
+/// Charts of which a PLCopen project is kept, and its body: instructions with a delay, a small ladder.
+const AS_PROJECT: [(&str, Body, &str); 2] = [("press_a", Body::Il, "il"), ("lock_extended", Body::Ld, "ld")];
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("golden")
@@ -71,6 +76,14 @@ impl Golden {
         self.expect(file, &text);
     }
 
+    /// A PLCopen project of the neutral dialect.
+    fn project(&mut self, case: &Case, body: Body, file: String) {
+        let header = vec![format!("from {}.gct", case.name)];
+        let options = plcopen::Options { body, header, ..plcopen::Options::default() };
+        let text = self.made(case, Encoding::default(), true, Product::Plcopen(options));
+        self.expect(file, &text);
+    }
+
     fn stages(&mut self, case: &Case) {
         let file = |stage: &str| format!("dumps/{}/{stage}.txt", case.name);
         for (stage, encoding, product) in [
@@ -112,6 +125,9 @@ fn what_the_compiler_writes_is_as_it_was_read_last() {
                 golden.rust(&case, encoding, format!("rust/{}_{}.rs", case.name, encoding.name().replace('-', "_")));
             }
         }
+        for (_, body, language) in AS_PROJECT.into_iter().filter(|(name, ..)| *name == case.name) {
+            golden.project(&case, body, format!("plcopen/{}_{language}.xml", case.name));
+        }
         if STAGE_BY_STAGE.contains(&case.name.as_str()) {
             golden.stages(&case);
         }
@@ -120,6 +136,7 @@ fn what_the_compiler_writes_is_as_it_was_read_last() {
     assert!(golden.files.iter().filter(|file| !file.contains('/')).count() >= 3 * 16, "charts are missing");
     assert_eq!(count("switch/"), 3 * IN_EVERY_ENCODING.len());
     assert_eq!(count("rust/"), IN_RUST.len() * Encoding::ALL.len());
+    assert_eq!(count("plcopen/"), AS_PROJECT.len());
     assert_eq!(count("dumps/"), STAGE_BY_STAGE.len() * (6 + passes::ORDER.len()));
     assert_eq!(present(), golden.files, "golden files without a chart");
 }
