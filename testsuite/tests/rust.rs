@@ -10,6 +10,7 @@ use grafc_testsuite::differential::{compile, exact, first_difference, profile, r
 use grafc_testsuite::jobs::Job;
 use grafc_testsuite::random::{Drawn, Kind, checked, trace};
 use grafc_testsuite::rust::{Tools, run};
+use grafc_testsuite::scaling::SHAPES;
 
 /// Charts in one program of rustc.
 const BATCH: usize = 100;
@@ -87,6 +88,25 @@ fn fault(drawn: &Drawn, job: &Job, result: Result<Vec<Response>, String>) -> Opt
             let report = report(&drawn.chart, profile, &job.stimuli, &expected, &actual);
             format!("seed {}\n{}\n{report}", drawn.seed, drawn.text)
         }),
+    }
+}
+
+/// Large charts are parted into functions and tables, and of many steps runs are looked at. Each shape has more than 1,000
+/// steps.
+#[test]
+fn large_charts_agree() {
+    let Some(tools) = Tools::find_or_skip() else { return };
+    for shape in SHAPES {
+        let chart = check(shape.name, &(shape.write)(1_100)).expect("a chart without errors");
+        assert!(chart.steps.len() > 1_000, "{}: {} steps", shape.name, chart.steps.len());
+        let options = Options { profile: profile(0), encoding: Encoding::Switch, simplify: true };
+        let program = compile(&chart, &options).expect("a scan program");
+        let stimuli = trace(1, &chart, 40);
+        let expected = simulate(&chart, options.profile, &stimuli);
+        let actual = run(&tools, &[Job { program, stimuli: stimuli.clone() }]).remove(0).expect("a run");
+        if first_difference(&expected, &actual).is_some() {
+            panic!("{}\n{}", shape.name, report(&chart, options.profile, &stimuli, &expected, &actual));
+        }
     }
 }
 

@@ -1,17 +1,15 @@
 //! The chart: its memory, and what can be done with it.
 
 use super::expressions::WIDTH;
-use super::interface::{fields, has_variables, of, values};
+use super::interface::{fields, has_variables, values};
 use super::literals::{literal, type_name};
-use super::names::{Names, bit_of, state_of};
+use super::names::Names;
 use super::parts::Parts;
 use super::places::{Places, flag_name};
-use super::{doc, saved, scan, steps};
+use super::situation::words;
+use super::{doc, saved, scan, situation};
 use crate::writer::Writer;
 use grafc_logic::scan::{Flag, Program, Role, VarId};
-
-/// The bits of a word of the packed situation.
-pub(super) const WORD: usize = 32;
 
 /// All flags.
 const FLAGS: [Flag; 4] = [Flag::Livelock, Flag::AllocConflict, Flag::ForceConflict, Flag::Div0];
@@ -34,15 +32,9 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
     scan::write(out, program, names, places, parts);
     out.blank();
     chart.accessors(out);
-    chart.is_active(out);
-    chart.set(out);
+    situation::write(out, program, names, places);
     saved::write(out, program, names, places, parts.longest);
     out.close("}");
-}
-
-/// How many words hold the packed situation; none where steps are held otherwise.
-pub(super) fn words(program: &Program) -> usize {
-    if program.states.is_empty() { program.steps.len().div_ceil(WORD) } else { 0 }
 }
 
 /// The fields that are not packed, in groups.
@@ -174,69 +166,11 @@ impl Chart<'_> {
             "pub const fn reset(&mut self)",
             &["*self = Self::new();"],
         );
-        function(
-            out,
-            "The situation: the active steps, in order of declaration.",
-            "pub fn active_steps(&self) -> impl Iterator<Item = Step> + '_",
-            &["Step::ALL.into_iter().filter(|step| self.is_active(*step))"],
-        );
-    }
-
-    fn is_active(&self, out: &mut Writer) {
-        let head = "pub const fn is_active(&self, step: Step) -> bool";
-        if words(self.program) > 0 {
-            let line = format!("self.situation[step as usize / {WORD}] >> (step as usize % {WORD}) & 1 != 0");
-            return function(out, "Whether a step is active.", head, &[&line]);
-        }
-        out.line("/// Whether a step is active; none is before the first scan.");
-        out.open("pub fn is_active(&self, step: Step) -> bool {");
-        if let Some(started) = self.started() {
-            out.open(&format!("if !{} {{", self.places.read(started)));
-            out.line("return false;");
-            out.close("}");
-        }
-        out.open("match step {");
-        for s in self.program.steps.indices() {
-            let value = match (bit_of(self.program, s), state_of(self.program, s)) {
-                (Some(bit), _) => self.places.read(bit).to_owned(),
-                (None, Some((state, value))) => {
-                    let variant = self.places.variant(state, value).unwrap_or_default();
-                    format!("{} == {variant}", self.places.read(state))
-                }
-                (None, None) => "false".to_owned(),
-            };
-            steps::arm(out, &format!("Step::{}", self.names.steps[s]), &value);
-        }
-        out.close("}");
-        out.close("}");
-        out.blank();
-    }
-
-    /// The mark of the first scan.
-    fn started(&self) -> Option<VarId> {
-        of(self.program, Role::Memory).find(|(id, _)| self.program.variables[*id].name == "started").map(|(id, _)| id)
-    }
-
-    fn set(&self, out: &mut Writer) {
-        if words(self.program) == 0 {
-            return;
-        }
-        out.line("const fn set(&mut self, step: Step, active: bool) {");
-        out.enter();
-        out.line(&format!("let mask = 1 << (step as usize % {WORD});"));
-        out.open("if active {");
-        out.line(&format!("self.situation[step as usize / {WORD}] |= mask;"));
-        out.leave();
-        out.open("} else {");
-        out.line(&format!("self.situation[step as usize / {WORD}] &= !mask;"));
-        out.close("}");
-        out.close("}");
-        out.blank();
     }
 }
 
 /// Writes a function of few lines.
-fn function(out: &mut Writer, about: &str, head: &str, body: &[&str]) {
+pub(super) fn function(out: &mut Writer, about: &str, head: &str, body: &[&str]) {
     out.line(&format!("/// {about}"));
     debug_assert!(out.indent() + head.len() + 2 <= WIDTH);
     out.open(&format!("{head} {{"));

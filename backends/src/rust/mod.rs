@@ -3,8 +3,9 @@
 //! ```text
 //! constants · Inputs · Outputs · Variables     what a program around the chart sees      interface
 //! Step, and an enum for each state             the situation                             steps
-//! struct Chart { … }                           its memory and what can be done with it   chart, saved
-//!     fn scan(&mut self, inputs, now)          the statements of the scan program        scan, parts, locals, expressions
+//! struct Chart { … }                           its memory and what can be done with it   chart, situation, saved
+//!     fn scan(&mut self, inputs, now)          the statements of the scan program        scan, parts, uses, locals,
+//!                                                                                        expressions
 //! mod runtime { … }                            what it needs at run time                 runtime
 //! ```
 //!
@@ -21,8 +22,10 @@ mod places;
 mod runtime;
 mod saved;
 mod scan;
+mod situation;
 mod size;
 mod steps;
+mod uses;
 
 use crate::comment::clean;
 use crate::limits;

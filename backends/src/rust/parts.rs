@@ -5,10 +5,11 @@
 //! quick as a `match`, however many there are. What more than one function needs lies in a struct that the scan passes on.
 
 use super::places::Places;
+use super::uses::{Uses, shared};
 use crate::limits;
-use grafc_logic::formula::{Formula, FormulaId};
-use grafc_logic::scan::{Arm, Program, Role, Statement, VarId};
-use rustc_hash::{FxHashMap, FxHashSet};
+use grafc_logic::formula::FormulaId;
+use grafc_logic::scan::{Arm, Program, Statement, VarId};
+use rustc_hash::FxHashSet;
 
 /// Programs with so many times more statements than one function should have are parted.
 const LARGE: usize = 3;
@@ -283,124 +284,4 @@ impl<'p> Splitter<'p, '_> {
         self.functions.push(Function { about: self.about, ..Function::default() });
         self.functions.len() - 1
     }
-}
-
-/// What a function uses itself.
-struct Uses<'p> {
-    program: &'p Program,
-    places: &'p Places<'p>,
-    needs: Needs,
-    temporaries: FxHashSet<VarId>,
-    calls: Vec<usize>,
-    tables: Vec<usize>,
-    seen: FxHashSet<FormulaId>,
-}
-
-impl<'p> Uses<'p> {
-    fn of(program: &'p Program, places: &'p Places<'p>, code: &[Code]) -> Self {
-        let mut uses = Uses {
-            program,
-            places,
-            needs: Needs::default(),
-            temporaries: FxHashSet::default(),
-            calls: Vec::new(),
-            tables: Vec::new(),
-            seen: FxHashSet::default(),
-        };
-        uses.all(code);
-        uses
-    }
-
-    fn all(&mut self, code: &[Code]) {
-        for code in code {
-            match code {
-                Code::Plain(statement) => self.statement(statement),
-                Code::Loop(function) => {
-                    let limit = self.program.repeat.and_then(|repeat| repeat.limit);
-                    limit.iter().for_each(|limit| self.variable(limit.count));
-                    self.calls.push(*function);
-                }
-                Code::Again(again) => self.variable(*again),
-                Code::Call(function) => self.calls.push(*function),
-                Code::If(branches, otherwise) => {
-                    for (when, body) in branches {
-                        self.formula(*when);
-                        self.all(body);
-                    }
-                    self.all(otherwise);
-                }
-                Code::Arms(of, arms) => {
-                    self.variable(*of);
-                    arms.iter().for_each(|(_, body)| self.all(body));
-                }
-                Code::Table(of, table) => {
-                    self.variable(*of);
-                    self.tables.push(*table);
-                }
-            }
-        }
-    }
-
-    fn statement(&mut self, statement: &Statement) {
-        match statement {
-            Statement::Heading(_) => {}
-            Statement::Assign { target, value, .. } => {
-                self.variable(*target);
-                self.formula(*value);
-            }
-            Statement::Divide { target, dividend, divisor, .. } => {
-                self.variable(*target);
-                self.formula(*dividend);
-                self.formula(*divisor);
-            }
-            Statement::CallTimer { input, .. } => {
-                self.needs.now = true;
-                self.formula(*input);
-            }
-            Statement::Case { of, arms } => {
-                self.variable(*of);
-                arms.iter().flat_map(|arm| &arm.body).for_each(|statement| self.statement(statement));
-            }
-            Statement::If { branches, otherwise } => {
-                for (when, body) in branches {
-                    self.formula(*when);
-                    body.iter().for_each(|statement| self.statement(statement));
-                }
-                otherwise.iter().for_each(|statement| self.statement(statement));
-            }
-        }
-    }
-
-    fn formula(&mut self, id: FormulaId) {
-        let mut open = vec![id];
-        while let Some(id) = open.pop() {
-            if !self.seen.insert(id) {
-                continue;
-            }
-            if let Formula::Variable(v) = self.program.pool.get(id) {
-                self.variable(*v);
-            }
-            open.extend(self.program.pool.operands(id));
-        }
-    }
-
-    fn variable(&mut self, v: VarId) {
-        match self.program.variables[v].role {
-            Role::Input => self.needs.inputs = true,
-            Role::Temporary => {
-                self.temporaries.insert(v);
-            }
-            Role::Step => self.needs.steps |= self.places.packed(v).is_some(),
-            Role::Output | Role::Internal | Role::Constant | Role::State | Role::Flag(_) | Role::Memory => {}
-        }
-    }
-}
-
-/// The temporaries that more than one function uses.
-fn shared(program: &Program, uses: &[Uses]) -> Vec<VarId> {
-    let mut counts: FxHashMap<VarId, usize> = FxHashMap::default();
-    for v in uses.iter().flat_map(|uses| &uses.temporaries) {
-        *counts.entry(*v).or_default() += 1;
-    }
-    program.variables.indices().filter(|v| counts.get(v).is_some_and(|count| *count > 1)).collect()
 }

@@ -1,9 +1,10 @@
 //! Saving the memory of a chart as bytes, and restoring it.
 
-use super::chart::{memory, words};
+use super::chart::memory;
 use super::literals::size;
 use super::names::Names;
 use super::places::Places;
+use super::situation::words;
 use crate::writer::Writer;
 use grafc_logic::scan::{Program, Role, VarId};
 

@@ -1,9 +1,10 @@
 //! How many bytes a chart takes in memory.
 
-use super::chart::{WORD, memory, words};
+use super::chart::memory;
 use super::literals::size;
 use super::names::Names;
 use super::places::Places;
+use super::situation::{WORD, words};
 use grafc_logic::scan::{Program, Role};
 
 /// A timer: an `i64`, a `u32`, a `bool`.

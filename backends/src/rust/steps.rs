@@ -10,8 +10,9 @@ use grafc_logic::scan::Program;
 /// rustfmt puts many literals on a line if none is longer, without its quotes.
 const SHORT: usize = 10;
 
-/// Of an enum with more variants, a `Debug` that is derived costs rustc gigabytes.
-const MANY: usize = 1000;
+/// Of an enum with more variants, a `Debug` that is derived costs rustc gigabytes, and a `match` with an arm for each is
+/// dear, too.
+pub(super) const MANY: usize = 1000;
 
 /// Writes `Step`.
 pub(super) fn steps(out: &mut Writer, program: &Program, names: &Names) {

@@ -12,6 +12,7 @@ const RUST_SCAN: &str = "backends/src/rust/scan/mod.rs";
 const RUST_STATEMENTS: &str = "backends/src/rust/scan/statements.rs";
 const RUST_EXPRESSIONS: &str = "backends/src/rust/expressions.rs";
 const RUST_PARTS: &str = "backends/src/rust/parts.rs";
+const RUST_USES: &str = "backends/src/rust/uses.rs";
 
 pub(super) const FAULTS: &[Fault] = &[
     Fault {
@@ -163,7 +164,7 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "rust-values-not-shared",
-        file: RUST_PARTS,
+        file: RUST_USES,
         breaks: "in a large chart a function does not see the values that another has computed",
         text: "counts.get(v).is_some_and(|count| *count > 1)",
         instead: "counts.get(v).is_some_and(|count| *count > 2)",

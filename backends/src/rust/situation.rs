@@ -1,0 +1,153 @@
+//! The situation: which steps are active.
+
+use super::chart::function;
+use super::interface::of;
+use super::names::{Names, bit_of, state_of};
+use super::places::Places;
+use super::steps;
+use crate::comment::clean;
+use crate::writer::Writer;
+use grafc_logic::scan::{Program, Role, StepId, VarId};
+use std::cmp::Ordering;
+
+/// The bits of a word of the packed situation.
+pub(super) const WORD: usize = 32;
+
+/// How many words hold the packed situation; none where steps are held otherwise.
+pub(super) fn words(program: &Program) -> usize {
+    if program.states.is_empty() { program.steps.len().div_ceil(WORD) } else { 0 }
+}
+
+/// Writes what asks for active steps, and what sets bits of the packed situation.
+pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places) {
+    function(
+        out,
+        "The situation: the active steps, in order of declaration.",
+        "pub fn active_steps(&self) -> impl Iterator<Item = Step> + '_",
+        &["Step::ALL.into_iter().filter(|step| self.is_active(*step))"],
+    );
+    let situation = Situation { program, names, places };
+    situation.is_active(out);
+    situation.set(out);
+}
+
+struct Situation<'p> {
+    program: &'p Program,
+    names: &'p Names,
+    places: &'p Places<'p>,
+}
+
+impl Situation<'_> {
+    fn is_active(&self, out: &mut Writer) {
+        let head = "pub const fn is_active(&self, step: Step) -> bool";
+        if words(self.program) > 0 {
+            let line = format!("self.situation[step as usize / {WORD}] >> (step as usize % {WORD}) & 1 != 0");
+            return function(out, "Whether a step is active.", head, &[&line]);
+        }
+        out.line("/// Whether a step is active; none is before the first scan.");
+        out.open("pub fn is_active(&self, step: Step) -> bool {");
+        if let Some(started) = self.started() {
+            out.open(&format!("if !{} {{", self.places.read(started)));
+            out.line("return false;");
+            out.close("}");
+        }
+        if self.program.steps.len() > steps::MANY {
+            self.runs_of_steps(out);
+        } else {
+            out.open("match step {");
+            for s in self.program.steps.indices() {
+                let value = match (bit_of(self.program, s), state_of(self.program, s)) {
+                    (Some(bit), _) => self.places.read(bit).to_owned(),
+                    (None, Some((state, value))) => {
+                        let variant = self.places.variant(state, value).unwrap_or_default();
+                        format!("{} == {variant}", self.places.read(state))
+                    }
+                    (None, None) => "false".to_owned(),
+                };
+                steps::arm(out, &format!("Step::{}", self.names.steps[s]), &value);
+            }
+            out.close("}");
+        }
+        out.close("}");
+        out.blank();
+    }
+
+    /// The same of many steps. A set that excludes each other has them in the order of the chart mostly, and then an arm
+    /// serves a run of them: rustc takes minutes for a `match` of a hundred thousand variants.
+    fn runs_of_steps(&self, out: &mut Writer) {
+        // The first step of a run and the last, and what tells that a step of it is active.
+        let mut runs: Vec<(usize, usize, Told)> = Vec::new();
+        for (number, s) in self.program.steps.indices().enumerate() {
+            let told = match (bit_of(self.program, s), state_of(self.program, s)) {
+                (Some(bit), _) => Told::Bit(bit),
+                (None, Some((state, value))) => {
+                    Told::State(state, self.places.state(state).map_or(0, |names| names.place(value)))
+                }
+                (None, None) => continue,
+            };
+            match (runs.last_mut(), told) {
+                (Some((first, last, Told::State(of, at))), Told::State(state, place))
+                    if state == *of && number == *last + 1 && place == *at + (number - *first) =>
+                {
+                    *last = number;
+                }
+                _ => runs.push((number, number, told)),
+            }
+        }
+        let label = |number: usize| clean(&self.program.steps[StepId::from(number)].label);
+        out.open("match step as usize {");
+        for (first, last, told) in runs {
+            let one = first == last;
+            out.comment(&if one {
+                format!("step {}", label(first))
+            } else {
+                format!("steps {} to {}", label(first), label(last))
+            });
+            let value = match told {
+                Told::Bit(bit) => self.places.read(bit).to_owned(),
+                Told::State(state, place) => {
+                    let number = match place.cmp(&first) {
+                        Ordering::Equal => "step as usize".to_owned(),
+                        Ordering::Less => format!("step as usize - {}", first - place),
+                        Ordering::Greater => format!("step as usize + {}", place - first),
+                    };
+                    format!("{} as usize == {number}", self.places.read(state))
+                }
+            };
+            steps::arm(out, &if one { first.to_string() } else { format!("{first}..={last}") }, &value);
+        }
+        out.line("_ => false,");
+        out.close("}");
+    }
+
+    /// The mark of the first scan.
+    fn started(&self) -> Option<VarId> {
+        of(self.program, Role::Memory).find(|(id, _)| self.program.variables[*id].name == "started").map(|(id, _)| id)
+    }
+
+    fn set(&self, out: &mut Writer) {
+        if words(self.program) == 0 {
+            return;
+        }
+        out.line("const fn set(&mut self, step: Step, active: bool) {");
+        out.enter();
+        out.line(&format!("let mask = 1 << (step as usize % {WORD});"));
+        out.open("if active {");
+        out.line(&format!("self.situation[step as usize / {WORD}] |= mask;"));
+        out.leave();
+        out.open("} else {");
+        out.line(&format!("self.situation[step as usize / {WORD}] &= !mask;"));
+        out.close("}");
+        out.close("}");
+        out.blank();
+    }
+}
+
+/// What tells whether a step is active.
+#[derive(Clone, Copy)]
+enum Told {
+    /// A bit of its own.
+    Bit(VarId),
+    /// A state, at this place of its variants.
+    State(VarId, usize),
+}
