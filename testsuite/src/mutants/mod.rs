@@ -9,6 +9,7 @@
 //! `cargo run --release -p grafc-testsuite --bin mutants` tries them all.
 
 mod backends;
+mod bodies;
 mod encodings;
 mod lowering;
 mod net;
@@ -39,7 +40,8 @@ pub struct Fault {
 
 /// All of them, along the way of a chart through the compiler.
 pub fn all() -> impl Iterator<Item = &'static Fault> {
-    [net::FAULTS, lowering::FAULTS, encodings::FAULTS, proofs::FAULTS, backends::FAULTS].into_iter().flatten()
+    let files = [net::FAULTS, lowering::FAULTS, encodings::FAULTS, proofs::FAULTS, backends::FAULTS, bodies::FAULTS];
+    files.into_iter().flatten()
 }
 
 impl Fault {

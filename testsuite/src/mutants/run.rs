@@ -1,6 +1,6 @@
 //! One run of the suite, or of as much of it as a fault can touch.
 
-use super::workspace::{Suite, TestProgram};
+use super::workspace::{Suite, TestProgram, Tool};
 use super::{Fault, VARIABLE};
 use std::fs::File;
 use std::io;
@@ -13,45 +13,58 @@ use std::time::{Duration, Instant};
 /// loop endless, and that is noticed by the time.
 const PATIENCE: (Duration, u32) = (Duration::from_secs(20), 5);
 
+/// A file of the test suite.
+const fn tests(test: &'static str) -> Suite {
+    suite("grafc-testsuite", "testsuite", Some(test))
+}
+
 const fn suite(package: &'static str, folder: &'static str, test: Option<&'static str>) -> Suite {
-    Suite { package, folder, test }
+    Suite { package, folder, test, only: None, needs: None }
+}
+
+/// Tests that need a tool, of a file of the test suite those whose names have a part.
+const fn with(tool: Tool, test: &'static str, only: Option<&'static str>) -> Suite {
+    Suite { only, needs: Some(tool), ..tests(test) }
 }
 
 /// The tests that faults of the compiler should not pass, the quick ones first. Those that compare whole texts are left
 /// out: they notice every change and judge none.
 const COMPILER: &[Suite] = &[
-    suite("grafc-testsuite", "testsuite", Some("vectors")),
+    tests("vectors"),
     suite("grafc-net", "compiler/net", Some("passes")),
     suite("grafc-net", "compiler/net", Some("verify")),
     suite("grafc-logic", "compiler/logic", None),
     suite("grafc-logic", "compiler/logic", Some("programs")),
     suite("grafc-logic", "compiler/logic", Some("formulas")),
-    suite("grafc-testsuite", "testsuite", Some("textbook")),
-    suite("grafc-testsuite", "testsuite", Some("charts")),
-    suite("grafc-testsuite", "testsuite", Some("net")),
-    suite("grafc-testsuite", "testsuite", Some("transient")),
-    suite("grafc-testsuite", "testsuite", Some("random")),
-    suite("grafc-testsuite", "testsuite", Some("micro_steps")),
+    tests("textbook"),
+    tests("charts"),
+    tests("net"),
+    tests("transient"),
+    tests("random"),
+    tests("micro_steps"),
 ];
 
-/// The unit tests judge the statements that no chart leads to.
-const STRUCTURED_TEXT: &[Suite] =
-    &[suite("grafc-testsuite", "testsuite", Some("matiec")), suite("grafc-backends", "backends", None)];
-const STATEMENT_LIST: &[Suite] =
-    &[suite("grafc-testsuite", "testsuite", Some("awl")), suite("grafc-backends", "backends", None)];
-const RUST: &[Suite] = &[suite("grafc-testsuite", "testsuite", Some("rust"))];
+/// The unit tests judge the statements that no chart leads to, and what is right only for other tools.
+const BACKENDS: Suite = suite("grafc-backends", "backends", None);
+const STRUCTURED_TEXT: &[Suite] = &[with(Tool::Matiec, "matiec", None), BACKENDS];
+const INSTRUCTION_LIST: &[Suite] = &[with(Tool::Matiec, "matiec", Some("instruction_lists")), BACKENDS];
+const STATEMENT_LIST: &[Suite] = &[with(Tool::Awlsim, "awl", None), BACKENDS];
+const LADDER: &[Suite] = &[with(Tool::Beremiz, "beremiz", Some("ladders")), tests("plcopen_ld"), BACKENDS];
+const CHART: &[Suite] =
+    &[tests("plcopen_sfc"), with(Tool::Beremiz, "beremiz", Some("sequential_function_charts")), BACKENDS];
+const RUST: &[Suite] = &[tests("rust")];
 
 /// What has to catch a fault.
 pub fn suites(fault: &Fault) -> &'static [Suite] {
-    if fault.file.starts_with("backends/src/st/") {
-        STRUCTURED_TEXT
-    } else if fault.file.starts_with("backends/src/awl/") {
-        STATEMENT_LIST
-    } else if fault.file.starts_with("backends/") {
-        RUST
-    } else {
-        COMPILER
-    }
+    let folders = [
+        ("backends/src/st/", STRUCTURED_TEXT),
+        ("backends/src/il/", INSTRUCTION_LIST),
+        ("backends/src/awl/", STATEMENT_LIST),
+        ("backends/src/plcopen/ld/", LADDER),
+        ("backends/src/plcopen/sfc/", CHART),
+        ("backends/", RUST),
+    ];
+    folders.iter().find(|(folder, _)| fault.file.starts_with(folder)).map_or(COMPILER, |(_, suites)| suites)
 }
 
 /// How long a test program may take that has taken so long without a fault.
@@ -69,7 +82,7 @@ pub fn passes(
 ) -> io::Result<Option<Duration>> {
     let log = File::create(log)?;
     let mut command = Command::new(&test.program);
-    command.current_dir(&test.folder).env_remove(VARIABLE).env("RUST_BACKTRACE", "0");
+    command.args(test.suite.only).current_dir(&test.folder).env_remove(VARIABLE).env("RUST_BACKTRACE", "0");
     if let Some(fault) = fault {
         command.env(VARIABLE, fault.name);
     }

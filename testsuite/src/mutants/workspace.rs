@@ -1,6 +1,7 @@
 //! The copy of the workspace that has all faults, each behind its choice, and the test programs built from it.
 
 use super::{all, with_faults};
+use crate::{awlsim, beremiz, matiec};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -53,6 +54,28 @@ pub struct TestProgram {
     pub folder: PathBuf,
 }
 
+/// A program from outside without which tests do nothing.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Tool {
+    /// `iec2c` and a C compiler.
+    Matiec,
+    /// A Python with awlsim.
+    Awlsim,
+    /// Beremiz and MATIEC.
+    Beremiz,
+}
+
+impl Tool {
+    /// What is missing of it, if something is.
+    pub fn missing(self) -> Option<String> {
+        match self {
+            Tool::Matiec => matiec::Tools::find().err(),
+            Tool::Awlsim => awlsim::Tools::find().err(),
+            Tool::Beremiz => beremiz::Tools::find().err(),
+        }
+    }
+}
+
 /// Tests of one crate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Suite {
@@ -62,12 +85,17 @@ pub struct Suite {
     pub folder: &'static str,
     /// The file in `tests`; without it the tests beside the code.
     pub test: Option<&'static str>,
+    /// Only tests whose names have this part.
+    pub only: Option<&'static str>,
+    /// What the tests need.
+    pub needs: Option<Tool>,
 }
 
 impl Suite {
     /// What it is called in the report.
     pub fn name(self) -> String {
-        self.test.map_or_else(|| format!("{} (unit tests)", self.package), str::to_owned)
+        let file = self.test.map_or_else(|| format!("{} (unit tests)", self.package), str::to_owned);
+        self.only.map_or(file.clone(), |only| format!("{file} ({only})"))
     }
 }
 
