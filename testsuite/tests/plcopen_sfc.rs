@@ -3,14 +3,18 @@
 
 use grafc::pipeline::{self, Options, Product};
 use grafc_backends::plcopen::{self, Body, Dialect};
-use grafc_diagnostics::{Code, Diagnostic, FileId};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId};
+use grafc_logic::scan::StepId;
 use grafc_logic::{Encoding, Options as Lowering};
 use grafc_model::reaction::{Evolution, Profile};
-use grafc_testsuite::charts::{cases, charts_folder, vectors_folder};
+use grafc_net::passes;
+use grafc_testsuite::charts::{cases, charts_folder, check, vectors_folder};
+use grafc_testsuite::drawn_chart;
 use grafc_testsuite::plcopen_lint::document::Document;
 use grafc_testsuite::plcopen_lint::lint;
 use grafc_testsuite::plcopen_sheet::{Flow, Sheet};
 use grafc_testsuite::plcopen_tools;
+use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 /// A choice, branches in parallel, loops, arcs over several layers, actions of every kind that can be drawn.
@@ -55,6 +59,12 @@ static NEUTRAL: LazyLock<Vec<(String, String)>> = LazyLock::new(|| drawings(Dial
 
 /// All charts that can be drawn in a dialect, by name.
 fn drawings(dialect: Dialect) -> Vec<(String, String)> {
+    let all = charts().into_iter();
+    all.filter_map(|(name, text)| Some((name, draw(&text, Evolution::Scan, dialect).ok()?))).collect()
+}
+
+/// All charts that might be drawn, by name.
+fn charts() -> Vec<(String, String)> {
     let mut all: Vec<(String, String)> = vec![("mix".to_string(), MIX.to_string())];
     for folder in [charts_folder(), vectors_folder()] {
         all.extend(cases(&folder).into_iter().map(|case| (case.name, case.text)));
@@ -75,7 +85,7 @@ fn drawings(dialect: Dialect) -> Vec<(String, String)> {
                    transition шаг -> `(* *)` : вход and not `a b`\ntransition `(* *)` -> Ж1 : BEGIN\n\
                    transition Ж1 -> шаг : begin_1\n";
     all.push(("hostile".to_string(), hostile.to_string()));
-    all.into_iter().filter_map(|(name, text)| Some((name, draw(&text, Evolution::Scan, dialect).ok()?))).collect()
+    all
 }
 
 #[test]
@@ -127,6 +137,91 @@ fn what_leads_far_down_is_a_jump() {
         let text = draw(to);
         assert_eq!([count(&text, "jumpStep"), count(&text, "selectionConvergence")], [jumps, 2 - jumps], "to {to}");
     }
+}
+
+/// Every transition leaves and enters the steps of the chart, whatever stands between them in the drawing.
+#[test]
+fn drawings_read_as_their_charts() {
+    for (dialect, least) in [(Dialect::Neutral, 13), (Dialect::Codesys, 8)] {
+        let mut count = 0;
+        for (name, text) in charts() {
+            let Ok(drawing) = draw(&text, Evolution::Scan, dialect) else { continue };
+            let mut net = grafc_net::build(&check(&name, &text).expect("a chart"));
+            passes::run(&mut net, false, &mut Diagnostics::new());
+            let plain = |label: &String| label.bytes().all(|byte| byte.is_ascii_alphanumeric());
+            if !net.places.iter().all(|place| plain(&place.label)) {
+                continue;
+            }
+            count += 1;
+            let step = |id: &StepId| format!("X{}", net.places[*id].label);
+            let ends = net.transitions.iter().map(|t| [&t.pre, &t.post].map(|ids| ids.iter().map(step).collect()));
+            let mut expected: Vec<[BTreeSet<String>; 2]> = ends.collect();
+            expected.sort();
+            let initial = net.places.iter_enumerated().filter(|(_, place)| place.initial);
+            let drawn = drawn_chart::read(&Document::read(&drawing).expect("XML"));
+            let drawn = drawn.unwrap_or_else(|said| panic!("{name}, {dialect:?}: {said} in {drawing}"));
+            let mut ends: Vec<_> = drawn.transitions.into_iter().map(|t| [t.before, t.after]).collect();
+            ends.sort();
+            assert_eq!(ends, expected, "{name}, {dialect:?}: {drawing}");
+            assert_eq!(drawn.initial, initial.map(|(id, _)| step(&id)).collect(), "{name}");
+        }
+        assert!(count >= least, "only {count} drawings were read");
+    }
+}
+
+/// Conditions and actions stand at their transitions and steps. An output of one step is a variable with `N`; one of
+/// several, or with a condition, is computed while they are active and once more at their end.
+#[test]
+fn conditions_and_actions_stand_where_they_belong() {
+    let text = draw(MIX, Evolution::Scan, Dialect::Neutral).expect("a drawing");
+    let drawn = drawn_chart::read(&Document::read(&text).expect("XML")).expect("a chart");
+    let rows = |step: &str| -> Vec<String> {
+        let rows = drawn.actions.get(step).into_iter().flatten();
+        rows.map(|(qualifier, text)| format!("{qualifier} {}", text.split(" := ").next().unwrap_or_default())).collect()
+    };
+    for (step, expected) in [
+        ("X1", &[][..]),
+        ("X2", &["N at_2", "N fill_a", "N motor", "P0 motor"]),
+        ("X3", &["N fill_b"]),
+        ("X4", &[]),
+        ("X6", &["N at_6", "N motor", "P0 motor", "N pump", "P0 pump"]),
+        ("X7", &["N tip", "P1 batches"]),
+        ("X8", &["N at_8", "N lamp", "P0 lamp"]),
+    ] {
+        let mut rows = rows(step);
+        let mut expected = expected.to_vec();
+        rows.sort();
+        expected.sort_unstable();
+        assert_eq!(rows, expected, "{step} in {text}");
+    }
+    let after = |condition: &str| {
+        let found = drawn.transitions.iter().find(|transition| transition.condition == condition);
+        found.map(|transition| transition.after.iter().map(String::as_str).collect::<Vec<_>>().join(" "))
+    };
+    for (condition, expected) in [
+        ("go AND ready AND NOT test", "X2 X3"),
+        ("test AND NOT go", "X8"),
+        ("full_a", "X4"),
+        ("full_b", "X5"),
+        ("X6.T >= T#5s", "X7"),
+        ("tipped AND back", "X1"),
+        ("tipped AND NOT back", "X6"),
+        ("NOT ready", "X1"),
+    ] {
+        assert_eq!(after(condition).as_deref(), Some(expected), "{condition} in {text}");
+    }
+}
+
+/// What is done when a step is left, beside what is done when it is entered.
+#[test]
+fn actions_on_activation_and_deactivation_keep_apart() {
+    let chart = "input a : bool\noutput n, m : int\ninitial step 1\nstep 2 { n := 1 on activation  m := 2 on deactivation }\n\
+                 transition 1 -> 2 : a\ntransition 2 -> 1 : not a\n";
+    let text = draw(chart, Evolution::Scan, Dialect::Neutral).expect("a drawing");
+    let drawn = drawn_chart::read(&Document::read(&text).expect("XML")).expect("a chart");
+    let expected =
+        [("P1", "n := 1;"), ("P0", "m := 2;")].map(|(qualifier, text)| (qualifier.to_owned(), text.to_owned()));
+    assert_eq!(drawn.actions.get("X2").map(Vec::as_slice), Some(&expected[..]), "{text}");
 }
 
 #[test]

@@ -83,8 +83,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "il-halves-meet-too-early",
         file: IL_STATEMENTS,
         breaks: "in a choice of many arms the lower ones are looked for among the upper ones",
-        text: "&high[0].value.to_string()",
-        instead: "&low[low.len() - 1].value.to_string()",
+        text: "high[0].value",
+        instead: "low[low.len() - 1].value",
     },
     Fault {
         name: "il-bound-one-late",

@@ -133,8 +133,9 @@ impl Ladder<'_> {
             }
             return;
         };
-        // Its variable may be in it: so it is known before either is written.
+        // Its variable may be in it, or be it: so it is known before either is written.
         let contact = self.contact(value, false);
+        let contact = if contact.name == name { self.aside(vec![Item::Contact(contact)]) } else { contact };
         for (contact, storage) in [(contact.clone(), Storage::Set), (contact.inverse(), Storage::Reset)] {
             let items = self.items(vec![Factor::Contact(guard.clone()), Factor::Contact(contact)]);
             self.coil(items, &name, storage);

@@ -276,6 +276,17 @@ fn a_branch_is_chosen_before_anything_is_done() {
     );
 }
 
+/// What is written is what the variable was not before either rung.
+#[test]
+fn a_variable_is_inverted_under_a_condition() {
+    let program = body(&BITS, Type::Bool, |b, i, y| {
+        let own = b.read(y);
+        let value = b.pool().not(own);
+        vec![when(i[0], vec![assign(y, value)])]
+    });
+    assert_eq!(lines(&program), ["/y -> part_1", "a part_1 -> S y", "a /part_1 -> R y"]);
+}
+
 #[test]
 fn a_choice_compares_before_it_writes() {
     let mut b = Build::new("Choice");
