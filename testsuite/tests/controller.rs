@@ -30,7 +30,7 @@ fn vectors_and_charts_agree_as_instruction_lists() {
 
 #[test]
 fn random_charts_agree_as_instruction_lists() {
-    for seed in 4000..4060 {
+    for seed in 4000..4030 {
         let drawn = checked(seed, if seed % 2 == 0 { Kind::Flat } else { Kind::Hierarchical });
         let stimuli = trace(seed, &drawn.chart, 30);
         let ways = exact(profile(seed));
@@ -56,25 +56,27 @@ fn ladder_agrees(name: &str, chart: &Chart, options: &Options, stimuli: Vec<Stim
 #[test]
 fn charts_agree_as_ladders() {
     let mut count = 0;
-    for case in [vectors_folder(), charts_folder()].iter().flat_map(|folder| cases(folder)) {
+    let folders = [vectors_folder(), charts_folder()];
+    for (turn, case) in folders.iter().flat_map(|folder| cases(folder)).enumerate() {
         let chart = check(&case.name, &case.text).unwrap_or_else(|fault| panic!("{fault}"));
-        for (way, options) in exact(Profile { evolution: Evolution::Scan, ..case.profile }) {
+        let ways = exact(Profile { evolution: Evolution::Scan, ..case.profile });
+        for (way, options) in [&ways[turn % ways.len()], &ways[(turn + 1) % ways.len()]] {
             let stimuli = stimuli(&case.name, &case.trace, &chart).unwrap_or_else(|fault| panic!("{fault}"));
-            count += usize::from(ladder_agrees(&format!("{}, {way}", case.name), &chart, &options, stimuli));
+            count += usize::from(ladder_agrees(&format!("{}, {way}", case.name), &chart, options, stimuli));
         }
     }
-    assert!(count >= 500, "only {count} ladders ran");
+    assert!(count >= 200, "only {count} ladders ran");
 }
 
 #[test]
 fn random_charts_agree_as_ladders() {
     let mut count = 0;
-    for seed in 5000..5100 {
+    for seed in 5000..5040 {
         let drawn = checked(seed, if seed % 2 == 0 { Kind::Flat } else { Kind::Hierarchical });
         let ways = exact(Profile { evolution: Evolution::Scan, ..Profile::default() });
         let (way, options) = &ways[seed as usize % ways.len()];
         let name = format!("seed {seed}, {way}\n{}", drawn.text);
         count += usize::from(ladder_agrees(&name, &drawn.chart, options, trace(seed, &drawn.chart, 30)));
     }
-    assert!(count >= 20, "only {count} ladders ran");
+    assert!(count >= 30, "only {count} ladders ran");
 }

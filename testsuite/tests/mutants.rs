@@ -1,5 +1,6 @@
 //! The deliberate faults that `cargo run --release -p grafc-testsuite --bin mutants` tries still apply to the compiler.
 
+use grafc_testsuite::mutants::run::suites;
 use grafc_testsuite::mutants::{Fault, all, faults_that_do_not_apply, with_faults};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -22,6 +23,17 @@ fn each_fault_is_one_and_has_a_name() {
             name.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'-' || byte.is_ascii_digit()),
             "`{name}`"
         );
+    }
+}
+
+/// Each backend that has rules of its own has faults of its own, and tests that should notice them.
+#[test]
+fn each_backend_has_faults() {
+    for folder in ["st", "il", "awl", "rust", "plcopen/ld", "plcopen/sfc"] {
+        let folder = format!("backends/src/{folder}/");
+        let faults: Vec<&Fault> = all().filter(|fault| fault.file.starts_with(&folder)).collect();
+        assert!(faults.len() >= 4, "{folder}: {}", faults.len());
+        assert!(faults.iter().all(|fault| suites(fault).len() > 1), "{folder}");
     }
 }
 

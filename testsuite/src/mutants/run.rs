@@ -47,12 +47,25 @@ const COMPILER: &[Suite] = &[
 /// The unit tests judge the statements that no chart leads to, and what is right only for other tools.
 const BACKENDS: Suite = suite("grafc-backends", "backends", None);
 const STRUCTURED_TEXT: &[Suite] = &[with(Tool::Matiec, "matiec", None), BACKENDS];
-const INSTRUCTION_LIST: &[Suite] = &[with(Tool::Matiec, "matiec", Some("instruction_lists")), BACKENDS];
+const INSTRUCTION_LIST: &[Suite] = &[
+    Suite { only: Some("instruction_lists"), ..tests("controller") },
+    with(Tool::Matiec, "matiec", Some("instruction_lists")),
+    BACKENDS,
+];
 const STATEMENT_LIST: &[Suite] = &[with(Tool::Awlsim, "awl", None), BACKENDS];
-const LADDER: &[Suite] = &[with(Tool::Beremiz, "beremiz", Some("ladders")), tests("plcopen_ld"), BACKENDS];
+const LADDER: &[Suite] = &[
+    Suite { only: Some("ladders"), ..tests("controller") },
+    with(Tool::Beremiz, "beremiz", Some("ladders")),
+    tests("plcopen_ld"),
+    BACKENDS,
+];
 const CHART: &[Suite] =
     &[tests("plcopen_sfc"), with(Tool::Beremiz, "beremiz", Some("sequential_function_charts")), BACKENDS];
-const RUST: &[Suite] = &[tests("rust")];
+const RUST: &[Suite] = &[
+    Suite { only: Some("overlapping"), ..tests("rust") },
+    Suite { only: Some("vectors"), ..tests("rust") },
+    tests("rust"),
+];
 
 /// What has to catch a fault.
 pub fn suites(fault: &Fault) -> &'static [Suite] {
