@@ -116,3 +116,71 @@ fn with(operator: &str, a: Typed, b: Typed, not: impl Fn(Typed) -> Result<Typed,
         _ => operated(operator, a, b),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::charts::check;
+    use crate::differential::compile;
+    use grafc_backends::st;
+    use grafc_logic::Options;
+
+    /// Does a list once, with `a` true, `b` and `c` false, `n` the greatest number of its type.
+    fn after(list: &str, name: &str) -> Result<Value, String> {
+        let text = "input a, b, c : bool\noutput y : bool\noutput n : int\nvar t : time\ninitial step 1 { y }\n";
+        let program = compile(&check("chart", text).expect("a chart"), &Options::default()).expect("a scan program");
+        let job = Job { program, stimuli: Vec::new() };
+        let emit = |program: &Program| st::emit(program, &st::Options::default());
+        let block = FunctionBlock::new(0, &job, emit, st::names).expect("a function block");
+        let mut memory = Memory::new(&block);
+        memory.store("a", Value::Bool(true))?;
+        memory.store("n", Value::Int(32767))?;
+        List::read(&list.replace(", ", "\n")).call(&mut memory)?;
+        memory.operand(name).map(|(value, _)| value)
+    }
+
+    #[test]
+    fn lists_do_what_the_standard_says() {
+        for (list, name, expected) in [
+            // From left to right, whatever the operators.
+            ("LD 1, ADD 2, MUL 3, ST n", "n", Value::Int(9)),
+            ("LD 7, SUB 9, DIV 2, ST n", "n", Value::Int(-1)),
+            ("LD -7, MOD 4, ST n", "n", Value::Int(-3)),
+            ("LD n, ADD 1, ST n", "n", Value::Int(-32768)),
+            ("LD n, INT_TO_DINT, ADD 1, GT 32767, ST y", "y", Value::Bool(true)),
+            ("LD a, AND b, OR a, ST y", "y", Value::Bool(true)),
+            ("LD b, AND( b, OR a, ), ST y", "y", Value::Bool(false)),
+            ("LD a, AND( b, ORN c, ), ST y", "y", Value::Bool(true)),
+            ("LD a, XORN b, NOT, STN y", "y", Value::Bool(false)),
+            ("LDN a, JMPC x, LD TRUE, ST y, x:", "y", Value::Bool(true)),
+            ("LD a, JMPC x, ST y, x:", "y", Value::Bool(false)),
+            ("LD a, JMPCN x, JMP z, x:, ST y, z:", "y", Value::Bool(false)),
+            ("LD T#2s, MUL 2, ST t", "t", Value::Time(4000)),
+            ("LD a, ST f.IN, LD T#0ms, ST f.PT, LD f.Q, ST y", "y", Value::Bool(false)),
+            ("LD a, ST f.IN, LD T#0ms, ST f.PT, CAL f, LD f.Q, ST y", "y", Value::Bool(true)),
+            ("(* LD 1\nST n *)LD 2 (* two *), ST n", "n", Value::Int(2)),
+        ] {
+            assert_eq!(after(list, name), Ok(expected), "{list}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_done_is_told() {
+        for list in [
+            "ST y",
+            "LD n, ST y",
+            "LD z, ST y",
+            "JMP x",
+            "x:, JMP x",
+            "LD a, ), ST y",
+            "LD n, DIV 0, ST n",
+            "LD n, AND a, ST y",
+            "LD a, S y",
+            "CAL f",
+            "LD n, JMPC x, x:",
+            "LD a, ADD 1, ST n",
+        ] {
+            assert!(after(list, "y").is_err(), "{list}");
+        }
+    }
+}

@@ -181,3 +181,40 @@ fn truth((value, _): Typed) -> Result<bool, String> {
         Value::Int(_) | Value::Real(_) | Value::Time(_) => Err(format!("{value:?} is no truth value")),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::charts::check;
+    use crate::differential::compile;
+    use grafc_logic::Options;
+
+    /// A ladder drawn by hand: `go` starts what runs until a timer of five seconds has run out.
+    #[test]
+    fn ladders_do_what_the_standard_says() {
+        let text = "input go : bool\noutput run, late : bool\noutput n : int\ninitial step 1 { run late }\n";
+        let program = compile(&check("chart", text).expect("a chart"), &Options::default()).expect("a scan program");
+        let job = Job { program, stimuli: Vec::new() };
+        let emit = |program: &Program| st::emit(program, &st::Options::default());
+        let block = FunctionBlock::new(0, &job, emit, st::names).expect("a function block");
+        let mut memory = Memory::new(&block);
+        let document = Document::read(include_str!("../../plcopen/ladder.xml")).expect("XML");
+        let body = document.all("LD").next().expect("a ladder");
+        for (now, go, expected) in [
+            (0, false, [false, false]),
+            (10, true, [true, false]),
+            (20, false, [true, false]),
+            (5009, false, [true, false]),
+            // It is late behind the rung that looks at it.
+            (5010, false, [true, true]),
+            (5020, false, [false, false]),
+            (5030, false, [false, false]),
+        ] {
+            memory.now = now;
+            memory.store("go", Value::Bool(go)).expect("an input");
+            Call { document: &document, memory: &mut memory, given: BTreeMap::new() }.rungs(body).expect("a call");
+            let actual = ["run", "late"].map(|name| memory.operand(name).map(|(value, _)| value));
+            assert_eq!(actual, expected.map(|bit| Ok(Value::Bool(bit))), "at {now}");
+        }
+    }
+}

@@ -171,17 +171,18 @@ fn converted(function: &str, (value, _): Typed) -> Result<Typed, String> {
 fn operated(operator: &str, (a, a_type): Typed, (b, b_type): Typed) -> Result<Typed, String> {
     let wrong = || format!("{a:?} {operator} {b:?}");
     let ty = a_type.or(b_type);
-    let compared = match operator {
-        "EQ" => Some(a == b),
-        "NE" => Some(a != b),
-        "LT" => Some(numbers(a, b).ok_or_else(wrong)?.0 < numbers(a, b).ok_or_else(wrong)?.1),
-        "LE" => Some(numbers(a, b).ok_or_else(wrong)?.0 <= numbers(a, b).ok_or_else(wrong)?.1),
-        "GT" => Some(numbers(a, b).ok_or_else(wrong)?.0 > numbers(a, b).ok_or_else(wrong)?.1),
-        "GE" => Some(numbers(a, b).ok_or_else(wrong)?.0 >= numbers(a, b).ok_or_else(wrong)?.1),
+    let compares: Option<fn(&f64, &f64) -> bool> = match operator {
+        "EQ" => Some(f64::eq),
+        "NE" => Some(f64::ne),
+        "LT" => Some(f64::lt),
+        "LE" => Some(f64::le),
+        "GT" => Some(f64::gt),
+        "GE" => Some(f64::ge),
         _ => None,
     };
-    if let Some(truth) = compared {
-        return Ok((Value::Bool(truth), Some(Type::Bool)));
+    if let Some(compares) = compares {
+        let (a, b) = numbers(a, b).ok_or_else(wrong)?;
+        return Ok((Value::Bool(compares(&a, &b)), Some(Type::Bool)));
     }
     let value = match (operator, a, b) {
         ("AND", Value::Bool(a), Value::Bool(b)) => Value::Bool(a && b),

@@ -11,7 +11,7 @@ use std::process::Command;
 const LEFT_OUT: [&str; 3] = ["target", ".git", "fuzz"];
 
 /// Copies the workspace, with all faults put in. A file is written only if it has changed, so that a second run builds
-/// no more than it must.
+/// no more than it must; what the workspace does not have any more goes.
 pub fn copy(root: &Path, to: &Path) -> Result<(), String> {
     let told = |path: &Path, error: io::Error| format!("{}: {error}", path.display());
     let faulty: Vec<&str> = all().map(|fault| fault.file).collect();
@@ -19,6 +19,15 @@ pub fn copy(root: &Path, to: &Path) -> Result<(), String> {
     while let Some(folder) = folders.pop() {
         let from = root.join(&folder);
         fs::create_dir_all(to.join(&folder)).map_err(|error| told(&to.join(&folder), error))?;
+        for entry in fs::read_dir(to.join(&folder)).map_err(|error| told(&to.join(&folder), error))? {
+            let entry = entry.map_err(|error| told(&to.join(&folder), error))?;
+            let gone = !from.join(entry.file_name()).exists();
+            if gone && !LEFT_OUT.iter().any(|folder| *entry.file_name() == **folder) {
+                let path = entry.path();
+                let removed = if path.is_dir() { fs::remove_dir_all(&path) } else { fs::remove_file(&path) };
+                removed.map_err(|error| told(&path, error))?;
+            }
+        }
         for entry in fs::read_dir(&from).map_err(|error| told(&from, error))? {
             let entry = entry.map_err(|error| told(&from, error))?;
             let name = entry.file_name();
