@@ -115,6 +115,20 @@ fn no_parenthesis_within_a_parenthesis() {
         "LD e, AND b, OR( c, AND d, ), ST part_1, LD a, AND b, OR( c, AND d, ), ANDN part_1, ST y, \
          LD a, AND b, OR( c, AND d, ), ST part_1, LD e, AND b, OR( c, AND d, ), AND part_1, AND a, ST y"
     );
+    // Two that are needed at once have a variable each.
+    let three = body(&BITS, Type::Bool, |b, i, y| {
+        let factors = [product(b, i, 0), product(b, i, 4), {
+            let (ae, bc) = (b.pool().and([i[0], i[4]]), b.pool().and([i[1], i[2]]));
+            b.pool().or([ae, bc])
+        }];
+        let value = b.pool().and(factors);
+        vec![assign(y, value)]
+    });
+    assert_eq!(
+        list(&three),
+        "LD e, AND b, OR( c, AND d, ), ST part_1, LD a, AND e, OR( b, AND c, ), ST part_2, \
+         LD a, AND b, OR( c, AND d, ), AND part_1, AND part_2, ST y"
+    );
     let text = emit(&two, &Options::default()).expect("it can be written");
     assert!(text.contains("    (* values within one call *)\n    part_1 : BOOL;\n"), "{text}");
 }

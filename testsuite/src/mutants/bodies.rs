@@ -136,6 +136,13 @@ pub(super) const FAULTS: &[Fault] = &[
         instead: "",
     },
     Fault {
+        name: "ld-inverted-twice",
+        file: LD_STATEMENTS,
+        breaks: "a truth value that is inverted under a condition is looked at again when it has been set",
+        text: "contact.name == name",
+        instead: "false",
+    },
+    Fault {
         name: "ld-coil-before-its-condition",
         file: LD_STATEMENTS,
         breaks: "of the coils of a rung one that the condition reads is not the last",
