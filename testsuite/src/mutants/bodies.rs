@@ -6,6 +6,8 @@ const IL_CODE: &str = "backends/src/il/code.rs";
 const IL_EXPRESSIONS: &str = "backends/src/il/expressions.rs";
 const IL_STATEMENTS: &str = "backends/src/il/statements.rs";
 const LD: &str = "backends/src/plcopen/ld/mod.rs";
+const LD_BRANCHES: &str = "backends/src/plcopen/ld/branches.rs";
+const LD_CALCULATE: &str = "backends/src/plcopen/ld/calculate.rs";
 const LD_CIRCUIT: &str = "backends/src/plcopen/ld/circuit.rs";
 const LD_REPEAT: &str = "backends/src/plcopen/ld/repeat.rs";
 const LD_STATEMENTS: &str = "backends/src/plcopen/ld/statements.rs";
@@ -144,21 +146,21 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "ld-coil-before-its-condition",
-        file: LD_STATEMENTS,
+        file: LD_BRANCHES,
         breaks: "of the coils of a rung one that the condition reads is not the last",
         text: "!self.reads(condition, *target)",
         instead: "true",
     },
     Fault {
         name: "ld-functions-without-enable",
-        file: LD_STATEMENTS,
+        file: LD_CALCULATE,
         breaks: "what calculates under a condition does so always",
         text: "self.items(behind.into_iter().map(Factor::Contact).collect())",
         instead: "{ let _ = behind; Vec::new() }",
     },
     Fault {
         name: "ld-branches-do-not-exclude",
-        file: LD_STATEMENTS,
+        file: LD_BRANCHES,
         breaks: "a later branch is taken beside an earlier one",
         text: "before.push(contact.inverse());",
         instead: "",
