@@ -4,8 +4,10 @@ use super::workspace::{Suite, TestProgram, Tool};
 use super::{Fault, VARIABLE};
 use std::fs::File;
 use std::io;
+#[cfg(unix)]
+use std::os::unix::process::CommandExt;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -85,6 +87,17 @@ pub fn patience(without_fault: Duration) -> Duration {
     PATIENCE.0 + without_fault * PATIENCE.1
 }
 
+/// Stops a test program, and with it the programs that it has started: an endless one would go on for ever.
+fn stop(child: &mut Child) -> io::Result<()> {
+    if cfg!(unix) {
+        // The group has the number of its first process. Without the command `kill` the others stay.
+        let _ = Command::new("kill").args(["-KILL", "--", &format!("-{}", child.id())]).stderr(Stdio::null()).status();
+    }
+    child.kill()?;
+    child.wait()?;
+    Ok(())
+}
+
 /// Runs a test program with a fault, or with none; how long it took to pass, if it did and was not too long at it. What
 /// it prints goes into a file.
 pub fn passes(
@@ -99,6 +112,8 @@ pub fn passes(
     if let Some(fault) = fault {
         command.env(VARIABLE, fault.name);
     }
+    #[cfg(unix)]
+    command.process_group(0);
     let mut child = command.stdin(Stdio::null()).stdout(log.try_clone()?).stderr(log).spawn()?;
     let start = Instant::now();
     loop {
@@ -106,10 +121,32 @@ pub fn passes(
             return Ok(status.success().then(|| start.elapsed()));
         }
         if start.elapsed() > longest {
-            child.kill()?;
-            child.wait()?;
+            stop(&mut child)?;
             return Ok(None);
         }
         sleep(Duration::from_millis(50));
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    #[test]
+    fn what_a_test_program_started_ends_with_it() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let marks = folder.path().join("marks");
+        let mut shell = Command::new("sh");
+        shell.arg("-c").arg(format!("(while :; do echo >> '{}'; sleep 0.01; done) & wait", marks.display()));
+        let mut child = shell.process_group(0).spawn().expect("a shell");
+        let written = || fs::metadata(&marks).map_or(0, |file| file.len());
+        while written() == 0 {
+            sleep(Duration::from_millis(10));
+        }
+        stop(&mut child).expect("it is stopped");
+        let at_the_end = written();
+        sleep(Duration::from_millis(500));
+        assert_eq!(written(), at_the_end, "what it started still writes");
     }
 }
