@@ -33,7 +33,7 @@ impl Executor for Matiec {
     }
 
     fn limits(&self) -> &str {
-        "no products and quotients of times, and no literals of a time that are a nanosecond short in MATIEC"
+        "no products or quotients of times, which MATIEC reckons wrongly"
     }
 
     fn missing(&self) -> Option<&str> {
@@ -47,7 +47,7 @@ impl Executor for Matiec {
     fn run(&self, tasks: &[Task]) -> Vec<Outcome> {
         let jobs = tasks.iter().map(|task| {
             if misreckons(task.chart) {
-                return Err(Outcome::PassedOver("MATIEC reckons times wrongly"));
+                return Err(Outcome::PassedOver("MATIEC reckons products of times wrongly"));
             }
             job(task).map_err(Outcome::Failed)
         });

@@ -12,7 +12,7 @@ use crate::jobs;
 pub use crate::jobs::Job;
 use grafc_backends::il;
 use grafc_logic::scan::Program;
-use grafc_model::chart::{Arithmetic, Chart, Expr, ExprKind, Type, Value};
+use grafc_model::chart::{Arithmetic, Chart, ExprKind, Type};
 use grafc_model::reaction::Response;
 use std::fs;
 pub use tools::Tools;
@@ -40,11 +40,19 @@ pub(crate) struct Unit {
 }
 
 /// How the C code that MATIEC writes is used. Names are written in capitals there, but for that of the list of steps.
+///
+/// MATIEC cuts off what is behind the point of a nanosecond, so that half of all literals of a time are one too short
+/// (`T#1ms` has 999,999). Here they are rounded: what is compared is what grafc wrote.
 pub(crate) const RUNTIME: Runtime = Runtime {
     head: "\
 #include <stdio.h>
 #include <string.h>
 #include \"iec_std_lib.h\"
+#undef __time_to_timespec
+#define __SECONDS(ms, s, m, h, d) ((((long double)(d) * 24 + (h)) * 60 + (m)) * 60 + (s) + (long double)(ms) / 1e3)
+#define __time_to_timespec(sign, ms, s, m, h, d) ((IEC_TIMESPEC){ \\
+    ((sign) >= 0 ? 1 : -1) * (long int)__SECONDS(ms, s, m, h, d), \\
+    ((sign) >= 0 ? 1 : -1) * (long int)((__SECONDS(ms, s, m, h, d) - (long int)__SECONDS(ms, s, m, h, d)) * 1e9 + 0.5) })
 TIME __CURRENT_TIME;
 BOOL __DEBUG;
 #include \"POUS.h\"
@@ -93,35 +101,12 @@ pub(crate) fn build_and_play(tools: &Tools, batch: &[usize], units: &[&Unit]) ->
 /// Whether MATIEC reckons something in a chart wrongly, so that a comparison would test MATIEC and not grafc.
 ///
 /// It multiplies the nanoseconds of a time as 32 bits (`T#250ms * 10` is negative), and divides a time into fractions
-/// of a millisecond, of which `.gct` has none. And half of all literals of a time are a nanosecond short
-/// ([`is_short`]). That does not matter to a delay, but a time that is reckoned or compared with one is another.
+/// of a millisecond, of which `.gct` has none.
 pub fn misreckons(chart: &Chart) -> bool {
-    let short = |value: Value| matches!(value, Value::Time(ms) if is_short(ms));
-    let expr = |expr: &Expr| match expr.kind {
+    chart.exprs.iter().any(|expr| match expr.kind {
         ExprKind::Arithmetic(Arithmetic::Multiply | Arithmetic::Divide, _, _) => expr.ty == Type::Time,
-        ExprKind::Literal(value) => short(value),
         _ => false,
-    };
-    chart.exprs.iter().any(expr) || chart.variables.iter().any(|variable| short(variable.initial))
-}
-
-/// Whether MATIEC makes a literal of so many milliseconds a nanosecond too short, as `T#1ms` of 999,999 ns.
-///
-/// Its C code divides by 1,000 and multiplies the fraction of a second by 10^9, in `long double`, and cuts off what is
-/// behind the point. That has 64 bits on x86, as here.
-fn is_short(ms: i64) -> bool {
-    let nearest = |dividend: u128, divisor: u128| {
-        let (quotient, twice) = (dividend / divisor, dividend % divisor * 2);
-        if twice > divisor || (twice == divisor && quotient % 2 == 1) { quotient + 1 } else { quotient }
-    };
-    let ms = u128::from(ms.unsigned_abs());
-    // All in units of 2^-places.
-    let places = if ms < 1000 { 64 + (1000 / ms.max(1)).ilog2() } else { 63 - (ms / 1000).ilog2() };
-    let fraction = nearest(ms << places, 1000) - ((ms / 1000) << places);
-    let product = fraction * 1_000_000_000;
-    let beyond = (128 - product.leading_zeros()).saturating_sub(64);
-    let product = nearest(product, 1 << beyond) << beyond;
-    product >> places != ms % 1000 * 1_000_000
+    })
 }
 
 /// Whether `iec2c` takes a text.
@@ -129,18 +114,4 @@ pub fn accepts(tools: &Tools, text: &str) -> Result<(), String> {
     let folder = tempfile::tempdir().map_err(|e| e.to_string())?;
     fs::write(folder.path().join("charts.st"), text).map_err(|e| e.to_string())?;
     tools.iec2c(folder.path())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// As gcc computes what MATIEC writes, on x86-64.
-    #[test]
-    fn half_of_the_literals_are_a_nanosecond_short() {
-        let short: Vec<i64> = (0..=130).filter(|ms| is_short(*ms)).collect();
-        assert_eq!(short, [1, 2, 4, 8, 16, 32, 63, 64, 65, 126, 128, 130]);
-        assert_eq!((1..100_000).filter(|ms| is_short(*ms)).count(), 48_169);
-        assert!(is_short(2_147_483_647) && is_short(-1) && !is_short(-3));
-    }
 }
