@@ -30,14 +30,14 @@ pub(super) fn steps(out: &mut Writer, program: &Program, names: &Names) {
     out.open("impl Step {");
     out.line("/// All steps, in order of declaration.");
     let items: Vec<String> = names.steps.iter().map(|name| format!("Self::{name}")).collect();
-    list(out, &format!("pub const ALL: [Self; {}] =", items.len()), &items);
+    list(out, &format!("pub const ALL: [Self; {}] =", items.len()), "[", &items);
     out.blank();
     let labels: Vec<String> = program.steps.iter().map(|step| quoted(&step.label)).collect();
     let head = format!("const LABELS: [&'static str; {}] =", labels.len());
     if labels.iter().all(|label| label.len() <= SHORT + 2) {
         filled(out, &head, &labels)
     } else {
-        list(out, &head, &labels)
+        list(out, &head, "[", &labels)
     }
     out.blank();
     out.line("/// The label in the chart.");
@@ -120,16 +120,16 @@ fn variants(out: &mut Writer, names: &StateNames) {
     out.blank();
     out.open(&format!("impl {} {{", names.ty));
     let items: Vec<String> = names.variants.iter().map(|(_, name)| format!("Self::{name}")).collect();
-    list(out, &format!("const ALL: [Self; {}] =", items.len()), &items);
+    list(out, &format!("const ALL: [Self; {}] =", items.len()), "[", &items);
     out.close("}");
 }
 
-/// Writes a constant list as rustfmt lays it out.
-fn list(out: &mut Writer, head: &str, items: &[String]) {
-    if flat(out, head, items) {
+/// Writes a constant list as rustfmt lays it out; `open` is the bracket, with what stands before it.
+pub(super) fn list(out: &mut Writer, head: &str, open: &str, items: &[String]) {
+    if flat(out, head, open, items) {
         return;
     }
-    out.open(&format!("{head} ["));
+    out.open(&format!("{head} {open}"));
     for item in items {
         out.line(&format!("{item},"));
     }
@@ -138,7 +138,7 @@ fn list(out: &mut Writer, head: &str, items: &[String]) {
 
 /// The same of short literals, with many on a line.
 fn filled(out: &mut Writer, head: &str, items: &[String]) {
-    if flat(out, head, items) {
+    if flat(out, head, "[", items) {
         return;
     }
     out.open(&format!("{head} ["));
@@ -156,17 +156,17 @@ fn filled(out: &mut Writer, head: &str, items: &[String]) {
 }
 
 /// Writes a list that fits on one line; whether it does.
-fn flat(out: &mut Writer, head: &str, items: &[String]) -> bool {
+fn flat(out: &mut Writer, head: &str, open: &str, items: &[String]) -> bool {
     let flat = items.join(", ");
     if flat.len() > SMALL {
         return false;
     }
-    let line = format!("{head} [{flat}];");
+    let line = format!("{head} {open}{flat}];");
     if out.indent() + line.len() <= WIDTH {
         out.line(&line);
     } else {
         out.open(head);
-        out.line(&format!("[{flat}];"));
+        out.line(&format!("{open}{flat}];"));
         out.leave();
     }
     true

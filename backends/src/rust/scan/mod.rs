@@ -9,6 +9,7 @@ use super::locals::{Locals, ROOT};
 use super::names::Names;
 use super::parts::{Code, Needs, Parts, Table};
 use super::places::Places;
+use super::steps::list;
 use crate::comment::clean;
 use crate::writer::Writer;
 use grafc_logic::formula::{Type, Value};
@@ -177,12 +178,10 @@ impl Body<'_> {
         let nothing = format!("|{}| {{}}", vec!["_"; types.len()].join(", "));
         out.blank();
         out.comment("what is done at each value");
-        out.open(&format!("const {}: &[fn({}); {}] = &[", table_name(table), types.join(", "), arms.len()));
-        for arm in arms {
-            let function = arm.map_or_else(|| nothing.clone(), |arm| format!("Self::{}", self.parts.name(arm)));
-            out.line(&format!("{function},"));
-        }
-        out.close("];");
+        let head = format!("const {}: &[fn({}); {}] =", table_name(table), types.join(", "), arms.len());
+        let function =
+            |arm: &Option<usize>| arm.map_or(nothing.clone(), |arm| format!("Self::{}", self.parts.name(arm)));
+        list(out, &head, "&[", &arms.iter().map(function).collect::<Vec<_>>());
     }
 
     fn call(&self, function: usize) -> String {
