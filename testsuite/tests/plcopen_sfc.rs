@@ -10,7 +10,7 @@ use grafc_model::reaction::{Evolution, Profile};
 use grafc_net::passes;
 use grafc_testsuite::charts::{cases, charts_folder, check, vectors_folder};
 use grafc_testsuite::drawn_chart;
-use grafc_testsuite::plcopen_lint::document::Document;
+use grafc_testsuite::plcopen_lint::document::{Document, Id};
 use grafc_testsuite::plcopen_lint::lint;
 use grafc_testsuite::plcopen_sheet::{Flow, Sheet};
 use grafc_testsuite::plcopen_tools;
@@ -305,6 +305,20 @@ fn what_is_not_nested_is_refused_with_its_reason() {
     }
 }
 
+/// The names in a list of variables of a unit.
+fn declared<'d>(document: &'d Document, unit: Id, list: &str) -> Vec<&'d str> {
+    let lists = document.within(unit).filter(|id| document.name(*id) == list);
+    lists.flat_map(|list| document.children(list, "variable")).filter_map(|id| document.attribute(id, "name")).collect()
+}
+
+/// The one body in Structured Text that calls a drawing, its words a blank apart.
+fn around(document: &Document) -> String {
+    let bodies = document.all("ST").map(|id| &document.get(document.get(id).children[0]).text);
+    let bodies: Vec<&String> = bodies.filter(|text| text.contains("drawn(")).collect();
+    let [body] = bodies[..] else { panic!("{} calls", bodies.len()) };
+    body.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// What inputs decide is found before the chart is called, and is an input of it.
 #[test]
 fn edges_and_delays_of_inputs_are_found_before() {
@@ -317,22 +331,12 @@ fn edges_and_delays_of_inputs_are_found_before() {
         let document = Document::read(&text).expect("XML");
         let names: Vec<&str> = document.all("pou").filter_map(|unit| document.attribute(unit, "name")).collect();
         assert_eq!(names, ["Press_chart", "Press", "Press_program"]);
-        let of = |unit: usize, name: &'static str| -> Vec<&str> {
-            let unit = document.all("pou").nth(unit).expect("a unit");
-            let all = document.within(unit).filter(|id| document.name(*id) == name);
-            all.flat_map(|list| document.children(list, "variable"))
-                .filter_map(|id| document.attribute(id, "name"))
-                .collect()
-        };
+        let of = |unit: usize, list: &str| declared(&document, document.all("pou").nth(unit).expect("a unit"), list);
         assert_eq!(of(0, "inputVars"), ["a", "b", "rise_a", "fall_3", "delayed_b"]);
         assert_eq!(of(0, "outputVars"), ["w"]);
         assert_eq!(of(1, "inputVars"), ["a", "b"]);
-        let body = document.all("ST").map(|id| &document.get(document.get(id).children[0]).text);
-        let body = body.filter(|text| text.contains("drawn(")).collect::<Vec<_>>();
-        let [body] = body[..] else { panic!("not one call: {text}") };
-        let statements: Vec<&str> = body.split_whitespace().collect();
         assert_eq!(
-            statements.join(" "),
+            around(&document),
             "IF NOT started THEN started := TRUE; old_a := a; old_3 := a OR b; END_IF; \
              rise_a := a AND NOT old_a; fall_3 := NOT (a OR b) AND old_3; on_b(IN := b, PT := late); \
              off_b(IN := NOT on_b.Q, PT := T#2s); held_b := on_b.Q OR (held_b AND NOT off_b.Q); delayed_b := held_b; \
@@ -351,19 +355,9 @@ fn edges_and_delays_of_steps_are_found_before() {
     assert_eq!(lint(&text, Dialect::Neutral), [], "{text}");
     let document = Document::read(&text).expect("XML");
     let drawn = document.all("pou").next().expect("a unit");
-    let outputs: Vec<&str> = document
-        .within(drawn)
-        .filter(|id| document.name(*id) == "outputVars")
-        .flat_map(|list| document.children(list, "variable"))
-        .filter_map(|id| document.attribute(id, "name"))
-        .collect();
-    assert_eq!(outputs, ["w", "n", "at_1"]);
-    let body = document.all("ST").map(|id| &document.get(document.get(id).children[0]).text);
-    let body = body.filter(|text| text.contains("drawn(")).collect::<Vec<_>>();
-    let [body] = body[..] else { panic!("not one call: {text}") };
-    let statements: Vec<&str> = body.split_whitespace().collect();
+    assert_eq!(declared(&document, drawn, "outputVars"), ["w", "n", "at_1"]);
     assert_eq!(
-        statements.join(" "),
+        around(&document),
         "IF NOT started THEN started := TRUE; old_3 := drawn.at_1 OR (n > 3); END_IF; \
          on_X1(IN := drawn.at_1, PT := T#2s); delayed_X1 := on_X1.Q; \
          fall_3 := NOT (drawn.at_1 OR (n > 3)) AND old_3; old_3 := drawn.at_1 OR (n > 3); \
