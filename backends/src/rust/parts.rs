@@ -56,6 +56,12 @@ pub(super) struct Needs {
 }
 
 impl Needs {
+    /// What is needed of something for the inputs, something for the time and something for the values.
+    pub fn of<T>(self, [inputs, now, values]: [T; 3]) -> impl Iterator<Item = T> {
+        let all = [(self.inputs, inputs), (self.now, now), (self.values, values)];
+        all.into_iter().filter_map(|(needed, one)| needed.then_some(one))
+    }
+
     fn and(&mut self, other: Needs) {
         self.inputs |= other.inputs;
         self.now |= other.now;
@@ -273,8 +279,8 @@ impl<'p> Splitter<'p, '_> {
             self.about = arm.remark.as_deref();
             let function = self.reserve();
             self.tables[table].arms[state.place(arm.value)] = Some(function);
-            let code = self.block(&arm.body);
-            self.functions[function] = Function { code, table: Some(table), ..self.functions[function] };
+            self.functions[function].table = Some(table);
+            self.functions[function].code = self.block(&arm.body);
         }
         Code::Table(of, table)
     }

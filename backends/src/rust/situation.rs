@@ -56,13 +56,13 @@ impl Situation<'_> {
         } else {
             out.open("match step {");
             for s in self.program.steps.indices() {
-                let value = match (bit_of(self.program, s), state_of(self.program, s)) {
-                    (Some(bit), _) => self.places.read(bit).to_owned(),
-                    (None, Some((state, value))) => {
+                let value = match self.told(s) {
+                    Some(Told::Bit(bit)) => self.places.read(bit).to_owned(),
+                    Some(Told::State(state, value)) => {
                         let variant = self.places.variant(state, value).unwrap_or_default();
                         format!("{} == {variant}", self.places.read(state))
                     }
-                    (None, None) => "false".to_owned(),
+                    None => "false".to_owned(),
                 };
                 steps::arm(out, &format!("Step::{}", self.names.steps[s]), &value);
             }
@@ -75,19 +75,15 @@ impl Situation<'_> {
     /// The same of many steps. A set that excludes each other has them in the order of the chart mostly, and then an arm
     /// serves a run of them: rustc takes minutes for a `match` of a hundred thousand variants.
     fn runs_of_steps(&self, out: &mut Writer) {
-        // The first step of a run and the last, and what tells that a step of it is active.
+        // The first step of a run and the last, and what tells that the first is active.
         let mut runs: Vec<(usize, usize, Told)> = Vec::new();
         for (number, s) in self.program.steps.indices().enumerate() {
-            let told = match (bit_of(self.program, s), state_of(self.program, s)) {
-                (Some(bit), _) => Told::Bit(bit),
-                (None, Some((state, value))) => {
-                    Told::State(state, self.places.state(state).map_or(0, |names| names.place(value)))
-                }
-                (None, None) => continue,
-            };
+            let Some(told) = self.told(s) else { continue };
             match (runs.last_mut(), told) {
-                (Some((first, last, Told::State(of, at))), Told::State(state, place))
-                    if state == *of && number == *last + 1 && place == *at + (number - *first) =>
+                (Some((first, last, Told::State(of, at))), Told::State(state, value))
+                    if state == *of
+                        && number == *last + 1
+                        && self.place(state, value) == self.place(state, *at) + (number - *first) =>
                 {
                     *last = number;
                 }
@@ -105,7 +101,8 @@ impl Situation<'_> {
             });
             let value = match told {
                 Told::Bit(bit) => self.places.read(bit).to_owned(),
-                Told::State(state, place) => {
+                Told::State(state, value) => {
+                    let place = self.place(state, value);
                     let number = match place.cmp(&first) {
                         Ordering::Equal => "step as usize".to_owned(),
                         Ordering::Less => format!("step as usize - {}", first - place),
@@ -118,6 +115,17 @@ impl Situation<'_> {
         }
         out.line("_ => false,");
         out.close("}");
+    }
+
+    /// What tells whether a step is active; nothing where it never is.
+    fn told(&self, step: StepId) -> Option<Told> {
+        let state = || state_of(self.program, step).map(|(state, value)| Told::State(state, value));
+        bit_of(self.program, step).map(Told::Bit).or_else(state)
+    }
+
+    /// At which place of the variants of a state a value is.
+    fn place(&self, state: VarId, value: i64) -> usize {
+        self.places.state(state).map_or(0, |names| names.place(value))
     }
 
     /// The mark of the first scan.
@@ -148,6 +156,6 @@ impl Situation<'_> {
 enum Told {
     /// A bit of its own.
     Bit(VarId),
-    /// A state, at this place of its variants.
-    State(VarId, usize),
+    /// A state with this value.
+    State(VarId, i64),
 }

@@ -15,6 +15,7 @@ use crate::writer::Writer;
 use grafc_logic::formula::{Type, Value};
 use grafc_logic::scan::{Flag, Program, Role, VarId};
 use std::cell::Cell;
+use std::iter;
 
 /// Writes the scan, and the functions that a large one is parted into.
 pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places, parts: &Parts) {
@@ -41,17 +42,12 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
             if !parts.only_finds(index) {
                 out.line("#[inline(never)]");
             }
-            let parameter = |given: bool, needed: bool, name: &str, ty: &str| {
-                let name = if needed { name } else { "_" };
-                if given { format!(", {name}: {ty}") } else { String::new() }
-            };
-            let (given, needs) = (parts.given(index), function.needs);
-            let parameters = [
-                parameter(given.inputs, needs.inputs, "inputs", INPUTS),
-                parameter(given.now, needs.now, "now", NOW),
-                parameter(given.values, needs.values, "values", VALUES),
-            ]
-            .concat();
+            let Needs { inputs, now, values, .. } = function.needs;
+            let parameters: String = parts
+                .given(index)
+                .of([("inputs", INPUTS, inputs), ("now", NOW, now), ("values", VALUES, values)])
+                .map(|(name, ty, needed)| format!(", {}: {ty}", if needed { name } else { "_" }))
+                .collect();
             let gives = if parts.micro_step == Some(index) { " -> bool" } else { "" };
             out.open(&format!("fn {}(&mut self{parameters}){gives} {{", parts.name(index)));
             body.function(out, &function.code, function.needs);
@@ -168,13 +164,7 @@ impl Body<'_> {
     /// The functions that a table has, by the values of its state.
     fn table(&self, out: &mut Writer, table: usize) {
         let Table { arms, needs, .. } = &self.parts.tables[table];
-        let types = [
-            Some("&mut Self"),
-            needs.inputs.then_some(INPUTS),
-            needs.now.then_some(NOW),
-            needs.values.then_some(VALUES),
-        ];
-        let types: Vec<&str> = types.into_iter().flatten().collect();
+        let types: Vec<&str> = iter::once("&mut Self").chain(needs.of([INPUTS, NOW, VALUES])).collect();
         let nothing = format!("|{}| {{}}", vec!["_"; types.len()].join(", "));
         out.blank();
         out.comment("what is done at each value");
@@ -240,8 +230,7 @@ impl Body<'_> {
 
 /// What a function is given beside the chart.
 fn arguments(needs: Needs) -> Vec<&'static str> {
-    let arguments = [needs.inputs.then_some("inputs"), needs.now.then_some("now"), needs.values.then_some("values")];
-    arguments.into_iter().flatten().collect()
+    needs.of(["inputs", "now", "values"]).collect()
 }
 
 fn table_name(table: usize) -> String {
