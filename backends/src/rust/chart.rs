@@ -1,13 +1,13 @@
 //! The chart: its memory, and what can be done with it.
 
-use super::expressions::WIDTH;
 use super::interface::{fields, has_variables, values};
+use super::items::{doc, function};
 use super::literals::{literal, type_name};
+use super::memory::{self, words};
 use super::names::Names;
 use super::parts::Parts;
 use super::places::{Places, flag_name};
-use super::situation::words;
-use super::{doc, saved, scan, situation};
+use super::{saved, scan, situation};
 use crate::writer::Writer;
 use grafc_logic::scan::{Flag, Program, Role, VarId};
 
@@ -37,19 +37,6 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
     out.close("}");
 }
 
-/// The fields that are not packed, in groups.
-pub(super) fn memory(program: &Program, places: &Places) -> Vec<(&'static str, Vec<VarId>)> {
-    let all = |wanted: fn(Role) -> bool| -> Vec<VarId> {
-        let ids = program.variables.iter_enumerated().filter(|(_, v)| wanted(v.role)).map(|(id, _)| id);
-        ids.filter(|id| places.packed(*id).is_none()).collect()
-    };
-    vec![
-        ("which step is active", all(|role| role == Role::State)),
-        ("steps", all(|role| role == Role::Step)),
-        ("memory from scan to scan", all(|role| role == Role::Memory)),
-    ]
-}
-
 struct Chart<'p> {
     program: &'p Program,
     names: &'p Names,
@@ -73,7 +60,7 @@ impl Chart<'_> {
             out.comment("which steps are active, a bit each");
             out.line(&format!("situation: [u32; {}],", words(self.program)));
         }
-        for (about, group) in memory(self.program, self.places) {
+        for (about, group) in memory::fields(self.program, self.places) {
             if group.is_empty() {
                 continue;
             }
@@ -122,7 +109,7 @@ impl Chart<'_> {
         if words(self.program) > 0 {
             out.line(&format!("situation: [0; {}],", words(self.program)));
         }
-        for id in memory(self.program, self.places).into_iter().flat_map(|(_, group)| group) {
+        for id in memory::fields(self.program, self.places).into_iter().flat_map(|(_, group)| group) {
             out.line(&format!("{}: {},", self.names.variables[id], self.initial(id)));
         }
         for timer in &self.names.timers {
@@ -167,16 +154,4 @@ impl Chart<'_> {
             &["*self = Self::new();"],
         );
     }
-}
-
-/// Writes a function of few lines.
-pub(super) fn function(out: &mut Writer, about: &str, head: &str, body: &[&str]) {
-    out.line(&format!("/// {about}"));
-    debug_assert!(out.indent() + head.len() + 2 <= WIDTH);
-    out.open(&format!("{head} {{"));
-    for line in body {
-        out.line(line);
-    }
-    out.close("}");
-    out.blank();
 }

@@ -1,6 +1,6 @@
 //! What a program around the chart sees of its variables: constants, inputs, outputs, internal variables.
 
-use super::doc;
+use super::items::doc;
 use super::literals::{literal, type_name, zero};
 use super::names::{Names, remark};
 use crate::writer::Writer;

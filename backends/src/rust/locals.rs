@@ -5,7 +5,7 @@
 //! reading it, it is a variable of its own in each part. Else it comes before the first statement that has to do with it,
 //! with the zero of its type.
 
-use super::parts::Code;
+use super::code::Code;
 use grafc_logic::formula::{Formula, FormulaId};
 use grafc_logic::scan::{Program, Role, Statement, VarId};
 use rustc_hash::FxHashMap;

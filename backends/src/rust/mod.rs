@@ -12,10 +12,13 @@
 //! `names` and `places` say what everything is called and where it lies; [`size_of`] how large the chart is in memory.
 
 mod chart;
+mod code;
 mod expressions;
 mod interface;
+mod items;
 mod literals;
 mod locals;
+mod memory;
 mod names;
 mod parts;
 mod places;
@@ -32,6 +35,7 @@ use crate::limits;
 use crate::writer::{self, Writer};
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::scan::Program;
+use items::escaped;
 pub use names::Names;
 use parts::Parts;
 use places::Places;
@@ -141,22 +145,4 @@ fn head(out: &mut Writer, program: &Program, options: &Options) {
         out.line(line);
     }
     out.blank();
-}
-
-/// A comment that documents what follows, on one line: a break might begin what Markdown takes for a list. The text is
-/// clean.
-fn doc(out: &mut Writer, text: &str) {
-    out.line(&format!("/// {}", escaped(text)));
-}
-
-/// A text in which Markdown finds neither links nor tags.
-fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        if matches!(c, '[' | ']' | '<' | '>' | '\\') {
-            out.push('\\');
-        }
-        out.push(c);
-    }
-    out
 }

@@ -4,6 +4,7 @@
 //! parted: runs of them become functions of their own, and of a large `Case` each arm, which a table finds by the value: as
 //! quick as a `match`, however many there are. What more than one function needs lies in a struct that the scan passes on.
 
+use super::code::{Code, Needs};
 use super::places::Places;
 use super::uses::{Uses, shared};
 use crate::limits;
@@ -42,49 +43,6 @@ pub(super) struct Table {
     pub first: usize,
     /// What the arms need together: all functions of a table are called alike.
     pub needs: Needs,
-}
-
-/// What a function needs to be given.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Needs {
-    pub inputs: bool,
-    pub now: bool,
-    /// The values that functions share.
-    pub values: bool,
-    /// The names of steps.
-    pub steps: bool,
-}
-
-impl Needs {
-    /// What is needed of something for the inputs, something for the time and something for the values.
-    pub fn of<T>(self, [inputs, now, values]: [T; 3]) -> impl Iterator<Item = T> {
-        let all = [(self.inputs, inputs), (self.now, now), (self.values, values)];
-        all.into_iter().filter_map(|(needed, one)| needed.then_some(one))
-    }
-
-    fn and(&mut self, other: Needs) {
-        self.inputs |= other.inputs;
-        self.now |= other.now;
-        self.values |= other.values;
-    }
-}
-
-/// A statement, or what is left of one whose parts are elsewhere.
-pub(super) enum Code<'p> {
-    /// As it stands.
-    Plain(&'p Statement),
-    /// The stability loop, with the function of its micro-step.
-    Loop(usize),
-    /// Whether another micro-step is needed, which the function of a micro-step tells.
-    Again(VarId),
-    /// The call of a function.
-    Call(usize),
-    /// Branches and what else.
-    If(Vec<(FormulaId, Vec<Code<'p>>)>, Vec<Code<'p>>),
-    /// Arms of a state.
-    Arms(VarId, Vec<(&'p Arm, Vec<Code<'p>>)>),
-    /// By the value of a state, the function that a table has for it.
-    Table(VarId, usize),
 }
 
 /// The functions of a scan; the first is the scan itself.

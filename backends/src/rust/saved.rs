@@ -1,10 +1,9 @@
 //! Saving the memory of a chart as bytes, and restoring it.
 
-use super::chart::memory;
 use super::literals::size;
+use super::memory::{self, words};
 use super::names::Names;
 use super::places::Places;
-use super::situation::words;
 use crate::writer::Writer;
 use grafc_logic::scan::{Program, Role, VarId};
 
@@ -33,7 +32,8 @@ struct Saved<'p> {
 impl Saved<'_> {
     /// Everything that keeps its value, but for the packed situation and the timers.
     fn variables(&self) -> Vec<VarId> {
-        let mut list: Vec<VarId> = memory(self.program, self.places).into_iter().flat_map(|(_, group)| group).collect();
+        let mut list: Vec<VarId> =
+            memory::fields(self.program, self.places).into_iter().flat_map(|(_, group)| group).collect();
         let kept = |role| matches!(role, Role::Output | Role::Internal | Role::Flag(_));
         list.extend(self.program.variables.iter_enumerated().filter(|(_, v)| kept(v.role)).map(|(id, _)| id));
         list

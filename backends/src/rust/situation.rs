@@ -1,7 +1,8 @@
 //! The situation: which steps are active.
 
-use super::chart::function;
 use super::interface::of;
+use super::items::function;
+use super::memory::{WORD, words};
 use super::names::{Names, bit_of, state_of};
 use super::places::Places;
 use super::steps;
@@ -9,14 +10,6 @@ use crate::comment::clean;
 use crate::writer::Writer;
 use grafc_logic::scan::{Program, Role, StepId, VarId};
 use std::cmp::Ordering;
-
-/// The bits of a word of the packed situation.
-pub(super) const WORD: usize = 32;
-
-/// How many words hold the packed situation; none where steps are held otherwise.
-pub(super) fn words(program: &Program) -> usize {
-    if program.states.is_empty() { program.steps.len().div_ceil(WORD) } else { 0 }
-}
 
 /// Writes what asks for active steps, and what sets bits of the packed situation.
 pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places) {

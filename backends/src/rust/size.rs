@@ -1,10 +1,9 @@
 //! How many bytes a chart takes in memory.
 
-use super::chart::memory;
 use super::literals::size;
+use super::memory::{self, WORD, words};
 use super::names::Names;
 use super::places::Places;
-use super::situation::{WORD, words};
 use grafc_logic::scan::{Program, Role};
 
 /// A timer: an `i64`, a `u32`, a `bool`.
@@ -19,7 +18,7 @@ pub fn size_of(program: &Program) -> usize {
     let mut fields = vec![(FLAGS, 1)];
     fields.extend((words(program) > 0).then(|| (words(program) * WORD / 8, WORD / 8)));
     fields.extend(program.timers.iter().map(|_| (TIMER, 8)));
-    for id in memory(program, &places).into_iter().flat_map(|(_, group)| group) {
+    for id in memory::fields(program, &places).into_iter().flat_map(|(_, group)| group) {
         let bytes = match places.state(id) {
             Some(state) => enumeration(state.variants.len()),
             None => size(program.variables[id].ty),

@@ -1,7 +1,7 @@
 //! The steps of the chart as an enum, and an enum for each set of steps that exclude each other.
 
-use super::doc;
 use super::expressions::{SMALL, WIDTH};
+use super::items::doc;
 use super::names::{Names, StateNames};
 use crate::comment::clean;
 use crate::writer::Writer;

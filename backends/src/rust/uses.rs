@@ -1,6 +1,6 @@
 //! What the functions of a scan use, and so have to be given.
 
-use super::parts::{Code, Needs};
+use super::code::{Code, Needs};
 use super::places::Places;
 use grafc_logic::formula::{Formula, FormulaId};
 use grafc_logic::scan::{Program, Role, Statement, VarId};

@@ -2,12 +2,13 @@
 
 mod statements;
 
+use super::code::{Code, Needs};
 use super::expressions::Expressions;
 use super::interface::fields;
 use super::literals::{literal, type_name, zero};
 use super::locals::{Locals, ROOT};
 use super::names::Names;
-use super::parts::{Code, Needs, Parts, Table};
+use super::parts::{Parts, Table};
 use super::places::Places;
 use super::steps::list;
 use crate::comment::clean;
