@@ -5,6 +5,7 @@
 //! This is the only crate that reads and writes files, prints, or ends a process. [`pipeline`] does none of that, and
 //! is what tests and tools call.
 
+mod arguments;
 mod build_script;
 pub mod command_line;
 mod commands;
@@ -15,6 +16,7 @@ pub mod pipeline;
 mod report;
 
 pub use build_script::{Build, BuildError};
+use clap::CommandFactory;
 use command_line::{Command, CommandLine};
 pub use grafc_backends::rust::Runtime;
 pub use grafc_logic::Encoding;
@@ -43,8 +45,8 @@ pub fn run(command_line: CommandLine) -> Exit {
         Some(Command::Fmt(args)) => commands::fmt::run(args),
         Some(Command::Import(args)) => commands::import::run(args),
         Some(Command::Explain(args)) => commands::explain::run(args),
-        Some(Command::Completions(args)) => commands::completions::run(args),
-        Some(Command::Man(args)) => commands::man::run(args),
+        Some(Command::Completions(args)) => commands::completions::run(args, CommandLine::command()),
+        Some(Command::Man(args)) => commands::man::run(args, CommandLine::command()),
     };
     result.unwrap_or_else(|failure| {
         report::to_stderr(&failure.to_string());

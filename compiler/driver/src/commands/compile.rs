@@ -2,7 +2,7 @@
 
 use super::refuse_output_over_input;
 use crate::Exit;
-use crate::command_line::{ProfileArguments, option};
+use crate::arguments::{ProfileArguments, option};
 use crate::files::Place;
 use crate::header;
 use crate::pipeline::{self, Options, Product};

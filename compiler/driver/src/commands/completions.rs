@@ -1,10 +1,9 @@
 //! `grafc completions`: scripts that let a shell complete grafc's command line.
 
 use crate::Exit;
-use crate::command_line::CommandLine;
 use crate::files::print;
 use crate::report::Failure;
-use clap::{Args, CommandFactory};
+use clap::{Args, Command};
 use clap_complete::{Shell, generate};
 
 const AFTER_HELP: &str = "\
@@ -20,10 +19,10 @@ pub struct Arguments {
     shell: Shell,
 }
 
-/// Prints the script.
-pub fn run(args: Arguments) -> Result<Exit, Failure> {
+/// Prints the script for a command line.
+pub fn run(args: Arguments, mut command: Command) -> Result<Exit, Failure> {
     let mut script = Vec::new();
-    generate(args.shell, &mut CommandLine::command(), "grafc", &mut script);
+    generate(args.shell, &mut command, "grafc", &mut script);
     print(&String::from_utf8_lossy(&script))?;
     Ok(Exit::Done)
 }

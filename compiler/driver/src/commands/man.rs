@@ -1,10 +1,9 @@
 //! `grafc man`: the manual page.
 
 use crate::Exit;
-use crate::command_line::CommandLine;
 use crate::files::print;
 use crate::report::Failure;
-use clap::{Args, CommandFactory};
+use clap::{Args, Command};
 use clap_mangen::Man;
 
 const AFTER_HELP: &str = "\
@@ -22,9 +21,9 @@ pub struct Arguments {
     command: Option<String>,
 }
 
-/// Prints the page.
-pub fn run(args: Arguments) -> Result<Exit, Failure> {
-    let mut root = CommandLine::command().disable_help_subcommand(true);
+/// Prints the page of a command line, or of one of its commands.
+pub fn run(args: Arguments, root: Command) -> Result<Exit, Failure> {
+    let mut root = root.disable_help_subcommand(true);
     root.build();
     let command = match &args.command {
         None => root,

@@ -2,7 +2,7 @@
 
 use super::{refuse_output_over_input, refuse_second_standard_input};
 use crate::Exit;
-use crate::command_line::ProfileArguments;
+use crate::arguments::ProfileArguments;
 use crate::files::{Place, print};
 use crate::pipeline;
 use crate::report::{Failure, Format, Report};

@@ -1,7 +1,7 @@
 //! `grafc stats`: what a chart takes in each encoding.
 
 use crate::Exit;
-use crate::command_line::ProfileArguments;
+use crate::arguments::ProfileArguments;
 use crate::files::{Place, print};
 use crate::pipeline;
 use crate::report::{Failure, Format, Report};
