@@ -5,7 +5,7 @@
 //! bounds.
 
 use crate::writer::Writer;
-use grafc_logic::formula::FormulaId;
+use grafc_formula::FormulaId;
 use std::borrow::Cow;
 
 /// How a language spells formulas.

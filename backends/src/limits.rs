@@ -1,7 +1,7 @@
 //! What must hold before a program is written. A breach is a fault of grafc, not of the chart.
 
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
-use grafc_logic::formula::{Formula, FormulaId, Value};
+use grafc_formula::{Formula, FormulaId, Value};
 use grafc_logic::scan::{Flag, Program, Role, Statement, VarId};
 
 /// MATIEC takes 150 nested parentheses; a reader takes far fewer.

@@ -3,7 +3,7 @@
 use crate::jobs::Job;
 use grafc_backends::st;
 use grafc_diagnostics::Diagnostics;
-use grafc_logic::formula::{Comparison, Formula, FormulaId};
+use grafc_formula::{Comparison, Formula, FormulaId};
 use grafc_logic::scan::{Program, VarId};
 use grafc_model::chart::Value;
 use index_vec::IndexVec;

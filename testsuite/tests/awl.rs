@@ -3,7 +3,7 @@
 //! Needs a Python with awlsim, `python3` or what `AWLSIM_PYTHON` names; without it each test says so and does nothing.
 
 use grafc_backends::awl;
-use grafc_logic::evaluate::Evaluator;
+use grafc_logic::scan::evaluate::Evaluator;
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::{Evolution, Profile};
 use grafc_testsuite::awlsim::{Tools, beyond, play_cycles, run};

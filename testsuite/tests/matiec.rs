@@ -3,7 +3,7 @@
 //! Needs `iec2c` and `gcc` on PATH (and MATIEC's library beside `iec2c`, or where MATIEC_LIB says); without them each
 //! test says so and does nothing.
 
-use grafc_logic::evaluate::Evaluator;
+use grafc_logic::scan::evaluate::Evaluator;
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::{Evolution, Profile};
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};

@@ -125,7 +125,7 @@ fn overlapping_encodings_are_written_as_they_are() {
         let encoding = if index % 2 == 0 { Encoding::RTrigger } else { Encoding::STrigger };
         let options = Options { profile: case.profile, encoding, simplify: true };
         let program = compile(&chart, &options).expect("a scan program");
-        let mut evaluator = grafc_logic::evaluate::Evaluator::new(&program);
+        let mut evaluator = grafc_logic::scan::evaluate::Evaluator::new(&program);
         expected.push(stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect::<Vec<_>>());
         jobs.push(Job { program, stimuli });
     }

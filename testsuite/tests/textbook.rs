@@ -1,9 +1,10 @@
 //! The tables of the textbook (Shalyto, chapter 12) for figure 12.6: situations row by row, one micro-step a row, as the
 //! book prints them, and what the programs take beside what the book says that its own take.
 
-use grafc_logic::evaluate::Evaluator;
 use grafc_logic::scan::Program;
-use grafc_logic::{Encoding, Options, measure};
+use grafc_logic::scan::evaluate::Evaluator;
+use grafc_logic::scan::measure;
+use grafc_logic::{Encoding, Options};
 use grafc_model::chart::Value;
 use grafc_model::reaction::{Evolution, Profile, Stimulus};
 use grafc_testsuite::binary::root;

@@ -9,7 +9,7 @@ use crate::iec::literals::is_zero;
 use crate::iec::names::{Names, remark};
 use crate::keywords::Family;
 use crate::writer::Writer;
-use grafc_logic::formula::{Type, Value};
+use grafc_formula::{Type, Value};
 use grafc_logic::scan::{Program, Role, Variable};
 use rustc_hash::FxHashMap;
 

@@ -3,7 +3,7 @@
 use super::{AwlNames, Known, Local, Mnemonics, local};
 use crate::comment::clean;
 use crate::writer::{self, Writer};
-use grafc_logic::formula::Type;
+use grafc_formula::Type;
 
 /// Where comments beside instructions begin, if the instruction is shorter.
 const REMARKS: usize = 40;

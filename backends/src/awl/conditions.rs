@@ -14,7 +14,7 @@
 use super::code::Code;
 use super::numbers::Numbers;
 use super::{AwlNames, local};
-use grafc_logic::formula::{Formula, FormulaId, Type};
+use grafc_formula::{Formula, FormulaId, Type};
 use grafc_logic::scan::Program;
 use rustc_hash::FxHashMap;
 

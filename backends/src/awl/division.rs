@@ -6,7 +6,7 @@
 use super::AwlNames;
 use super::code::Code;
 use super::numbers::{HIGHEST_BIT, Numbers, of_width, zero};
-use grafc_logic::formula::{FormulaId, Type, Value};
+use grafc_formula::{FormulaId, Type, Value};
 use grafc_logic::scan::VarId;
 
 /// A guarded division: the statement of the scan program.

@@ -2,7 +2,7 @@
 
 use super::code::Code;
 use grafc_diagnostics::{Code as DiagnosticCode, Diagnostic, Diagnostics, Span};
-use grafc_logic::formula::{Formula, FormulaId, Type, Value};
+use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_logic::scan::{Program, Role};
 
 /// An instruction takes two bytes at least, and a block has 64 KB of them.

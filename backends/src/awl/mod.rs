@@ -39,7 +39,7 @@ use crate::transliterate::ascii;
 use crate::writer::{self, Writer};
 use code::Code;
 use grafc_diagnostics::Diagnostics;
-use grafc_logic::formula::{FormulaId, Type};
+use grafc_formula::{FormulaId, Type};
 use grafc_logic::scan::{Program, TimerId, VarId};
 use index_vec::IndexVec;
 pub use mnemonics::Mnemonics;

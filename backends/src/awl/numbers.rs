@@ -12,7 +12,7 @@
 
 use super::code::Code;
 use super::{AwlNames, local};
-use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
+use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::{Program, VarId};
 
 /// What turns unsigned numbers into signed ones of the same order.

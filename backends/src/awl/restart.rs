@@ -8,7 +8,7 @@ use super::code::Code;
 use super::numbers::literal;
 use super::{AwlNames, local, timers};
 use crate::iec::literals::is_zero;
-use grafc_logic::formula::{Type, Value};
+use grafc_formula::{Type, Value};
 use grafc_logic::scan::{Program, Role};
 
 /// Writes what `RESTART` does.

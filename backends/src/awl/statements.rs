@@ -6,7 +6,7 @@ use super::division::Division;
 use super::numbers::{Numbers, literal};
 use super::{AwlNames, Mnemonics, restart, timers};
 use crate::limits::is_empty;
-use grafc_logic::formula::{FormulaId, Type, Value};
+use grafc_formula::{FormulaId, Type, Value};
 use grafc_logic::scan::{Arm, Flag, Program, Repeat, Role, Statement, VarId};
 
 /// So many arms of a choice are tried one after the other; of more, a jump passes over half.

@@ -9,7 +9,7 @@ use super::code::Code;
 use super::numbers::long;
 use super::{AwlNames, Local, local};
 use crate::namer::Namer;
-use grafc_logic::formula::{Formula, Type};
+use grafc_formula::{Formula, Type};
 use grafc_logic::scan::{Preset, Program, TimerId};
 use index_vec::IndexVec;
 

@@ -4,7 +4,7 @@ use super::literals::{self, is_zero, type_name};
 use super::names::{Names, remark};
 use crate::comment::clean;
 use crate::writer::Writer;
-use grafc_logic::formula::Type;
+use grafc_formula::Type;
 use grafc_logic::scan::{Program, Role, State, VarId, Variable};
 use rustc_hash::FxHashMap;
 

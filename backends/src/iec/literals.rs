@@ -1,6 +1,6 @@
 //! Constants and types.
 
-use grafc_logic::formula::{Type, Value};
+use grafc_formula::{Type, Value};
 
 /// The keyword of a type.
 pub(crate) fn type_name(ty: Type) -> &'static str {

@@ -2,7 +2,7 @@
 
 use crate::comment::clean;
 use crate::writer::Writer;
-use grafc_logic::formula::FormulaId;
+use grafc_formula::FormulaId;
 
 /// Where comments beside instructions begin, if the instruction is shorter.
 const REMARKS: usize = 32;

@@ -12,7 +12,7 @@
 use super::code::Code;
 use crate::iec::literals::{self, type_name, zero};
 use crate::iec::names::Names;
-use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type};
+use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type};
 use grafc_logic::scan::Program;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;

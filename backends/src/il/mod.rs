@@ -29,7 +29,7 @@ use crate::writer::{self, Writer};
 use code::Code;
 use declarations::Entry;
 use grafc_diagnostics::Diagnostics;
-use grafc_logic::formula::Type;
+use grafc_formula::Type;
 use grafc_logic::scan::{Program, VarId};
 use index_vec::IndexVec;
 use names::Names;

@@ -9,7 +9,7 @@ use crate::iec::literals::{operand, time, zero};
 use crate::iec::names::Names;
 use crate::limits::is_empty;
 use crate::writer::{self, Writer};
-use grafc_logic::formula::{FormulaId, Type, Value};
+use grafc_formula::{FormulaId, Type, Value};
 use grafc_logic::scan::{Arm, Flag, Program, Repeat, Role, Statement, TimerId, VarId};
 
 /// What a timer without a preset is given: the longest time that all compilers take.

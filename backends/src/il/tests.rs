@@ -3,7 +3,7 @@
 use super::{Options, emit, instructions};
 use crate::st::tests::{Build, assign, body, case, four_steps, heading, noted, when};
 use expect_test::expect;
-use grafc_logic::formula::{Arithmetic, Comparison, FormulaId, Type, Value};
+use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
 use grafc_logic::scan::{Flag, Preset, Program, Repeat, Role, Statement, VarId};
 
 /// The body of the function block as one line: `LD a, ST y`. Its instructions are as many as are counted.

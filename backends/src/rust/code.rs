@@ -1,6 +1,6 @@
 //! What the functions of a scan are made of, and what a function has to be given.
 
-use grafc_logic::formula::FormulaId;
+use grafc_formula::FormulaId;
 use grafc_logic::scan::{Arm, Statement, VarId};
 
 /// What a function needs to be given.

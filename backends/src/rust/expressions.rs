@@ -4,7 +4,7 @@ use super::literals::{literal, type_name};
 use super::places::Places;
 use crate::formulas::{Formulas, Notation, Parts, Piece, Shape};
 use crate::writer::{STEP, Writer};
-use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
+use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::Program;
 use std::borrow::Cow;
 

@@ -4,7 +4,7 @@ use super::items::doc;
 use super::literals::{literal, type_name, zero};
 use super::names::{Names, remark};
 use crate::writer::Writer;
-use grafc_logic::formula::Type;
+use grafc_formula::Type;
 use grafc_logic::scan::{Program, Role, VarId, Variable};
 
 /// Writes the constants of the chart.

@@ -1,6 +1,6 @@
 //! Types and constants.
 
-use grafc_logic::formula::{Type, Value};
+use grafc_formula::{Type, Value};
 
 /// A type of the chart.
 pub(super) fn type_name(ty: Type) -> &'static str {

@@ -6,7 +6,7 @@
 //! with the zero of its type.
 
 use super::code::Code;
-use grafc_logic::formula::{Formula, FormulaId};
+use grafc_formula::{Formula, FormulaId};
 use grafc_logic::scan::{Program, Role, Statement, VarId};
 use rustc_hash::FxHashMap;
 

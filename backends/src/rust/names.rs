@@ -4,7 +4,7 @@ use crate::comment::clean;
 use crate::keywords::Family;
 use crate::namer::{MAX_LENGTH, Namer};
 use crate::transliterate::identifier;
-use grafc_logic::formula::{Formula, Value};
+use grafc_formula::{Formula, Value};
 use grafc_logic::scan::{Program, Role, StepId, TimerId, VarId};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;

@@ -8,7 +8,7 @@ use super::code::{Code, Needs};
 use super::places::Places;
 use super::uses::{Uses, shared};
 use crate::limits;
-use grafc_logic::formula::FormulaId;
+use grafc_formula::FormulaId;
 use grafc_logic::scan::{Arm, Program, Statement, VarId};
 use rustc_hash::FxHashSet;
 

@@ -2,7 +2,7 @@
 
 use super::literals::literal;
 use super::names::{Names, StateNames};
-use grafc_logic::formula::{Formula, FormulaId, Type, Value};
+use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_logic::scan::{Flag, Program, Role, StepId, TimerId, VarId};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;

@@ -2,7 +2,7 @@
 
 use super::code::{Code, Needs};
 use super::places::Places;
-use grafc_logic::formula::{Formula, FormulaId};
+use grafc_formula::{Formula, FormulaId};
 use grafc_logic::scan::{Program, Role, Statement, VarId};
 use rustc_hash::{FxHashMap, FxHashSet};
 

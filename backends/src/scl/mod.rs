@@ -12,7 +12,7 @@ use crate::st::{self, Style};
 use crate::transliterate::ascii;
 use crate::writer::{self, Writer};
 use grafc_diagnostics::Diagnostics;
-use grafc_logic::formula::Type;
+use grafc_formula::Type;
 use grafc_logic::scan::Program;
 
 /// What the caller may choose.

@@ -4,7 +4,7 @@ use crate::formulas::{Formulas, Notation, Parts, Piece, Shape};
 use crate::iec::literals::{literal, type_name};
 use crate::iec::names::Names;
 use crate::writer::Writer;
-use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
+use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::Program;
 use std::borrow::Cow;
 

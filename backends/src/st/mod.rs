@@ -18,7 +18,7 @@ use crate::limits;
 use crate::writer::{self, Comments, Writer};
 use expressions::Expressions;
 use grafc_diagnostics::Diagnostics;
-use grafc_logic::formula::FormulaId;
+use grafc_formula::FormulaId;
 use grafc_logic::scan::{Program, VarId};
 use index_vec::IndexVec;
 use names::Names;

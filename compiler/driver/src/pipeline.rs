@@ -11,7 +11,7 @@
 use grafc_backends::{awl, iec61131_10, il, plcopen, rust, scl, st, tcpou};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
 use grafc_logic::Encoding;
-use grafc_logic::scan::Program;
+use grafc_logic::scan::{self, Program};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::Profile;
 use grafc_model::simulate::Simulator;
@@ -87,11 +87,11 @@ pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) 
         }
         Product::Equations => {
             let (program, said) = lower(file, text, default_name, lowering);
-            (program.as_ref().map(grafc_logic::equations), said)
+            (program.as_ref().map(scan::equations), said)
         }
         Product::Program => {
             let (program, said) = lower(file, text, default_name, lowering);
-            (program.as_ref().map(grafc_logic::dump), said)
+            (program.as_ref().map(scan::dump), said)
         }
         Product::St(options) => emit(file, text, default_name, lowering, |program| st::emit(program, options)),
         Product::Il(options) => emit(file, text, default_name, lowering, |program| il::emit(program, options)),

@@ -1,43 +1,25 @@
 //! The scan program of a flat net, put together section by section.
 
-use crate::allocate::{self, Place, Trigger, Triggers};
-use crate::dormant;
-use crate::encode::{self, Encoding, Task, switch};
-use crate::formula::{FormulaId, Type};
-use crate::input_event::InputEvent;
+use crate::analysis::components::{self, Components};
+use crate::analysis::transients::{self, Known};
+use crate::encode;
+use crate::encode::first_call::first_call;
+use crate::encode::input_event::InputEvent;
+use crate::encode::outputs;
+use crate::encode::stored::heading;
+use crate::encode::task::Task;
 use crate::lower::{Context, Lowering, Moment};
-use crate::outputs::{self, Followers};
-use crate::overlap;
-use crate::pieces;
-use crate::scan::{Flag, Limit, Program, Repeat, Role, Statement};
-use crate::simplify;
-use crate::stored::heading;
-use crate::sweep;
-use crate::tokens::{self, Components};
-use crate::transient::{self, Known};
+use crate::options::{Encoding, Options};
+use crate::scan::{Flag, Limit, Program, Repeat, Role};
+use crate::tidy::{absorb, idle_delays, long_chains, sweep};
+use crate::warn::overlap;
 use grafc_diagnostics::Diagnostics;
-use grafc_model::chart::{Event, Mode, TransitionId, VariableKind};
-use grafc_model::reaction::{Evolution, Profile};
+use grafc_formula::{FormulaId, Type};
+use grafc_model::chart::{Event, TransitionId};
+use grafc_model::reaction::Evolution;
 use grafc_net::Net;
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
-
-/// What the caller may choose.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Options {
-    /// Choices that change what the chart means.
-    pub profile: Profile,
-    /// How the situation is held.
-    pub encoding: Encoding,
-    /// Whether formulas are shortened by what has been proved; else they are those of the textbook as they stand.
-    pub simplify: bool,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Options { profile: Profile::default(), encoding: Encoding::default(), simplify: true }
-    }
-}
 
 /// The scan program of a flat net under one encoding.
 pub fn compile(net: &Net, options: &Options) -> (Option<Program>, Diagnostics) {
@@ -45,9 +27,9 @@ pub fn compile(net: &Net, options: &Options) -> (Option<Program>, Diagnostics) {
     let mut lowering = Lowering::new(net, None);
     let mut cx = Context::new(Moment::MicroStep);
     let mut roots = Roots::new(&mut lowering, &mut cx);
-    let analysed = tokens::analyse(net, &lowering.pool, &lowering.edges, &roots.conditions);
+    let analysed = components::analyse(net, &lowering.pool, &lowering.edges, &roots.conditions);
     let transients = (options.simplify && !options.encoding.overlaps())
-        .then(|| transient::analyse(net, &Known::new(&lowering, &roots.conditions, &analysed.components)));
+        .then(|| transients::analyse(net, &Known::new(&lowering, &roots.conditions, &analysed.components)));
     let mut followers = None;
     if options.encoding == Encoding::Switch {
         // Now that it is known which steps share a state, once more with these.
@@ -66,10 +48,10 @@ pub fn compile(net: &Net, options: &Options) -> (Option<Program>, Diagnostics) {
     let components = if proofs { analysed.components } else { Components::none(net) };
 
     if proofs {
-        simplify::restrict(&mut lowering, &components, &mut roots.conditions);
+        absorb::restrict(&mut lowering, &components, &mut roots.conditions);
         // In `switch` a condition is only looked at while its step is active; a shared one would be always.
         if options.encoding != Encoding::Switch {
-            let shared = simplify::share(&mut lowering, &mut roots.conditions);
+            let shared = absorb::share(&mut lowering, &mut roots.conditions);
             cx.statements.extend(shared);
         }
     }
@@ -107,13 +89,13 @@ pub fn compile(net: &Net, options: &Options) -> (Option<Program>, Diagnostics) {
     // Timers of durations are known only now that every moment that reads them has been lowered.
     let mut after = Vec::new();
     heading(&mut after, "outputs", outputs::statements(&mut lowering, followers.as_ref()));
-    micro_step.extend(step_timer_statements(&mut lowering));
+    micro_step.extend(lowering.call_step_timers());
     if repeat.is_some() {
         micro_step.extend(input_event.over(&mut lowering));
     }
 
-    let first = first_section(&mut lowering, options.profile, followers.as_ref(), &input_event);
-    let mut before = step_timer_statements(&mut lowering);
+    let first = first_call(&mut lowering, options.profile, followers.as_ref(), &input_event);
+    let mut before = lowering.call_step_timers();
     before.extend(input_event.found(&mut lowering));
 
     let mut program = Program {
@@ -131,11 +113,11 @@ pub fn compile(net: &Net, options: &Options) -> (Option<Program>, Diagnostics) {
         after,
     };
     if options.simplify {
-        simplify::absorb(&mut program);
-        dormant::rest(&mut program);
+        absorb::absorb(&mut program);
+        idle_delays::rest(&mut program);
     }
     sweep::sweep(&mut program);
-    pieces::cut(&mut program);
+    long_chains::cut(&mut program);
     debug_assert_eq!(crate::scan::verify(&program), Ok(()), "the program as compiled");
     (Some(program), diagnostics)
 }
@@ -166,78 +148,4 @@ impl Roots {
         }
         Roots { conditions, events }
     }
-}
-
-/// Brings the timers of step durations up to date with the situation.
-fn step_timer_statements(lowering: &mut Lowering) -> Vec<Statement> {
-    let timers: Vec<_> = lowering.step_timers.iter().map(|(s, t)| (*s, *t)).collect();
-    timers.into_iter().map(|(s, timer)| Statement::CallTimer { timer, input: lowering.active(s) }).collect()
-}
-
-/// The initial reaction up to its first micro-step (R10), guarded from later calls.
-fn first_section(
-    lowering: &mut Lowering,
-    profile: Profile,
-    followers: Option<&Followers>,
-    input_event: &InputEvent,
-) -> Vec<Statement> {
-    let net = lowering.net;
-    let mut cx = Context::new(Moment::First);
-    let yes = lowering.pool.truth(true);
-    let mut body = Vec::new();
-    for (s, place) in net.places.iter_enumerated() {
-        if let Some(target) = lowering.situation.bit(s).filter(|_| place.initial) {
-            body.push(Statement::Assign { target, value: yes, remark: None });
-        }
-    }
-    if let Some(followers) = followers {
-        body.extend(switch::start(lowering, followers));
-    }
-    if net.conflict_at_start {
-        let target = lowering.symbols.flag(Flag::ForceConflict);
-        body.push(Statement::Assign { target, value: yes, remark: None });
-    }
-    for (v, variable) in net.variables.iter_enumerated() {
-        let kept = matches!(variable.kind, VariableKind::Output | VariableKind::Internal);
-        if kept && variable.mode != Mode::Wire && variable.initial != crate::symbols::zero(variable.ty) {
-            let value = lowering.pool.constant(variable.initial, variable.ty);
-            body.push(Statement::Assign { target: lowering.symbols.declared(v), value, remark: None });
-        }
-    }
-    if profile.initial_actions {
-        let mut triggers = Triggers::new();
-        for action in &net.stored {
-            match action.event {
-                Event::Activation(s) if net.places[s].initial => {
-                    let trigger = Trigger { when: yes, value: action.value, place: Place::To(s), repeats: true };
-                    triggers.entry(action.target).or_default().push(trigger);
-                }
-                Event::Event(..) | Event::Deactivation(_) | Event::Clearing(_) | Event::Activation(_) => {}
-            }
-        }
-        for trigger in triggers.values().flatten() {
-            lowering.prepare(&mut cx, trigger.value, true);
-        }
-        let allocations = allocate::statements(lowering, &mut cx, &triggers, None, None);
-        body.append(&mut cx.statements);
-        body.extend(allocations);
-    }
-    // What was defined for the actions no longer holds: edge operands see the variables that the actions have left.
-    let mut cx = Context::new(Moment::First);
-    for index in 0..lowering.edges.len() {
-        let (operand, old) = (lowering.edges[index].operand, lowering.edges[index].old);
-        let value = lowering.expr(&mut cx, operand);
-        body.append(&mut cx.statements);
-        body.push(Statement::Assign { target: old, value, remark: None });
-    }
-    body.extend(input_event.start(lowering));
-    if body.is_empty() {
-        return body;
-    }
-    let started =
-        lowering.symbols.fresh(Role::Memory, "started", Type::Bool, Some("false until the first call".into()));
-    let is_started = lowering.symbols.read(&mut lowering.pool, started);
-    let at_first = lowering.pool.not(is_started);
-    body.insert(0, Statement::Assign { target: started, value: yes, remark: None });
-    vec![Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() }]
 }

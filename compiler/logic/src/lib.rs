@@ -1,46 +1,36 @@
 //! From a flat Petri net to the statements of one scan.
 //!
 //! ```text
-//! flat Net ─ lower ─▶ formulas ─ encode ─▶ next activity of each step ─ compile ─▶ scan::Program
+//! flat Net ─ lower ─▶ formulas ─ analysis ─▶ what is proved of them ─ encode ─▶ statements ─ tidy ─▶ scan::Program
 //! ```
 //!
-//! [`formula`] holds hash-consed formulas, [`scan`] the ordered, typed statements that backends spell out, and
-//! [`evaluate`] runs them. Each encoding of the situation is one file in `encode/`.
+//! | room | what |
+//! | --- | --- |
+//! | `options` | what the caller may choose, the encodings among it |
+//! | `compile` | the sections of a program, put together |
+//! | `lower/` | conditions and values to formulas, and what holds the situation |
+//! | `analysis/` | what is proved of a net: components, what may happen together, how long an evolution can be |
+//! | `encode/` | a micro-step as statements, one encoding a file |
+//! | `tidy/` | shorter formulas, nothing that is not read, no chain too long for a compiler |
+//! | `scan/` | the program: its form, the check of its invariants, its text, its evaluator, what it takes |
+//! | `sequence/` | a net as a sequential function chart, or why it is none |
+//! | `warn/`, `report` | what was found, in words |
+//!
+//! Formulas themselves are in the crate `grafc-formula`.
 
-mod allocate;
-mod arms;
+mod analysis;
 mod compile;
-mod dormant;
-mod dump;
 mod encode;
-pub mod evaluate;
-mod events;
-mod exclusion;
-pub mod formula;
-mod input_event;
 mod lower;
-mod measure;
-mod number;
-mod outputs;
-mod overlap;
-mod pieces;
+mod options;
 mod report;
 pub mod scan;
 pub mod sequence;
-mod settle;
-mod simplify;
-mod situation;
-mod stored;
-mod sweep;
-mod symbols;
-mod tokens;
-mod transient;
-mod warnings;
+mod tidy;
+mod warn;
 
-pub use compile::{Options, compile};
-pub use dump::{dump, equations};
-pub use encode::Encoding;
-pub use measure::{Measure, measure};
+pub use analysis::transients::Transients;
+pub use compile::compile;
+pub use options::{Encoding, Options};
 pub use report::{Report, analyse, arrow};
-pub use transient::Transients;
-pub use warnings::warn;
+pub use warn::warn;

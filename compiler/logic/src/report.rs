@@ -1,8 +1,8 @@
 //! What has been proved of a net, for people.
 
+use crate::analysis::components::{self, Reason};
+use crate::analysis::transients::{self, Known, Transients};
 use crate::lower::{Context, Lowering, Moment};
-use crate::tokens::{self, Reason};
-use crate::transient::{self, Known, Transients};
 use grafc_model::chart::{StepId, TransitionId};
 use grafc_net::Net;
 use index_vec::IndexVec;
@@ -22,9 +22,9 @@ pub fn analyse(net: &Net) -> Report {
     let mut cx = Context::new(Moment::MicroStep);
     let conditions: IndexVec<TransitionId, _> =
         net.transitions.iter().map(|t| lowering.expr(&mut cx, t.condition)).collect();
-    let analysed = tokens::analyse(net, &lowering.pool, &lowering.edges, &conditions);
-    let transients = transient::analyse(net, &Known::new(&lowering, &conditions, &analysed.components));
-    let bits = analysed.cover.reasons.iter().map(|(s, reason)| (*s, because(net, *reason))).collect();
+    let analysed = components::analyse(net, &lowering.pool, &lowering.edges, &conditions);
+    let transients = transients::analyse(net, &Known::new(&lowering, &conditions, &analysed.components));
+    let bits = analysed.reasons.iter().map(|(s, reason)| (*s, because(net, *reason))).collect();
     Report { transients, bits }
 }
 

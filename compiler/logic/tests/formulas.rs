@@ -1,6 +1,6 @@
 //! The laws that the constructors of formulas apply, and no others.
 
-use grafc_logic::formula::{Comparison, Formula, FormulaId, Pool, Type, Value};
+use grafc_formula::{Comparison, Formula, FormulaId, Pool, Type, Value};
 use grafc_logic::scan::VarId;
 use rustc_hash::FxHashMap;
 
@@ -78,7 +78,7 @@ fn constants_are_computed_at_the_width_of_their_type() {
         let result = pool.arithmetic(op, ty, a, b);
         pool.as_constant(result)
     };
-    use grafc_logic::formula::Arithmetic::{Add, Divide, Modulo, Multiply, Subtract};
+    use grafc_formula::Arithmetic::{Add, Divide, Modulo, Multiply, Subtract};
     assert_eq!(fold(Subtract, Type::Udint, 1, 3), Some(Value::Int(4_294_967_294)));
     assert_eq!(fold(Add, Type::Int, 32_767, 1), Some(Value::Int(-32_768)));
     assert_eq!(fold(Multiply, Type::Dint, 65_536, 65_536), Some(Value::Int(0)));

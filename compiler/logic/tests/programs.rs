@@ -2,7 +2,7 @@
 //! is needed where the net itself proves that it is not.
 
 use grafc_diagnostics::{Diagnostics, FileId};
-use grafc_logic::formula::Type;
+use grafc_formula::Type;
 use grafc_logic::scan::{Program, Role, Statement, VarId, verify};
 use grafc_logic::{Options, compile};
 use grafc_model::reaction::{Evolution, Profile};
@@ -40,9 +40,7 @@ fn reads(program: &Program, of: &str, by: &str) -> usize {
                 .pool
                 .below(*value)
                 .into_iter()
-                .filter(
-                    |f| matches!(program.pool.get(*f), grafc_logic::formula::Formula::Variable(v) if name(*v) == of),
-                )
+                .filter(|f| matches!(program.pool.get(*f), grafc_formula::Formula::Variable(v) if name(*v) == of))
                 .count();
         }
     }

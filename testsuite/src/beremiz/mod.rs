@@ -78,7 +78,7 @@ pub fn variables_of(sequence: &Sequence) -> Program {
     let steps = sequence.steps.iter().map(|step| Step {
         label: program.variables[step.active].name.clone(),
         comment: None,
-        active: program.pool.variable(step.active, grafc_logic::formula::Type::Bool),
+        active: program.pool.variable(step.active, grafc_formula::Type::Bool),
     });
     program.steps = steps.collect();
     program

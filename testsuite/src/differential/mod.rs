@@ -9,8 +9,8 @@ pub mod table;
 
 use crate::charts;
 use grafc_diagnostics::{Code, Diagnostics};
-use grafc_logic::evaluate::Evaluator;
 use grafc_logic::scan::Program;
+use grafc_logic::scan::evaluate::Evaluator;
 use grafc_logic::{Encoding, Options};
 use grafc_model::chart::{Chart, Value};
 use grafc_model::reaction::{Evolution, Profile, Response, Stimulus};

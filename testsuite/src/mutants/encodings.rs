@@ -13,7 +13,7 @@ const SWITCH_MOVES: &str = "compiler/logic/src/encode/switch/moves.rs";
 const SWITCH_IN_PLACE: &str = "compiler/logic/src/encode/switch/in_place.rs";
 const SWITCH_HIERARCHY: &str = "compiler/logic/src/encode/switch/hierarchy.rs";
 const SWITCH_COMMIT: &str = "compiler/logic/src/encode/switch/commit.rs";
-const DORMANT: &str = "compiler/logic/src/dormant.rs";
+const DORMANT: &str = "compiler/logic/src/tidy/idle_delays.rs";
 
 pub(super) const FAULTS: &[Fault] = &[
     Fault {

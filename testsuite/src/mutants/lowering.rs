@@ -7,12 +7,12 @@ const LOWER: &str = "compiler/logic/src/lower/mod.rs";
 const EDGES: &str = "compiler/logic/src/lower/edges.rs";
 const DELAYS: &str = "compiler/logic/src/lower/delays.rs";
 const ARITHMETIC: &str = "compiler/logic/src/lower/arithmetic.rs";
-const NUMBER: &str = "compiler/logic/src/number.rs";
-const EVENTS: &str = "compiler/logic/src/events.rs";
-const INPUT_EVENT: &str = "compiler/logic/src/input_event.rs";
-const STORED: &str = "compiler/logic/src/stored.rs";
-const ALLOCATE: &str = "compiler/logic/src/allocate.rs";
-const SETTLE: &str = "compiler/logic/src/settle.rs";
+const NUMBER: &str = "compiler/formula/src/number.rs";
+const EVENTS: &str = "compiler/logic/src/encode/clearings.rs";
+const INPUT_EVENT: &str = "compiler/logic/src/encode/input_event.rs";
+const STORED: &str = "compiler/logic/src/encode/stored.rs";
+const ALLOCATE: &str = "compiler/logic/src/encode/allocate.rs";
+const SETTLE: &str = "compiler/logic/src/encode/settle.rs";
 
 pub(super) const FAULTS: &[Fault] = &[
     Fault {

@@ -2,15 +2,15 @@
 
 use super::Fault;
 
-const SIMPLIFY: &str = "compiler/logic/src/simplify.rs";
-const SWEEP: &str = "compiler/logic/src/sweep.rs";
-const PIECES: &str = "compiler/logic/src/pieces.rs";
-const EXCLUSION: &str = "compiler/logic/src/exclusion/mod.rs";
-const PROOF: &str = "compiler/logic/src/exclusion/proof.rs";
-const COVER: &str = "compiler/logic/src/tokens/cover.rs";
-const SEARCH: &str = "compiler/logic/src/tokens/search.rs";
-const TRANSIENT: &str = "compiler/logic/src/transient/mod.rs";
-const LONGEST: &str = "compiler/logic/src/transient/longest.rs";
+const SIMPLIFY: &str = "compiler/logic/src/tidy/absorb.rs";
+const SWEEP: &str = "compiler/logic/src/tidy/sweep.rs";
+const PIECES: &str = "compiler/logic/src/tidy/long_chains.rs";
+const EXCLUSION: &str = "compiler/formula/src/exclusion/mod.rs";
+const PROOF: &str = "compiler/formula/src/exclusion/proof.rs";
+const COVER: &str = "compiler/logic/src/analysis/components/cover.rs";
+const SEARCH: &str = "compiler/logic/src/analysis/components/search.rs";
+const TRANSIENT: &str = "compiler/logic/src/analysis/transients/mod.rs";
+const LONGEST: &str = "compiler/logic/src/analysis/transients/longest.rs";
 
 pub(super) const FAULTS: &[Fault] = &[
     Fault {

@@ -1,6 +1,6 @@
 //! Runs of a chart in the simulator and as a scan program, kept as what could be seen on the way.
 
-use grafc_logic::evaluate::Evaluator;
+use grafc_logic::scan::evaluate::Evaluator;
 use grafc_logic::scan::{Program, VarId};
 use grafc_model::chart::{Chart, Mode, StepId, Value, VariableId};
 use grafc_model::reaction::{Flags, Profile, Response, Stimulus};

@@ -2,7 +2,7 @@
 
 use super::{BITS, list};
 use crate::st::tests::{Build, assign, body};
-use grafc_logic::formula::{FormulaId, Type};
+use grafc_formula::{FormulaId, Type};
 
 #[test]
 fn conditions_are_chains() {

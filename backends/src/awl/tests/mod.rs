@@ -7,7 +7,7 @@ mod whole;
 use super::{Mnemonics, Options, emit, instructions};
 use crate::st::tests::{Build, assign, body, nested, nested_deeply, noted, when};
 use grafc_diagnostics::Code;
-use grafc_logic::formula::{Comparison, FormulaId, Type, Value};
+use grafc_formula::{Comparison, FormulaId, Type, Value};
 use grafc_logic::scan::{Flag, Limit, Preset, Program, Repeat, Role, Statement};
 
 fn text(program: &Program) -> String {

@@ -2,7 +2,7 @@
 
 use super::list;
 use crate::st::tests::{Build, assign, body};
-use grafc_logic::formula::{Arithmetic, Comparison, FormulaId, Type, Value};
+use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
 use grafc_logic::scan::{Flag, Role, Statement};
 
 #[test]

@@ -14,7 +14,7 @@ use super::circuit::{Factor, Ladder};
 use super::rung::{Coil, Contact, End, Storage};
 use crate::iec::literals::literal;
 use crate::limits::is_empty;
-use grafc_logic::formula::{Comparison, Formula, FormulaId, TimerId, Value};
+use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Value};
 use grafc_logic::scan::{Arm, Program, Statement, VarId};
 use rustc_hash::FxHashSet;
 

@@ -11,7 +11,7 @@
 use super::circuit::{Factor, Ladder};
 use super::rung::{Block, Contact, End, Sink, Storage};
 use crate::iec::literals::{literal, operand, zero};
-use grafc_logic::formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
+use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::VarId;
 
 impl Ladder<'_> {

@@ -22,7 +22,7 @@ use crate::iec::declarations::Entry;
 use crate::iec::literals;
 use crate::iec::names::Names;
 use crate::st::Texts;
-use grafc_logic::formula::{Comparison, Formula, FormulaId, TimerId, Type, Value};
+use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Type, Value};
 use grafc_logic::scan::Program;
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};

@@ -33,7 +33,7 @@ use crate::st::{self, Texts};
 use crate::xml::Xml;
 use circuit::Ladder;
 use grafc_diagnostics::Diagnostics;
-use grafc_logic::formula::Type;
+use grafc_formula::Type;
 use grafc_logic::scan::{Program, Role};
 use index_vec::IndexVec;
 use repeat::Repeated;

@@ -24,7 +24,7 @@ use crate::iec::frame;
 use crate::iec::names::Names;
 use crate::st;
 use crate::writer::{self, Writer};
-use grafc_logic::formula::Type;
+use grafc_formula::Type;
 use grafc_logic::scan::{Flag, Program, Repeat, Role, Statement, VarId};
 
 /// Whether a statement brings a timer up to date.

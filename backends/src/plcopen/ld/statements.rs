@@ -15,7 +15,7 @@ use super::rung::{Block, Coil, Contact, End, Item, Sink, Storage};
 use crate::comment::clean;
 use crate::iec::literals::time;
 use crate::iec::names::remark;
-use grafc_logic::formula::{Formula, FormulaId, Type};
+use grafc_formula::{Formula, FormulaId, Type};
 use grafc_logic::scan::{Role, Statement, TimerId, VarId};
 use rustc_hash::FxHashSet;
 

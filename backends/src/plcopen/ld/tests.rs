@@ -5,7 +5,7 @@ use super::{Names, Repeated, draw, emit};
 use crate::keywords::Family;
 use crate::plcopen::Options;
 use crate::st::tests::{Build, assign, body, case, four_steps, noted, when};
-use grafc_logic::formula::{Arithmetic, Comparison, FormulaId, Type, Value};
+use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
 use grafc_logic::scan::{Flag, Preset, Program, Role, Statement, VarId};
 
 fn rungs(program: &Program) -> Vec<Rung> {

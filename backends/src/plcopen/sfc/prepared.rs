@@ -20,7 +20,7 @@ use crate::plcopen::dialect::Dialect;
 use crate::plcopen::{Options, project};
 use crate::st;
 use crate::xml::Xml;
-use grafc_logic::formula::Type;
+use grafc_formula::Type;
 use grafc_logic::scan::VarId;
 use grafc_logic::sequence::Sequence;
 use rustc_hash::FxHashSet;

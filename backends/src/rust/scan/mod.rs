@@ -13,7 +13,7 @@ use super::places::Places;
 use super::steps::list;
 use crate::comment::clean;
 use crate::writer::Writer;
-use grafc_logic::formula::{Type, Value};
+use grafc_formula::{Type, Value};
 use grafc_logic::scan::{Flag, Program, Role, VarId};
 use std::cell::Cell;
 use std::iter;

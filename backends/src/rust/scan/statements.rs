@@ -5,7 +5,7 @@ use crate::comment::clean;
 use crate::rust::expressions::{SMALL, WIDTH};
 use crate::rust::literals::type_name;
 use crate::writer::Writer;
-use grafc_logic::formula::{Arithmetic, Formula, FormulaId, Type};
+use grafc_formula::{Arithmetic, Formula, FormulaId, Type};
 use grafc_logic::scan::{Arm, Statement, TimerId, VarId};
 
 impl Body<'_> {

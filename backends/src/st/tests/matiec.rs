@@ -8,7 +8,7 @@ use super::{Build, assign, body, four_steps, nested, nested_deeply};
 use crate::iec::{Options, Pou};
 use crate::{il, st};
 use grafc_diagnostics::Diagnostics;
-use grafc_logic::formula::{Arithmetic, Comparison, FormulaId, Type, Value};
+use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
 use grafc_logic::scan::{Flag, Preset, Program, Role, Statement, VarId};
 use std::io::Write;
 use std::path::{Path, PathBuf};

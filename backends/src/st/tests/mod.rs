@@ -3,7 +3,7 @@
 mod matiec;
 mod writer;
 
-use grafc_logic::formula::{Arithmetic, Comparison, FormulaId, Pool, Type, Value};
+use grafc_formula::{Arithmetic, Comparison, FormulaId, Pool, Type, Value};
 use grafc_logic::scan::{
     Arm, Flag, Limit, Preset, Program, Repeat, Role, State, Statement, Step, Timer, TimerId, VarId, Variable,
 };

@@ -4,7 +4,7 @@ use super::{Build, assign, body, case, four_steps, heading, nested, nested_deepl
 use crate::st::{Options, Pou, emit};
 use expect_test::{Expect, expect};
 use grafc_diagnostics::Code;
-use grafc_logic::formula::{Arithmetic, Comparison, FormulaId, Type, Value};
+use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
 use grafc_logic::scan::{Flag, Limit, Preset, Program, Repeat, Role, Statement, VarId};
 
 fn check(program: &Program, pou: Pou, expected: Expect) {

@@ -1,15 +1,18 @@
 //! A micro-step where each step has a bit: clearings, next situation, stored actions, and only then the bits are
 //! written.
 
-use super::{Encoding, Task, sequent};
-use crate::events::{Clearings, StepEvents};
-use crate::formula::{Formula, FormulaId, Type};
-use crate::input_event::InputEvent;
+use super::sequent;
+use super::task::Task;
+use crate::encode::clearings::{Clearings, StepEvents};
+use crate::encode::input_event::InputEvent;
+use crate::encode::next_activity::next_activity;
+use crate::encode::settle;
+use crate::encode::stored;
+use crate::lower::situation::Holder;
 use crate::lower::{Context, Lowering};
+use crate::options::Encoding;
 use crate::scan::{Role, Statement, VarId};
-use crate::settle;
-use crate::situation::Holder;
-use crate::stored;
+use grafc_formula::{Formula, FormulaId, Type};
 use grafc_model::chart::StepId;
 use index_vec::IndexVec;
 
@@ -55,10 +58,10 @@ pub(super) fn micro_step(
                 situation.push(Statement::Assign { target, value, remark: None });
             }
         } else if task.encoding != Encoding::Sequent
-            && let Some(place) = clearings.place(lowering, s, overlaps)
+            && let Some(place) = clearings.set_and_reset(lowering, s, overlaps)
         {
             // In place: clearings were latched, and a step reads no activity but its own.
-            let value = task.encoding.next(&mut lowering.pool, &place);
+            let value = next_activity(task.encoding, &mut lowering.pool, &place);
             situation.push(Statement::Assign { target, value, remark: None });
         }
     }
@@ -121,8 +124,8 @@ fn next_situation(
             let own = if task.encoding == Encoding::Sequent {
                 read
             } else {
-                match clearings.place(lowering, *s, task.encoding.overlaps()) {
-                    Some(place) => task.encoding.next(&mut lowering.pool, &place),
+                match clearings.set_and_reset(lowering, *s, task.encoding.overlaps()) {
+                    Some(place) => next_activity(task.encoding, &mut lowering.pool, &place),
                     None => lowering.active(*s),
                 }
             };

@@ -4,9 +4,9 @@
 //! the blocks are put in such an order that a variable is written only once everyone has read it. Where the order goes
 //! round in a circle, the variable is copied before it is written, and those that have yet to read it read the copy.
 
-use crate::formula::{Formula, FormulaId};
 use crate::lower::Lowering;
 use crate::scan::{Role, Statement, VarId};
+use grafc_formula::{Formula, FormulaId};
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 

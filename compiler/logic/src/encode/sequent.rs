@@ -6,13 +6,13 @@
 //! at clearings, the `IF` tests steps and condition itself, in such an order that a step is written only after all
 //! transitions have read it. Where the order goes round in a circle, one step is copied and the copy read.
 
-use super::Task;
 use super::in_order::{Block, in_order};
-use crate::allocate::choose;
-use crate::events::{Clearings, clears, drawn};
+use super::task::Task;
+use crate::encode::allocate::choose;
+use crate::encode::clearings::{Clearings, clears, drawn};
+use crate::encode::settle;
 use crate::lower::Lowering;
 use crate::scan::{Statement, VarId};
-use crate::settle;
 use grafc_model::chart::{StepId, TransitionId};
 use std::collections::BTreeMap;
 
@@ -82,7 +82,7 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Option<Vec<State
         blocks.push(Block::new(lowering, statements, |v| lowering.situation.step_of(v).is_some()));
     }
     let mut out = Vec::new();
-    crate::stored::heading(&mut out, "transitions", statements);
+    crate::encode::stored::heading(&mut out, "transitions", statements);
     if out.is_empty() {
         out.push(Statement::Heading("transitions".to_owned()));
     }

@@ -3,11 +3,11 @@
 //! R is the clearing of the step's own downstream transitions, so the step goes in the very micro-step in which its
 //! successors come. S dominates: a step that is deactivated and activated at once stays active (IEC 60848, rule 5).
 
-use super::Place;
-use crate::formula::{FormulaId, Pool};
+use super::task::SetReset;
+use grafc_formula::{FormulaId, Pool};
 
-pub(super) fn next(pool: &mut Pool, place: &Place) -> FormulaId {
-    let kept = pool.not(place.reset);
-    let stays = pool.and([place.active, kept]);
-    pool.or([place.set, stays])
+pub(super) fn next(pool: &mut Pool, step: &SetReset) -> FormulaId {
+    let kept = pool.not(step.reset);
+    let stays = pool.and([step.active, kept]);
+    pool.or([step.set, stays])
 }

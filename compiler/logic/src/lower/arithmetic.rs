@@ -4,9 +4,9 @@
 //! result is stored in a variable of its type, and every division is guarded.
 
 use super::{Context, Lowering};
-use crate::formula::{Arithmetic, Formula, FormulaId, Type, Value};
-use crate::number::is_zero;
 use crate::scan::{Flag, Role, Statement, VarId};
+use grafc_formula::number::is_zero;
+use grafc_formula::{Arithmetic, Formula, FormulaId, Type, Value};
 
 impl Lowering<'_> {
     /// The value itself if it is a variable or a constant, else a variable that holds it.
@@ -39,7 +39,7 @@ impl Lowering<'_> {
             (Arithmetic::Add | Arithmetic::Subtract | Arithmetic::Multiply, _) => self.pool.arithmetic(op, ty, a, b),
             // The least whole number has no negative in its type, and a processor may stop at the attempt.
             (Arithmetic::Divide, Some(Value::Int(-1))) => self.pool.negate(a),
-            (Arithmetic::Modulo, Some(Value::Int(-1))) => self.pool.constant(crate::symbols::zero(ty), ty),
+            (Arithmetic::Modulo, Some(Value::Int(-1))) => self.pool.constant(grafc_formula::number::zero(ty), ty),
             (Arithmetic::Divide | Arithmetic::Modulo, Some(divisor)) if !is_zero(divisor) => {
                 self.pool.arithmetic(op, ty, a, b)
             }

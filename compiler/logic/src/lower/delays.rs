@@ -4,11 +4,17 @@
 //! signal and a bit that it resets, because targets disagree on the output of TOF before its first true input.
 
 use super::{Context, Lowering, Moment};
-use crate::formula::{FormulaId, Type, Value};
 use crate::scan::{Preset, Role, Statement, Timer, TimerId};
+use grafc_formula::{FormulaId, Type, Value};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, StepId};
 
 impl Lowering<'_> {
+    /// Brings the timers of step durations up to date with the situation.
+    pub(crate) fn call_step_timers(&self) -> Vec<Statement> {
+        let call = |(s, t): (&StepId, &TimerId)| Statement::CallTimer { timer: *t, input: self.active(*s) };
+        self.step_timers.iter().map(call).collect()
+    }
+
     pub(super) fn delay(
         &mut self,
         cx: &mut Context,

@@ -4,23 +4,10 @@
 //! R_TRIG are of no use here: they see an edge at power-up and lose edges when they are not called in every context.
 
 use super::{Context, Lowering, Moment};
-use crate::formula::{FormulaId, Type};
-use crate::scan::{Role, Statement, VarId};
+use crate::scan::{Role, Statement};
+use grafc_formula::exclusion::EdgeOperand;
+use grafc_formula::{FormulaId, Type};
 use grafc_model::chart::ExprId;
-
-/// One operand of edges and what is kept of it.
-pub(crate) struct EdgeOperand {
-    /// The operand in the chart: the first of those that have the same formula.
-    pub(crate) operand: ExprId,
-    /// Its value now.
-    pub(crate) now: FormulaId,
-    /// Its value in the context before.
-    pub(crate) old: VarId,
-    /// True at a rising edge, if the chart asks.
-    pub(crate) rise: Option<VarId>,
-    /// True at a falling edge, if the chart asks.
-    pub(crate) fall: Option<VarId>,
-}
 
 impl Lowering<'_> {
     pub(super) fn edge(&mut self, cx: &mut Context, operand: ExprId, rising: bool) -> FormulaId {
@@ -41,7 +28,7 @@ impl Lowering<'_> {
         if let Some(known) = *slot {
             return self.symbols.read(&mut self.pool, known);
         }
-        let base = self.base_name(self.edges[index].operand, index + 1);
+        let base = self.base_name(self.edge_operands[index], index + 1);
         let target = self.symbols.fresh(Role::Temporary, format!("{word}_{base}"), Type::Bool, None);
         let edge = &mut self.edges[index];
         *(if rising { &mut edge.rise } else { &mut edge.fall }) = Some(target);
@@ -68,7 +55,8 @@ impl Lowering<'_> {
         };
         let old = self.symbols.fresh(Role::Memory, format!("old_{base}"), Type::Bool, None);
         let index = self.edges.len();
-        self.edges.push(EdgeOperand { operand, now, old, rise: None, fall: None });
+        self.edges.push(EdgeOperand { now, old, rise: None, fall: None });
+        self.edge_operands.push(operand);
         self.edge_of.insert(formula, index);
         index
     }

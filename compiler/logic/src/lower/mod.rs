@@ -6,21 +6,23 @@
 //! macro-step, a delay, an intermediate result that has to wrap around at the width of its type.
 
 mod arithmetic;
+pub(crate) mod cover;
 mod delays;
 mod edges;
+pub(crate) mod situation;
+pub(crate) mod symbols;
 
-pub(crate) use edges::EdgeOperand;
-
-use crate::formula::{Formula, FormulaId, Pool, Type, Value};
 use crate::scan::{Role, Statement, Timer, TimerId, VarId};
-use crate::situation::Situation;
-use crate::symbols::Symbols;
-use crate::tokens::Cover;
+use cover::Cover;
+use grafc_formula::exclusion::EdgeOperand;
+use grafc_formula::{Formula, FormulaId, Pool, Type, Value};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, GrafcetId, MacroId, Mode, StepId, VariableId};
 use grafc_net::Net;
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
+use situation::Situation;
 use std::collections::BTreeMap;
+use symbols::Symbols;
 
 /// The moments at which conditions are evaluated.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -86,6 +88,8 @@ pub(crate) struct Lowering<'n> {
     pub(crate) step_timers: BTreeMap<StepId, TimerId>,
     /// Edge operands, in the order in which they were met.
     pub(crate) edges: Vec<EdgeOperand>,
+    /// Each operand in the chart: the first of those that have the same formula.
+    pub(crate) edge_operands: Vec<ExprId>,
     edge_of: FxHashMap<FormulaId, usize>,
     delay_of: FxHashMap<(FormulaId, DelayTime, DelayTime), FormulaId>,
     /// The value of each delay after the last micro-step.
@@ -130,6 +134,7 @@ impl<'n> Lowering<'n> {
             timers: IndexVec::new(),
             step_timers: BTreeMap::new(),
             edges: Vec::new(),
+            edge_operands: Vec::new(),
             edge_of: FxHashMap::default(),
             delay_of: FxHashMap::default(),
             delay_values: FxHashMap::default(),

@@ -1,7 +1,7 @@
 //! Programs that tests write by hand, variable by variable.
 
 use super::{Program, Role, Statement, VarId, Variable};
-use crate::formula::{FormulaId, Pool, Type};
+use grafc_formula::{FormulaId, Pool, Type};
 use index_vec::IndexVec;
 
 /// A program that does nothing.
@@ -24,7 +24,7 @@ pub(crate) fn empty() -> Program {
 
 /// A variable without a name.
 pub(crate) fn variable(program: &mut Program, role: Role, ty: Type) -> VarId {
-    let initial = crate::symbols::zero(ty);
+    let initial = grafc_formula::number::zero(ty);
     let name = String::new();
     program.variables.push(Variable { role, name, ty, initial, comment: None, address: None, span: None })
 }

@@ -16,13 +16,18 @@
 
 #[cfg(test)]
 pub(crate) mod by_hand;
+mod dump;
+pub mod evaluate;
+mod measure;
 mod verify;
 
+pub use dump::{dump, equations};
+pub use measure::{Measure, measure};
 pub use verify::verify;
 
-use crate::formula::{FormulaId, Pool, Type, Value};
-pub use crate::formula::{TimerId, VarId};
 use grafc_diagnostics::Span;
+use grafc_formula::{FormulaId, Pool, Type, Value};
+pub use grafc_formula::{TimerId, VarId};
 pub use grafc_model::chart::StepId;
 use index_vec::IndexVec;
 

@@ -1,7 +1,7 @@
 //! Checks the invariants of [`super`]. A violation is a fault of grafc, never of the chart.
 
 use super::{Program, Role, State, Statement, VarId};
-use crate::formula::{Formula, FormulaId, Type, Value};
+use grafc_formula::{Formula, FormulaId, Type, Value};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Says which invariant of the program does not hold, if one does not.

@@ -5,9 +5,9 @@
 
 use super::prepare::Prepared;
 use super::{Reasons, SequenceStep, is_small};
-use crate::formula::{Arithmetic, Comparison, FormulaId, Pool, Type, Value};
 use crate::scan::{Role, VarId, Variable};
 use grafc_diagnostics::Span;
+use grafc_formula::{Arithmetic, Comparison, FormulaId, Pool, Type, Value};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, Mode, StepId, VariableId};
 use grafc_model::reaction::Profile;
 use grafc_net::Net;

@@ -1,8 +1,9 @@
 //! What the structure of a sequential function chart must not have.
 
 use super::Reasons;
-use crate::compile::{self, Options};
-use crate::warnings;
+use crate::compile;
+use crate::options::Options;
+use crate::warn;
 use grafc_diagnostics::Code;
 use grafc_model::chart::{StepId, TransitionId};
 use grafc_model::reaction::{Evolution, Profile};
@@ -16,7 +17,7 @@ pub(super) fn check(net: &Net, profile: Profile, reasons: &mut Reasons) {
     hierarchy(net, reasons);
     transitions(net, reasons);
     selections(net, reasons);
-    for (t, s) in warnings::may_reenter(net) {
+    for (t, s) in warn::may_reenter(net) {
         let label = &net.places[s].label;
         reasons.add(
             net.transitions[t].span,
@@ -52,7 +53,7 @@ fn transitions(net: &Net, reasons: &mut Reasons) {
 }
 
 fn selections(net: &Net, reasons: &mut Reasons) {
-    for said in &warnings::warn(net) {
+    for said in &warn::warn(net) {
         match said.code {
             Code::W0409 => reasons.add(said.primary.span, "may clear together with another transition after its step"),
             Code::W0410 | Code::W0412 => {

@@ -13,10 +13,10 @@ mod expressions;
 mod fit;
 mod prepare;
 
-use crate::formula::{FormulaId, Pool};
 use crate::scan::{Program, Role, VarId, Variable};
 use expressions::Expressions;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
+use grafc_formula::{FormulaId, Pool};
 use grafc_model::chart::{StepId, Type, Value, VariableKind};
 use grafc_model::reaction::Profile;
 use grafc_net::Net;

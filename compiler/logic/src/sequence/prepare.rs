@@ -11,8 +11,8 @@
 
 use super::Reasons;
 use super::expressions::Expressions;
-use crate::formula::{Formula, FormulaId, Type, Value};
 use crate::scan::{Preset, Role, Statement, Timer, TimerId, VarId, Variable};
+use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, Mode, VariableKind};
 use grafc_model::reaction::Evolution;
 use index_vec::IndexVec;

@@ -2,12 +2,13 @@
 
 use super::moves::changes_of;
 use super::{Encoding, Switch, assign_number, assign_truth, copy, differs, entered, within};
-use crate::allocate::choose;
-use crate::arms::Arms;
-use crate::events::Clearings;
+use crate::encode::allocate::choose;
+use crate::encode::clearings::Clearings;
+use crate::encode::next_activity::next_activity;
+use crate::encode::state_case::StateCase;
 use crate::lower::Lowering;
+use crate::lower::situation::Set;
 use crate::scan::Statement;
-use crate::situation::Set;
 use grafc_model::chart::TransitionId;
 use index_vec::IndexVec;
 
@@ -34,7 +35,7 @@ impl Switch<'_> {
                 continue;
             }
             let set = lowering.situation.sets[index].clone();
-            let (mut left, mut come) = (Arms::default(), Arms::default());
+            let (mut left, mut come) = (StateCase::default(), StateCase::default());
             for s in &set.steps {
                 let mut off = Vec::new();
                 for (wire, _) in followers.on_step(lowering.net, *s) {
@@ -60,9 +61,9 @@ impl Switch<'_> {
             let Some(target) = lowering.situation.bit(s) else { continue };
             let value = match clearings.next[s] {
                 Some(next) => Some(next),
-                None => {
-                    clearings.place(lowering, s, false).map(|place| Encoding::Switch.next(&mut lowering.pool, &place))
-                }
+                None => clearings
+                    .set_and_reset(lowering, s, false)
+                    .map(|place| next_activity(Encoding::Switch, &mut lowering.pool, &place)),
             };
             if let Some(value) = value.filter(|value| *value != lowering.active(s)) {
                 out.push(Statement::Assign { target, value, remark: None });
@@ -87,7 +88,7 @@ impl Switch<'_> {
 
     /// Only what the step that was active and the one that will be enclose can have moved.
     fn commit_enclosed(&self, lowering: &mut Lowering, set: &Set) -> Vec<Statement> {
-        let (mut was, mut will) = (Arms::default(), Arms::default());
+        let (mut was, mut will) = (StateCase::default(), StateCase::default());
         for s in &set.steps {
             let mut body = Vec::new();
             for index in self.layout.enclosed(*s) {

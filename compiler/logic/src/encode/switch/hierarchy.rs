@@ -1,13 +1,14 @@
 //! Enclosures and orders on the next situation, from the top of the hierarchy down.
 
 use super::{Encoding, Switch, assign_number, differs, next_in_set, value_of, within};
-use crate::allocate::choose;
-use crate::arms::Arms;
-use crate::events::Clearings;
-use crate::formula::{FormulaId, Type};
+use crate::encode::allocate::choose;
+use crate::encode::clearings::Clearings;
+use crate::encode::next_activity::next_activity;
+use crate::encode::settle;
+use crate::encode::state_case::StateCase;
 use crate::lower::Lowering;
 use crate::scan::{Role, Statement};
-use crate::settle;
+use grafc_formula::{FormulaId, Type};
 use grafc_model::chart::{GrafcetId, StepId};
 
 impl Switch<'_> {
@@ -28,8 +29,8 @@ impl Switch<'_> {
                 if lowering.situation.bit(*s).is_none() {
                     continue;
                 }
-                let own = match clearings.place(lowering, *s, false) {
-                    Some(place) => Encoding::Switch.next(&mut lowering.pool, &place),
+                let own = match clearings.set_and_reset(lowering, *s, false) {
+                    Some(place) => next_activity(Encoding::Switch, &mut lowering.pool, &place),
                     None => lowering.active(*s),
                 };
                 let value = settle::settled(lowering, *s, own, around, in_force.as_ref());
@@ -71,7 +72,7 @@ impl Switch<'_> {
         }
         for index in &self.layout.sets_of[g] {
             let set = lowering.situation.sets[*index].clone();
-            let (mut left, mut come) = (Arms::default(), Arms::default());
+            let (mut left, mut come) = (StateCase::default(), StateCase::default());
             for s in &set.steps {
                 let (emptied, started) = (self.emptied(lowering, *s), self.started(lowering, *s));
                 left.add(lowering, *s, emptied);

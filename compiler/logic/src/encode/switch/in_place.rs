@@ -2,28 +2,19 @@
 
 use super::super::in_order::{Block, in_order};
 use super::moves::changes_of;
-use super::{Task, assign_number, assign_truth, is_forced};
-use crate::allocate::choose;
-use crate::arms::Arms;
-use crate::events::{clears, drawn};
-use crate::formula::FormulaId;
+use super::{assign_number, assign_truth};
+use crate::encode::allocate::choose;
+use crate::encode::clearings::{clears, drawn};
+use crate::encode::outputs::Followers;
+use crate::encode::settle;
+use crate::encode::state_case::StateCase;
+use crate::encode::task::Task;
 use crate::lower::Lowering;
-use crate::outputs::Followers;
 use crate::scan::{Statement, VarId};
-use crate::settle;
-use crate::tokens::Cover;
+use grafc_formula::FormulaId;
 use grafc_model::chart::{StepId, TransitionId, VariableId};
-use grafc_net::Net;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
-
-/// Whether nothing has to wait: without enclosures, forced situations and stored actions, and with a set for every step,
-/// a transition moves its states and switches their outputs itself.
-pub(crate) fn is_in_place(net: &Net, cover: &Cover) -> bool {
-    let enclosed = net.places.iter().any(|place| place.within.is_some());
-    let covered = cover.of_step.iter().all(Option::is_some);
-    covered && !enclosed && net.stored.is_empty() && net.grafcets.indices().all(|g| !is_forced(net, g))
-}
 
 /// The transitions of a chart in which nothing has to wait.
 pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Vec<Statement> {
@@ -65,7 +56,7 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Vec<Statement> {
     let written: FxHashSet<VarId> = states.chain(wires.map(|v| lowering.symbols.declared(*v))).collect();
     let mut blocks = Vec::new();
     for set in lowering.situation.sets.clone() {
-        let mut arms = Arms::default();
+        let mut arms = StateCase::default();
         for s in &set.steps {
             arms.add(lowering, *s, choose(lowering, branches.remove(s).unwrap_or_default()));
         }

@@ -21,20 +21,21 @@ mod in_place;
 mod moves;
 mod transitions;
 
-use super::{Encoding, Task, bits};
-use crate::events::{Clearings, Flow, StepEvents};
-use crate::formula::{FormulaId, Value};
-use crate::input_event::InputEvent;
+use super::bits;
+use super::task::Task;
+use crate::encode::clearings::{Clearings, Flow, StepEvents};
+use crate::encode::input_event::InputEvent;
+use crate::encode::outputs::Followers;
+use crate::encode::settle;
+use crate::encode::stored;
+use crate::lower::cover::is_forced;
+use crate::lower::situation::{Holder, equals};
 use crate::lower::{Context, Lowering};
-use crate::outputs::Followers;
+use crate::options::Encoding;
 use crate::scan::{Statement, VarId};
-use crate::settle;
-use crate::situation::{Holder, equals};
-use crate::stored;
+use grafc_formula::{FormulaId, Value};
 use grafc_model::chart::{GrafcetId, StepId, TransitionId};
 use grafc_net::Net;
-use grafc_net::net::Forced;
-pub(crate) use in_place::is_in_place;
 use index_vec::IndexVec;
 use moves::{Moved, Numbered};
 use rustc_hash::FxHashMap;
@@ -77,11 +78,6 @@ impl Layout {
 /// The step that encloses a grafcet.
 fn within(net: &Net, g: GrafcetId) -> Option<StepId> {
     net.grafcets[g].steps.first().and_then(|s| net.places[*s].within)
-}
-
-/// Whether an order sets the situation of a grafcet.
-fn is_forced(net: &Net, g: GrafcetId) -> bool {
-    net.grafcets[g].orders.iter().any(|order| matches!(order.forced, Forced::Steps(_)))
 }
 
 struct Switch<'t> {

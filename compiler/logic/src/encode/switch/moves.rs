@@ -1,10 +1,10 @@
 //! What a clearing makes of states, and how the rest of the micro-step learns of it.
 
 use super::Task;
-use crate::formula::Type;
 use crate::lower::Lowering;
+use crate::lower::situation::Holder;
 use crate::scan::{Role, VarId};
-use crate::situation::Holder;
+use grafc_formula::Type;
 use grafc_model::chart::{Event, StepId, TransitionId};
 use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;

@@ -2,20 +2,20 @@
 
 use super::moves::{changes_of, home};
 use super::{Switch, assign_number, assign_truth, within};
-use crate::allocate::choose;
-use crate::arms::Arms;
-use crate::events::{clears, designation, drawn};
-use crate::formula::{FormulaId, Type};
+use crate::encode::allocate::choose;
+use crate::encode::clearings::{clears, designation, drawn};
+use crate::encode::settle;
+use crate::encode::state_case::StateCase;
 use crate::lower::Lowering;
+use crate::lower::situation::equals;
 use crate::scan::{Role, Statement};
-use crate::settle;
-use crate::situation::equals;
+use grafc_formula::{FormulaId, Type};
 use grafc_model::chart::{GrafcetId, StepId};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
-/// Arms nest no deeper than this; what is enclosed deeper starts again at the top, where an idle state costs a test.
+/// StateCase nest no deeper than this; what is enclosed deeper starts again at the top, where an idle state costs a test.
 const DEEPEST: usize = 16;
 
 impl Switch<'_> {
@@ -100,7 +100,7 @@ impl Switch<'_> {
             // What is nested comes from the last to the first, and is put in order when its arm is written.
             for index in self.layout.sets_of[*g].iter().rev() {
                 let set = &lowering.situation.sets[*index];
-                let mut arms = Arms::default();
+                let mut arms = StateCase::default();
                 for s in &set.steps {
                     let mut body = choose(lowering, branches.remove(s).unwrap_or_default());
                     body.extend(nested.remove(s).unwrap_or_default().into_iter().rev());

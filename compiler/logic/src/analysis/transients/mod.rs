@@ -1,0 +1,220 @@
+//! How many micro-steps a reaction can need (R8, R9), from the net alone.
+//!
+//! A reaction ends with the first micro-step in which nothing changes: no step, no stored variable and no operand of an
+//! edge. Inputs and time stand still meanwhile. So whatever changes in a micro-step after the first was brought about
+//! by something that changed in the micro-step before it, or in the same one: by a clearing that activated the step
+//! before another transition, by a variable that a condition reads, by an order that settles a grafcet anew. `causes`
+//! is the graph of all changes that are possible at all with an edge from each cause to its effects; it is made in
+//! `values` (expressions), `situation` (clearings, enclosures, orders) and `stored` (stored actions), which say why
+//! each list of causes is complete. A change in micro-step k is the end of a path that begins with a change in
+//! micro-step 1 and along which k - 1 edges lead into the next micro-step. Hence the longest path (`longest`) gives the
+//! last micro-step in which something changes, the one after it finds nothing, and where changes cause each other in a
+//! circle no bound is known.
+//!
+//! What is fixed in a reaction keeps the graph small (`stable`): of two conditions that contradict each other on inputs
+//! no matter which other changes lie between only one can hold in one reaction, so no clearing follows the other, and
+//! an edge of inputs is over after the first micro-step. A circle all around which no such pair is adjacent may still
+//! hold one: then the two values of an input are looked at one after the other (`cases`), each with the transitions
+//! that it admits.
+//!
+//! All this is said of evolutions in which every reaction before ended by itself, and of encodings without overlap.
+
+mod cases;
+mod causes;
+mod conditions;
+mod longest;
+mod situation;
+mod stable;
+mod stored;
+#[cfg(test)]
+mod tests;
+mod values;
+
+use crate::analysis::components::Components;
+use crate::lower::Lowering;
+use crate::lower::symbols::Symbols;
+use crate::scan::{Role, VarId};
+use causes::{Causes, Change};
+use grafc_formula::exclusion::EdgeFacts;
+use grafc_formula::{FormulaId, Pool};
+use grafc_model::chart::{Arithmetic, ExprId, ExprKind, TransitionId};
+use grafc_net::Net;
+use index_vec::IndexVec;
+use longest::Times;
+use stable::Stable;
+
+/// Where more pairs of transitions meet in a step than so many for each, they are not compared one by one.
+const PAIRS: usize = 16;
+
+/// How many micro-steps the reactions of a net need.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Transients {
+    /// No reaction, the initial one included, runs more micro-steps, the last of which finds nothing changed; none if
+    /// no bound is known.
+    pub longest: Option<u32>,
+    /// Transitions that clear one after the other before the last change of a longest reaction.
+    pub chain: Vec<TransitionId>,
+    /// Where no bound is known: transitions that may make each other clear in a circle, as far as transitions do it.
+    pub cycle: Vec<TransitionId>,
+    /// Whether a second micro-step never does anything: neither to the state (situation, variables, memories of edges
+    /// and delays) nor to the flags.
+    pub single: bool,
+    /// Whether a second micro-step at most brings delays up to date with the situation.
+    pub single_but_delays: bool,
+}
+
+impl Transients {
+    /// Whether it is proved that no reaction hits a bound on micro-steps.
+    pub fn ends_within(&self, bound: u32) -> bool {
+        self.longest.is_some_and(|longest| longest <= bound)
+    }
+}
+
+/// What has been found out about a net before.
+pub(crate) struct Known<'a> {
+    /// The formulas of the conditions.
+    pub(crate) pool: &'a Pool,
+    /// The condition of each transition.
+    pub(crate) conditions: &'a IndexVec<TransitionId, FormulaId>,
+    /// What edges and comparisons in them imply.
+    pub(crate) facts: EdgeFacts,
+    /// The variables of the formulas.
+    symbols: &'a Symbols,
+    /// Sets of steps of which at most one is active.
+    pub(crate) components: &'a Components,
+}
+
+impl<'a> Known<'a> {
+    pub(crate) fn new(
+        lowering: &'a Lowering,
+        conditions: &'a IndexVec<TransitionId, FormulaId>,
+        components: &'a Components,
+    ) -> Self {
+        let facts = EdgeFacts::new(&lowering.edges);
+        Known { pool: &lowering.pool, conditions, facts, symbols: &lowering.symbols, components }
+    }
+
+    /// Whether a variable is an input or a constant, and so the same throughout a reaction.
+    pub(crate) fn is_fixed(&self, v: VarId) -> bool {
+        matches!(self.symbols.table[v].role, Role::Input | Role::Constant)
+    }
+}
+
+/// The analysis of a flat net: one after all passes but those for overlapping steps.
+pub(crate) fn analyse(net: &Net, known: &Known) -> Transients {
+    let stable = Stable::new(net);
+    let occasions = values::occasions(net, &stable);
+    let mut causes = Causes::default();
+    values::add(net, &occasions, &mut causes);
+    let arcs = situation::Arcs::new(net, &stable, known, &occasions);
+    situation::add(net, &arcs, &mut causes);
+    stored::add(net, &arcs, &occasions, &mut causes);
+    let watched = Watched::new(net, &causes);
+    let mut result =
+        Transients { longest: Some(1), chain: Vec::new(), cycle: Vec::new(), single: true, single_but_delays: true };
+    for case in cases::times(net, &causes, &stable) {
+        match case {
+            Ok(times) => watched.add(&times, net, &causes, &mut result),
+            Err(cycle) => {
+                return Transients { longest: None, chain: Vec::new(), cycle, single: false, single_but_delays: false };
+            }
+        }
+    }
+    result
+}
+
+/// The changes that matter, by number.
+struct Watched {
+    /// Those after which R8 asks for another micro-step.
+    repeat: Vec<u32>,
+    /// Those that a call of one micro-step must not leave out.
+    needed: Vec<u32>,
+    /// Those that let a delay begin.
+    delays: Vec<u32>,
+}
+
+impl Watched {
+    fn new(net: &Net, causes: &Causes) -> Self {
+        let mut operand_of_edge: IndexVec<ExprId, bool> = net.exprs.iter().map(|_| false).collect();
+        let mut operand_of_delay = operand_of_edge.clone();
+        let mut divisor = operand_of_edge.clone();
+        for expr in &net.exprs {
+            match expr.kind {
+                ExprKind::Rise(a) | ExprKind::Fall(a) => operand_of_edge[a] = true,
+                ExprKind::Delay { operand, .. } => operand_of_delay[operand] = true,
+                ExprKind::Arithmetic(Arithmetic::Divide | Arithmetic::Modulo, _, by) => divisor[by] = true,
+                ExprKind::Arithmetic(Arithmetic::Add | Arithmetic::Subtract | Arithmetic::Multiply, ..)
+                | ExprKind::Literal(_)
+                | ExprKind::Variable(_)
+                | ExprKind::StepActive(_)
+                | ExprKind::StepTime(_)
+                | ExprKind::MacroActive(_)
+                | ExprKind::GrafcetActive(_)
+                | ExprKind::Not(_)
+                | ExprKind::And(..)
+                | ExprKind::Or(..)
+                | ExprKind::Xor(..)
+                | ExprKind::Compare(..)
+                | ExprKind::Negate(_)
+                | ExprKind::Widen(_) => {}
+            }
+        }
+        let mut watched = Watched { repeat: Vec::new(), needed: Vec::new(), delays: Vec::new() };
+        for (number, change) in (0..).zip(causes.changes()) {
+            let (repeat, needed) = match change {
+                Change::Activated(_) | Change::Deactivated(_) => (true, true),
+                Change::Variable(v, _) => {
+                    let stored = net.variables[v].mode == grafc_model::chart::Mode::Stored;
+                    (stored, stored)
+                }
+                Change::Expr(e, _) => {
+                    if operand_of_delay[e] {
+                        watched.delays.push(number);
+                    }
+                    // A divisor because of DIV0.
+                    (operand_of_edge[e], operand_of_edge[e] || divisor[e])
+                }
+                // Without a change of the situation or of a variable a clearing or an event may still tell a conflict.
+                Change::Clears(_) | Change::Occurs(_) | Change::Differs(_) => (false, true),
+                Change::Stops(_)
+                | Change::Placed(_)
+                | Change::Obeyed(..)
+                | Change::Overruled(..)
+                | Change::Forced(_)
+                | Change::Frozen(_)
+                | Change::Released(_)
+                | Change::Thawed(_)
+                | Change::Macro(..)
+                | Change::Grafcet(..)
+                | Change::Subsides(_) => (false, false),
+            };
+            if repeat {
+                watched.repeat.push(number);
+            }
+            if needed {
+                watched.needed.push(number);
+            }
+        }
+        watched
+    }
+
+    /// Takes the times of one case into the result.
+    fn add(&self, times: &Times, net: &Net, causes: &Causes, result: &mut Transients) {
+        let over = |list: &[u32]| list.iter().all(|c| times.of(*c).is_none_or(|time| time <= 1));
+        result.single_but_delays &= over(&self.needed);
+        result.single &= over(&self.needed) && over(&self.delays);
+        let last = self
+            .repeat
+            .iter()
+            .filter_map(|c| Some((times.of(*c)?, *c)))
+            .max_by_key(|(time, c)| (*time, std::cmp::Reverse(*c)));
+        if let Some((time, change)) = last
+            && result.longest.is_some_and(|longest| longest < time + 1)
+        {
+            result.longest = Some(time + 1);
+            result.chain = times.back_from(change).filter_map(|c| causes.change(c).transition(net)).collect();
+            result.chain.dedup();
+            result.chain.reverse();
+        }
+    }
+}

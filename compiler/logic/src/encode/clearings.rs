@@ -1,0 +1,314 @@
+//! What happens in a micro-step: clearings, activations and deactivations as net changes (R6), and the events of stored
+//! actions (R7).
+
+use crate::analysis::components::Components;
+use crate::encode::settle::Frozen;
+use crate::encode::task::{SetReset, Task};
+use crate::lower::Lowering;
+use crate::scan::{Role, Statement, VarId};
+use grafc_formula::{Formula, FormulaId};
+use grafc_model::chart::{StepId, TransitionId, Type};
+use grafc_net::Net;
+use index_vec::IndexVec;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::BTreeSet;
+
+/// The transitions around each step.
+pub(crate) struct Flow {
+    /// Transitions that lead into a step, self-loops left out.
+    pub(crate) into: IndexVec<StepId, Vec<TransitionId>>,
+    /// Transitions that lead out of a step, self-loops left out.
+    pub(crate) out_of: IndexVec<StepId, Vec<TransitionId>>,
+    /// Transitions that lead out of a step and back into it at once.
+    pub(crate) loops: IndexVec<StepId, Vec<TransitionId>>,
+}
+
+impl Flow {
+    /// Looks at each arc once.
+    pub(crate) fn new(net: &Net) -> Self {
+        let none = || -> IndexVec<StepId, Vec<TransitionId>> { net.places.iter().map(|_| Vec::new()).collect() };
+        let mut flow = Flow { into: none(), out_of: none(), loops: none() };
+        // The last transition that touched a step, to tell self-loops in one pass.
+        let mut before: IndexVec<StepId, Option<TransitionId>> = net.places.iter().map(|_| None).collect();
+        let mut after = before.clone();
+        for (t, transition) in net.transitions.iter_enumerated() {
+            transition.pre.iter().for_each(|s| before[*s] = Some(t));
+            transition.post.iter().for_each(|s| after[*s] = Some(t));
+            for s in &transition.pre {
+                let table = if after[*s] == Some(t) { &mut flow.loops } else { &mut flow.out_of };
+                table[*s].push(t);
+            }
+            for s in transition.post.iter().filter(|s| before[**s] != Some(t)) {
+                flow.into[*s].push(t);
+            }
+        }
+        flow
+    }
+
+    /// Whether a transition leads from one of the steps of `from` to `to`, another step.
+    pub(crate) fn leads(&self, net: &Net, from: &BTreeSet<StepId>, to: StepId) -> bool {
+        self.into[to].iter().any(|t| net.transitions[*t].pre.iter().any(|s| from.contains(s)))
+    }
+}
+
+/// Whether a transition clears, as the factors of a conjunction (R3): its steps are active, what encloses it is, nothing
+/// freezes it, and its condition holds. A step within another is never active without that, so the factor is needed
+/// only where no step comes before.
+pub(crate) fn clears(
+    lowering: &mut Lowering,
+    t: TransitionId,
+    condition: FormulaId,
+    frozen: &Frozen,
+    simplify: bool,
+) -> Vec<FormulaId> {
+    let transition = &lowering.net.transitions[t];
+    let within = transition.within.filter(|_| transition.pre.is_empty() || !simplify);
+    let mut factors: Vec<FormulaId> = within.iter().chain(&transition.pre).map(|s| lowering.active(*s)).collect();
+    if let Some(frozen) = frozen[transition.grafcet] {
+        factors.push(lowering.pool.not(frozen));
+    }
+    factors.push(condition);
+    factors
+}
+
+/// What a micro-step does to each step, as formulas.
+pub(crate) struct Clearings {
+    /// The transitions around each step.
+    pub(crate) flow: Flow,
+    /// Whether each transition clears.
+    pub(crate) cleared: IndexVec<TransitionId, FormulaId>,
+    /// The next activity of steps for which it has been computed, because others need it or enclosures and orders act
+    /// on them.
+    pub(crate) next: IndexVec<StepId, Option<FormulaId>>,
+}
+
+impl Clearings {
+    /// With the clearing of each transition latched in a variable before anything is written, if `latch`; else written
+    /// out wherever it is needed.
+    pub(crate) fn new(
+        lowering: &mut Lowering,
+        conditions: &IndexVec<TransitionId, FormulaId>,
+        frozen: &Frozen,
+        latch: bool,
+        simplify: bool,
+    ) -> (Self, Vec<Statement>) {
+        let net = lowering.net;
+        let mut statements = Vec::new();
+        let mut cleared = IndexVec::with_capacity(net.transitions.len());
+        for t in net.transitions.indices() {
+            let factors = clears(lowering, t, conditions[t], frozen, simplify);
+            let value = lowering.pool.and(factors);
+            if !latch {
+                cleared.push(value);
+                continue;
+            }
+            let target =
+                lowering.symbols.fresh(Role::Temporary, format!("clr_{}", designation(net, t)), Type::Bool, None);
+            statements.push(Statement::Assign { target, value, remark: Some(drawn(net, t)) });
+            cleared.push(lowering.symbols.read(&mut lowering.pool, target));
+        }
+        let next = net.places.iter().map(|_| None).collect();
+        (Clearings { flow: Flow::new(net), cleared, next }, statements)
+    }
+
+    fn any(&self, lowering: &mut Lowering, transitions: impl IntoIterator<Item = TransitionId>) -> FormulaId {
+        let cleared: Vec<FormulaId> = transitions.into_iter().map(|t| self.cleared[t]).collect();
+        lowering.pool.or(cleared)
+    }
+
+    /// What decides on the next activity of a step; none if no transition touches it.
+    pub(crate) fn set_and_reset(&self, lowering: &mut Lowering, s: StepId, overlaps: bool) -> Option<SetReset> {
+        if self.flow.into[s].is_empty() && self.flow.out_of[s].is_empty() {
+            // A self-loop alone neither activates nor deactivates: set dominates.
+            return None;
+        }
+        let set = self.any(lowering, self.flow.into[s].iter().chain(&self.flow.loops[s]).copied());
+        let reset = if overlaps {
+            self.followed(lowering, s)
+        } else {
+            self.any(lowering, self.flow.out_of[s].iter().chain(&self.flow.loops[s]).copied())
+        };
+        Some(SetReset { active: lowering.active(s), set, reset })
+    }
+
+    /// A successor of `s` is active; a transition that nothing follows resets by its clearing.
+    fn followed(&self, lowering: &mut Lowering, s: StepId) -> FormulaId {
+        let mut terms = Vec::new();
+        for t in &self.flow.out_of[s] {
+            // A step that the transition leads back to was active before.
+            let transition = &lowering.net.transitions[*t];
+            let fresh = transition.post.iter().filter(|after| !transition.pre.contains(after));
+            let successors: Vec<FormulaId> = fresh.map(|after| lowering.active(*after)).collect();
+            if successors.is_empty() {
+                terms.push(self.cleared[*t]);
+            }
+            terms.extend(successors);
+        }
+        lowering.pool.or(terms)
+    }
+
+    /// `s` is active after the micro-step and was not before.
+    pub(crate) fn activated(&self, lowering: &mut Lowering, components: &Components, s: StepId) -> FormulaId {
+        if let Some(next) = self.next[s] {
+            let inactive = lowering.pool.not(lowering.active(s));
+            return lowering.pool.and([next, inactive]);
+        }
+        let into = self.flow.into[s].iter().copied();
+        if components.covers(s) {
+            // The step that the token of a component comes to was inactive.
+            return self.any(lowering, into);
+        }
+        self.activated_by(lowering, s, into)
+    }
+
+    /// `s` was inactive, and one of these transitions into it clears.
+    fn activated_by(
+        &self,
+        lowering: &mut Lowering,
+        s: StepId,
+        transitions: impl IntoIterator<Item = TransitionId>,
+    ) -> FormulaId {
+        let (set, active) = (self.any(lowering, transitions), lowering.active(s));
+        let inactive = lowering.pool.not(active);
+        lowering.pool.and([set, inactive])
+    }
+
+    /// `s` was active before the micro-step and is not after.
+    pub(crate) fn deactivated(&self, lowering: &mut Lowering, components: &Components, s: StepId) -> FormulaId {
+        if let Some(next) = self.next[s] {
+            let gone = lowering.pool.not(next);
+            return lowering.pool.and([lowering.active(s), gone]);
+        }
+        let out_of = self.flow.out_of[s].iter().copied();
+        if components.covers(s) {
+            return self.any(lowering, out_of);
+        }
+        self.deactivated_by(lowering, s, out_of)
+    }
+
+    /// One of these transitions out of `s` clears, and none that leads into it or back to it.
+    fn deactivated_by(
+        &self,
+        lowering: &mut Lowering,
+        s: StepId,
+        transitions: impl IntoIterator<Item = TransitionId>,
+    ) -> FormulaId {
+        let reset = self.any(lowering, transitions);
+        let set = self.any(lowering, self.flow.into[s].iter().chain(&self.flow.loops[s]).copied());
+        let not_set = lowering.pool.not(set);
+        lowering.pool.and([reset, not_set])
+    }
+
+    /// Whether the bits of the situation change, as the terms of a disjunction: the clearings that move the token of a
+    /// component, and for what no component covers, activation and deactivation step by step. A transition that waits
+    /// for an edge is left out: the edge itself asks for another micro-step; and so is one whose clearing is `told`
+    /// otherwise. What enclosures and orders do needs no term: it happens where a step that encloses or forces changes.
+    pub(crate) fn changes(
+        &self,
+        lowering: &mut Lowering,
+        task: &Task,
+        told: impl Fn(TransitionId) -> bool,
+    ) -> Vec<FormulaId> {
+        let net = lowering.net;
+        let edges: FxHashSet<VarId> = lowering.edges.iter().flat_map(|e| [e.rise, e.fall]).flatten().collect();
+        let is_edge = |f: &FormulaId| matches!(lowering.pool.get(*f), Formula::Variable(v) if edges.contains(v));
+        let quiet: IndexVec<TransitionId, bool> = task
+            .conditions
+            .iter_enumerated()
+            .map(|(t, c)| told(t) || lowering.pool.factors(c).iter().any(is_edge))
+            .collect();
+        let bits: Vec<StepId> = net.places.indices().filter(|s| lowering.situation.bit(*s).is_some()).collect();
+        let mut moves: IndexVec<TransitionId, bool> = net.transitions.iter().map(|_| false).collect();
+        for s in bits.iter().filter(|s| task.components.covers(**s)) {
+            self.flow.out_of[*s].iter().for_each(|t| moves[*t] = true);
+        }
+        let moving = net.transitions.indices().filter(|t| moves[*t] && !quiet[*t]);
+        let mut terms: Vec<FormulaId> = moving.map(|t| self.cleared[t]).collect();
+        for s in bits {
+            let others =
+                |list: &[TransitionId]| list.iter().copied().filter(|t| !moves[*t] && !quiet[*t]).collect::<Vec<_>>();
+            let (into, out_of) = (others(&self.flow.into[s]), others(&self.flow.out_of[s]));
+            if !into.is_empty() {
+                terms.push(self.activated_by(lowering, s, into));
+            }
+            if !out_of.is_empty() {
+                terms.push(self.deactivated_by(lowering, s, out_of));
+            }
+        }
+        terms
+    }
+}
+
+/// Activations and deactivations that stored actions wait for; one that several wait for becomes a variable.
+pub(crate) struct StepEvents {
+    activated: FxHashMap<StepId, FormulaId>,
+    deactivated: FxHashMap<StepId, FormulaId>,
+    /// The statements that set the variables.
+    pub(crate) statements: Vec<Statement>,
+}
+
+impl StepEvents {
+    /// Counts what the stored actions wait for.
+    pub(crate) fn new(lowering: &mut Lowering, clearings: &Clearings, components: &Components) -> Self {
+        use grafc_model::chart::Event;
+        let net = lowering.net;
+        let mut uses: FxHashMap<(StepId, bool), usize> = FxHashMap::default();
+        for action in &net.stored {
+            match action.event {
+                Event::Activation(s) => *uses.entry((s, true)).or_default() += 1,
+                Event::Deactivation(s) => *uses.entry((s, false)).or_default() += 1,
+                Event::Event(..) | Event::Clearing(_) => {}
+            }
+        }
+        let mut events =
+            StepEvents { activated: FxHashMap::default(), deactivated: FxHashMap::default(), statements: Vec::new() };
+        for s in net.places.indices() {
+            for (activation, word) in [(true, "act"), (false, "deact")] {
+                let Some(count) = uses.get(&(s, activation)) else { continue };
+                let value = if activation {
+                    clearings.activated(lowering, components, s)
+                } else {
+                    clearings.deactivated(lowering, components, s)
+                };
+                let simple = lowering.pool.is_leaf(value);
+                let value = if simple || *count == 1 {
+                    value
+                } else {
+                    let name = format!("{word}_{}", net.places[s].label);
+                    let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
+                    events.statements.push(Statement::Assign { target, value, remark: None });
+                    lowering.symbols.read(&mut lowering.pool, target)
+                };
+                if activation { &mut events.activated } else { &mut events.deactivated }.insert(s, value);
+            }
+        }
+        events
+    }
+
+    /// The activation of a step that some stored action waits for.
+    pub(crate) fn activated(&self, s: StepId) -> FormulaId {
+        self.activated[&s]
+    }
+
+    /// The deactivation of a step that some stored action waits for.
+    pub(crate) fn deactivated(&self, s: StepId) -> FormulaId {
+        self.deactivated[&s]
+    }
+}
+
+/// What a transition is called: its designation, or its number.
+pub(crate) fn designation(net: &Net, t: TransitionId) -> String {
+    net.transitions[t].designation.clone().unwrap_or_else(|| (t.index() + 1).to_string())
+}
+
+/// A transition as the chart writes it: `5, 8 -> 9: comment`.
+pub(crate) fn drawn(net: &Net, t: TransitionId) -> String {
+    let labels = |steps: &[StepId]| steps.iter().map(|s| net.places[*s].label.as_str()).collect::<Vec<_>>().join(", ");
+    let transition = &net.transitions[t];
+    let mut text = format!("{} -> {}", labels(&transition.pre), labels(&transition.post)).trim().to_owned();
+    if let Some(comment) = &transition.comment {
+        text.push_str(": ");
+        text.push_str(comment);
+    }
+    text
+}

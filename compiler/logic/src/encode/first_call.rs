@@ -1,0 +1,79 @@
+//! The initial reaction up to its first micro-step (R10).
+
+use super::allocate::{self, Position, Trigger, Triggers};
+use super::input_event::InputEvent;
+use super::outputs::Followers;
+use super::switch;
+use crate::lower::{Context, Lowering, Moment};
+use crate::scan::{Flag, Role, Statement};
+use grafc_formula::Type;
+use grafc_model::chart::{Event, Mode, VariableKind};
+use grafc_model::reaction::Profile;
+
+/// The initial reaction up to its first micro-step (R10), guarded from later calls.
+pub(crate) fn first_call(
+    lowering: &mut Lowering,
+    profile: Profile,
+    followers: Option<&Followers>,
+    input_event: &InputEvent,
+) -> Vec<Statement> {
+    let net = lowering.net;
+    let mut cx = Context::new(Moment::First);
+    let yes = lowering.pool.truth(true);
+    let mut body = Vec::new();
+    for (s, place) in net.places.iter_enumerated() {
+        if let Some(target) = lowering.situation.bit(s).filter(|_| place.initial) {
+            body.push(Statement::Assign { target, value: yes, remark: None });
+        }
+    }
+    if let Some(followers) = followers {
+        body.extend(switch::start(lowering, followers));
+    }
+    if net.conflict_at_start {
+        let target = lowering.symbols.flag(Flag::ForceConflict);
+        body.push(Statement::Assign { target, value: yes, remark: None });
+    }
+    for (v, variable) in net.variables.iter_enumerated() {
+        let kept = matches!(variable.kind, VariableKind::Output | VariableKind::Internal);
+        if kept && variable.mode != Mode::Wire && variable.initial != grafc_formula::number::zero(variable.ty) {
+            let value = lowering.pool.constant(variable.initial, variable.ty);
+            body.push(Statement::Assign { target: lowering.symbols.declared(v), value, remark: None });
+        }
+    }
+    if profile.initial_actions {
+        let mut triggers = Triggers::new();
+        for action in &net.stored {
+            match action.event {
+                Event::Activation(s) if net.places[s].initial => {
+                    let trigger = Trigger { when: yes, value: action.value, position: Position::To(s), repeats: true };
+                    triggers.entry(action.target).or_default().push(trigger);
+                }
+                Event::Event(..) | Event::Deactivation(_) | Event::Clearing(_) | Event::Activation(_) => {}
+            }
+        }
+        for trigger in triggers.values().flatten() {
+            lowering.prepare(&mut cx, trigger.value, true);
+        }
+        let allocations = allocate::statements(lowering, &mut cx, &triggers, None, None);
+        body.append(&mut cx.statements);
+        body.extend(allocations);
+    }
+    // What was defined for the actions no longer holds: edge operands see the variables that the actions have left.
+    let mut cx = Context::new(Moment::First);
+    for index in 0..lowering.edges.len() {
+        let (operand, old) = (lowering.edge_operands[index], lowering.edges[index].old);
+        let value = lowering.expr(&mut cx, operand);
+        body.append(&mut cx.statements);
+        body.push(Statement::Assign { target: old, value, remark: None });
+    }
+    body.extend(input_event.start(lowering));
+    if body.is_empty() {
+        return body;
+    }
+    let started =
+        lowering.symbols.fresh(Role::Memory, "started", Type::Bool, Some("false until the first call".into()));
+    let is_started = lowering.symbols.read(&mut lowering.pool, started);
+    let at_first = lowering.pool.not(is_started);
+    body.insert(0, Statement::Assign { target: started, value: yes, remark: None });
+    vec![Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() }]
+}

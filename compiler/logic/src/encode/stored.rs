@@ -1,0 +1,123 @@
+//! The stored actions of a micro-step and what triggers them, in the order of R7: event, deactivation, clearing,
+//! activation. How they are carried out is said in `allocate`.
+
+use crate::encode::allocate::{self, Position, Tokens, Trigger, Triggers};
+use crate::encode::clearings::{Clearings, StepEvents};
+use crate::encode::input_event::InputEvent;
+use crate::encode::task::Task;
+use crate::lower::{Context, Lowering};
+use crate::scan::{Role, Statement, VarId};
+use grafc_formula::{Formula, FormulaId, Type};
+use grafc_model::chart::{Event, StepId};
+use rustc_hash::FxHashMap;
+
+/// Adds statements under a heading, if there are any.
+pub(crate) fn heading(out: &mut Vec<Statement>, text: &str, statements: Vec<Statement>) {
+    if !statements.is_empty() {
+        out.push(Statement::Heading(text.to_owned()));
+        out.extend(statements);
+    }
+}
+
+/// All stored actions of a micro-step.
+pub(crate) fn actions(
+    lowering: &mut Lowering,
+    cx: &mut Context,
+    task: &Task,
+    clearings: &Clearings,
+    step_events: StepEvents,
+    input_event: &mut InputEvent,
+) -> Vec<Statement> {
+    let net = lowering.net;
+    let mut statements = Vec::new();
+    let no_edges = without_edges(lowering, !task.events.is_empty(), &mut statements);
+    let mut triggers = Triggers::new();
+    for kind in 0..4 {
+        for (index, action) in net.stored.iter().enumerate() {
+            let value = action.value;
+            let trigger = match (kind, action.event) {
+                (0, Event::Event(s, _)) => {
+                    let (when, levels) =
+                        event(lowering, s, task.events[&index], &no_edges, input_event, &mut statements);
+                    Trigger { when, value, position: Position::At(s), repeats: !levels }
+                }
+                (1, Event::Deactivation(s)) => {
+                    Trigger { when: step_events.deactivated(s), value, position: Position::At(s), repeats: true }
+                }
+                (2, Event::Clearing(t)) => {
+                    let transition = &net.transitions[t];
+                    // A clearing moves a token that it does not lead back.
+                    let moves = |s: &StepId| task.components.covers(*s) && !transition.post.contains(s);
+                    let repeats = transition.pre.iter().any(moves);
+                    Trigger { when: clearings.cleared[t], value, position: Position::Through(t), repeats }
+                }
+                (3, Event::Activation(s)) => {
+                    Trigger { when: step_events.activated(s), value, position: Position::To(s), repeats: true }
+                }
+                _ => continue,
+            };
+            triggers.entry(action.target).or_default().push(trigger);
+        }
+    }
+    statements.extend(step_events.statements);
+    let tokens = Tokens { components: task.components, flow: &clearings.flow };
+    statements.extend(allocate::statements(lowering, cx, &triggers, Some(tokens), task.again));
+    statements
+}
+
+/// What to read for each variable where all edges are taken as false.
+fn without_edges(
+    lowering: &mut Lowering,
+    wanted: bool,
+    statements: &mut Vec<Statement>,
+) -> FxHashMap<VarId, FormulaId> {
+    let mut by = FxHashMap::default();
+    if !wanted {
+        return by;
+    }
+    let no = lowering.pool.truth(false);
+    by.extend(lowering.edges.iter().flat_map(|e| [e.rise, e.fall]).flatten().map(|v| (v, no)));
+    for (part, formula) in lowering.parts.clone() {
+        let level = lowering.pool.substitute(formula, &by);
+        if level != formula {
+            let target = lowering.symbols.fresh(Role::Temporary, "level", Type::Bool, None);
+            statements.push(Statement::Assign { target, value: level, remark: None });
+            by.insert(part, lowering.symbols.read(&mut lowering.pool, target));
+        }
+    }
+    by
+}
+
+/// When an action on event is done: its step is active, the expression true, and either an edge made it true or an
+/// input has just changed (R7, kind E). Also says whether the second way is possible.
+fn event(
+    lowering: &mut Lowering,
+    step: StepId,
+    expr: FormulaId,
+    no_edges: &FxHashMap<VarId, FormulaId>,
+    input_event: &mut InputEvent,
+    statements: &mut Vec<Statement>,
+) -> (FormulaId, bool) {
+    let active = lowering.active(step);
+    let level = lowering.pool.substitute(expr, no_edges);
+    let levels = lowering.pool.as_truth(level) != Some(false);
+    let mut when = lowering.pool.and([active, expr]);
+    if levels {
+        let changed = input_event.changed(lowering);
+        let by_edge = lowering.pool.not(level);
+        let caused = lowering.pool.or([by_edge, changed]);
+        when = lowering.pool.and([when, caused]);
+    }
+    // Written variables must not be read again once the first of them has its new value.
+    let reads_written = lowering.pool.below(when).into_iter().any(|f| match lowering.pool.get(f) {
+        Formula::Variable(v) => matches!(lowering.symbols.table[*v].role, Role::Output | Role::Internal),
+        _ => false,
+    });
+    if reads_written {
+        let name = format!("event_{}", lowering.net.places[step].label);
+        let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
+        statements.push(Statement::Assign { target, value: when, remark: None });
+        when = lowering.symbols.read(&mut lowering.pool, target);
+    }
+    (when, levels)
+}

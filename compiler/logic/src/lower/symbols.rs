@@ -1,0 +1,96 @@
+//! The variables of the program that is being made.
+
+use crate::scan::{Flag, Role, VarId, Variable};
+use grafc_formula::number::zero;
+use grafc_formula::{FormulaId, Pool, Type, Value};
+use grafc_model::chart::{VariableId, VariableKind};
+use grafc_net::Net;
+use grafc_net::net::Place;
+use index_vec::IndexVec;
+use std::collections::BTreeMap;
+
+/// The table of variables: the chart's first, in its order, then ours as they are needed.
+pub(crate) struct Symbols {
+    pub(crate) table: IndexVec<VarId, Variable>,
+    declared: IndexVec<VariableId, VarId>,
+    flags: BTreeMap<Flag, VarId>,
+}
+
+impl Symbols {
+    /// The chart's own variables.
+    pub(crate) fn new(net: &Net) -> Self {
+        let mut table = IndexVec::new();
+        let declared = net
+            .variables
+            .iter()
+            .map(|v| {
+                let role = match v.kind {
+                    VariableKind::Input => Role::Input,
+                    VariableKind::Output => Role::Output,
+                    VariableKind::Internal => Role::Internal,
+                    VariableKind::Constant => Role::Constant,
+                };
+                // What the chart assigns gets its initial value in `first`: not every compiler keeps the initial
+                // values of a function block's variables.
+                let initial = match role {
+                    Role::Input | Role::Constant => v.initial,
+                    _ => zero(v.ty),
+                };
+                table.push(Variable {
+                    role,
+                    name: v.name.clone(),
+                    ty: v.ty,
+                    initial,
+                    comment: v.comment.clone(),
+                    address: v.address.clone(),
+                    span: Some(v.span),
+                })
+            })
+            .collect();
+        Symbols { table, declared, flags: BTreeMap::new() }
+    }
+
+    /// The variable that was declared in the chart.
+    pub(crate) fn declared(&self, id: VariableId) -> VarId {
+        self.declared[id]
+    }
+
+    /// A new variable of ours.
+    pub(crate) fn fresh(&mut self, role: Role, name: impl Into<String>, ty: Type, comment: Option<String>) -> VarId {
+        self.table.push(Variable { role, name: name.into(), ty, initial: zero(ty), comment, address: None, span: None })
+    }
+
+    /// A new variable for the activity of a place.
+    pub(crate) fn bit(&mut self, place: &Place) -> VarId {
+        self.table.push(Variable {
+            role: Role::Step,
+            name: format!("X{}", place.label),
+            ty: Type::Bool,
+            initial: Value::Bool(false),
+            comment: place.comment.clone(),
+            address: None,
+            span: Some(place.span),
+        })
+    }
+
+    /// The variable of a flag, which exists from its first use on.
+    pub(crate) fn flag(&mut self, flag: Flag) -> VarId {
+        if let Some(known) = self.flags.get(&flag) {
+            return *known;
+        }
+        let (name, comment) = match flag {
+            Flag::Livelock => ("LIVELOCK", "no stable situation within the bound"),
+            Flag::AllocConflict => ("ALLOC_CONFLICT", "stored actions disagreed on a value"),
+            Flag::ForceConflict => ("FORCE_CONFLICT", "forcing orders disagreed on a situation"),
+            Flag::Div0 => ("DIV0", "something was divided by zero"),
+        };
+        let variable = self.fresh(Role::Flag(flag), name, Type::Bool, Some(comment.to_owned()));
+        self.flags.insert(flag, variable);
+        variable
+    }
+
+    /// The formula that reads a variable.
+    pub(crate) fn read(&self, pool: &mut Pool, variable: VarId) -> FormulaId {
+        pool.variable(variable, self.table[variable].ty)
+    }
+}

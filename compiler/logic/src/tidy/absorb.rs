@@ -1,0 +1,159 @@
+//! Shorter formulas that a reader still recognises.
+//!
+//! | what | where |
+//! | --- | --- |
+//! | constants, repeated operands, double negation | in the pool, always |
+//! | what is known where a transition is enabled: its steps are active, those that exclude them are not | [`restrict`] |
+//! | a long condition that several transitions share gets a name | [`share`] |
+//! | absorption: `a OR a AND b` is `a`, `a OR NOT a AND b` is `a OR b`, and the same with AND and OR exchanged | [`absorb`] |
+//!
+//! Nothing is multiplied out, factored or reordered.
+
+use crate::analysis::components::Components;
+use crate::lower::Lowering;
+use crate::scan::{Program, Role, Statement};
+use grafc_formula::{Formula, FormulaId, Pool, Type};
+use grafc_model::chart::{StepId, TransitionId};
+use index_vec::IndexVec;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// A shared formula with fewer operands than this is not worth a name.
+const WORTH_A_NAME: usize = 3;
+
+/// Conditions as they are where their transition is enabled: a condition is looked at only then, so what it says of the
+/// steps before the transition, and of steps that exclude these, is known.
+pub(crate) fn restrict(
+    lowering: &mut Lowering,
+    components: &Components,
+    conditions: &mut IndexVec<TransitionId, FormulaId>,
+) {
+    let net = lowering.net;
+    let step_of: FxHashMap<FormulaId, StepId> = net.places.indices().map(|s| (lowering.active(s), s)).collect();
+    for (t, transition) in net.transitions.iter_enumerated() {
+        let mut known: FxHashMap<FormulaId, FormulaId> = FxHashMap::default();
+        for f in lowering.pool.below(conditions[t]) {
+            let Some(s) = step_of.get(&f) else { continue };
+            let active = transition.pre.contains(s) || transition.within == Some(*s);
+            let excluded = !active
+                && transition.pre.iter().any(|p| components.of(*p).iter().any(|c| components.of(*s).contains(c)));
+            if active || excluded {
+                known.insert(f, lowering.pool.truth(active));
+            }
+        }
+        if !known.is_empty() {
+            conditions[t] = lowering.pool.replace(conditions[t], &known);
+        }
+    }
+}
+
+/// Gives a name to what several conditions have in common, and returns the definitions.
+pub(crate) fn share(lowering: &mut Lowering, conditions: &mut IndexVec<TransitionId, FormulaId>) -> Vec<Statement> {
+    let mut uses: FxHashMap<FormulaId, u32> = FxHashMap::default();
+    for condition in conditions.iter() {
+        for f in lowering.pool.below(*condition) {
+            if let Formula::And(list) | Formula::Or(list) = lowering.pool.get(f)
+                && list.len() >= WORTH_A_NAME
+            {
+                *uses.entry(f).or_default() += 1;
+            }
+        }
+    }
+    let mut shared: Vec<FormulaId> = uses.into_iter().filter(|(_, n)| *n > 1).map(|(f, _)| f).collect();
+    shared.sort_unstable();
+    let mut statements = Vec::new();
+    let mut by: FxHashMap<FormulaId, FormulaId> = FxHashMap::default();
+    for (f, number) in shared.into_iter().zip(1..) {
+        let value = lowering.pool.replace(f, &by);
+        let target = lowering.symbols.fresh(Role::Temporary, format!("both_{number}"), Type::Bool, None);
+        statements.push(Statement::Assign { target, value, remark: None });
+        by.insert(f, lowering.symbols.read(&mut lowering.pool, target));
+    }
+    if !by.is_empty() {
+        for condition in conditions.iter_mut() {
+            *condition = lowering.pool.replace(*condition, &by);
+        }
+    }
+    statements
+}
+
+/// Absorption in every formula of a program.
+pub(crate) fn absorb(program: &mut Program) {
+    let mut memo = FxHashMap::default();
+    let mut pool = std::mem::take(&mut program.pool);
+    for section in [&mut program.first, &mut program.before, &mut program.micro_step, &mut program.after] {
+        absorb_in(&mut pool, &mut memo, section);
+    }
+    program.pool = pool;
+}
+
+/// Statements nest no deeper than lowering nests them.
+fn absorb_in(pool: &mut Pool, memo: &mut FxHashMap<FormulaId, FormulaId>, statements: &mut [Statement]) {
+    for statement in statements {
+        match statement {
+            Statement::Heading(_) | Statement::Divide { .. } => {}
+            Statement::Assign { value, .. } => *value = absorbed(pool, memo, *value),
+            Statement::CallTimer { input, .. } => *input = absorbed(pool, memo, *input),
+            Statement::Case { arms, .. } => arms.iter_mut().for_each(|arm| absorb_in(pool, memo, &mut arm.body)),
+            Statement::If { branches, otherwise } => {
+                for (when, body) in branches {
+                    // A condition that has become constant would need another statement, so it stays as it is.
+                    let shorter = absorbed(pool, memo, *when);
+                    if pool.as_truth(shorter).is_none() {
+                        *when = shorter;
+                    }
+                    absorb_in(pool, memo, body);
+                }
+                absorb_in(pool, memo, otherwise);
+            }
+        }
+    }
+}
+
+fn absorbed(pool: &mut Pool, memo: &mut FxHashMap<FormulaId, FormulaId>, root: FormulaId) -> FormulaId {
+    if let Some(known) = memo.get(&root) {
+        return *known;
+    }
+    let mut by: FxHashMap<FormulaId, FormulaId> = FxHashMap::default();
+    for id in pool.below(root) {
+        let inner = pool.rebuilt(id, &by);
+        let shorter = match pool.get(inner).clone() {
+            Formula::And(list) => junction(pool, &list, true),
+            Formula::Or(list) => junction(pool, &list, false),
+            _ => inner,
+        };
+        by.insert(id, shorter);
+    }
+    memo.insert(root, by[&root]);
+    by[&root]
+}
+
+/// A conjunction or disjunction without the operands that others make superfluous.
+fn junction(pool: &mut Pool, list: &[FormulaId], conjunction: bool) -> FormulaId {
+    let operands: FxHashSet<FormulaId> = list.iter().copied().collect();
+    let mut kept = Vec::with_capacity(list.len());
+    for operand in list {
+        let inner = match (pool.get(*operand), conjunction) {
+            (Formula::Or(inner), true) | (Formula::And(inner), false) => inner.clone(),
+            _ => {
+                kept.push(*operand);
+                continue;
+            }
+        };
+        if inner.iter().any(|i| operands.contains(i)) {
+            continue;
+        }
+        let negated = |pool: &mut Pool, f: FormulaId| {
+            let not = pool.not(f);
+            operands.contains(&not)
+        };
+        let left: Vec<FormulaId> = inner.iter().copied().filter(|i| !negated(pool, *i)).collect();
+        kept.push(if left.len() == inner.len() {
+            *operand
+        } else if conjunction {
+            pool.or(left)
+        } else {
+            pool.and(left)
+        });
+    }
+    if conjunction { pool.and(kept) } else { pool.or(kept) }
+}

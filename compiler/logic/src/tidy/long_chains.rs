@@ -1,0 +1,181 @@
+//! Conjunctions and disjunctions of very many operands are evaluated in pieces.
+//!
+//! `w := X1 OR X2 OR … OR X9000` is right, but compilers descend once for each operand of such a chain and run out of
+//! stack (rustc and LLVM at some thousands). So a long one is cut:
+//!
+//! ```text
+//!             w := X1 OR … OR X9000
+//! becomes     any_1 := X1 OR … OR X256;   any_2 := X257 OR …;   …   w := any_1 OR any_2 OR …
+//! ```
+//!
+//! Formulas have no effects, so the pieces stand before the statement that reads them; those of a condition before the
+//! whole `If`.
+
+use crate::scan::{Program, Role, Statement, VarId, Variable};
+use grafc_formula::{Formula, FormulaId, Type, Value};
+use rustc_hash::FxHashMap;
+
+/// The most operands of one conjunction or disjunction.
+const LONGEST: usize = 256;
+
+/// Cuts every long formula of a program.
+pub(crate) fn cut(program: &mut Program) {
+    let is_long = |id: FormulaId| operands(program, id).is_some_and(|list| list.len() > LONGEST);
+    // What has a long formula in it.
+    let mut concerned = vec![false; program.pool.len()];
+    for id in program.pool.ids() {
+        concerned[id.index()] = is_long(id) || program.pool.operands(id).any(|operand| concerned[operand.index()]);
+    }
+    if !concerned.contains(&true) {
+        return;
+    }
+    let sections = [&mut program.first, &mut program.before, &mut program.micro_step, &mut program.after];
+    let sections = sections.map(std::mem::take);
+    let mut cutter = Cutter { program, concerned };
+    let [first, before, micro_step, after] = sections.map(|section| cutter.block(section));
+    (program.first, program.before, program.micro_step, program.after) = (first, before, micro_step, after);
+}
+
+/// The operands of a conjunction or a disjunction.
+fn operands(program: &Program, id: FormulaId) -> Option<&[FormulaId]> {
+    match program.pool.get(id) {
+        Formula::And(list) | Formula::Or(list) => Some(list),
+        Formula::Constant(_)
+        | Formula::Variable(_)
+        | Formula::TimerDone(_)
+        | Formula::TimerElapsed(_)
+        | Formula::Not(_)
+        | Formula::Xor(..)
+        | Formula::Compare(..)
+        | Formula::Arithmetic(..)
+        | Formula::Negate(_)
+        | Formula::Widen(_) => None,
+    }
+}
+
+struct Cutter<'p> {
+    program: &'p mut Program,
+    concerned: Vec<bool>,
+}
+
+impl Cutter<'_> {
+    /// Statements nest no deeper than lowering nests them.
+    fn block(&mut self, statements: Vec<Statement>) -> Vec<Statement> {
+        let mut out = Vec::with_capacity(statements.len());
+        for mut statement in statements {
+            match &mut statement {
+                // Operands of a division have no operators.
+                Statement::Heading(_) | Statement::Divide { .. } => {}
+                Statement::Assign { value, .. } => *value = self.formula(*value, &mut out),
+                Statement::CallTimer { input, .. } => *input = self.formula(*input, &mut out),
+                Statement::Case { arms, .. } => {
+                    arms.iter_mut().for_each(|arm| arm.body = self.block(std::mem::take(&mut arm.body)));
+                }
+                Statement::If { branches, otherwise } => {
+                    for (when, body) in branches {
+                        *when = self.formula(*when, &mut out);
+                        *body = self.block(std::mem::take(body));
+                    }
+                    *otherwise = self.block(std::mem::take(otherwise));
+                }
+            }
+            out.push(statement);
+        }
+        out
+    }
+
+    /// A formula whose long parts have been given to variables before it.
+    fn formula(&mut self, root: FormulaId, before: &mut Vec<Statement>) -> FormulaId {
+        if !self.concerned[root.index()] {
+            return root;
+        }
+        let mut by: FxHashMap<FormulaId, FormulaId> = FxHashMap::default();
+        for id in self.program.pool.below(root) {
+            if !self.concerned[id.index()] {
+                by.insert(id, id);
+                continue;
+            }
+            let mut short = self.program.pool.rebuilt(id, &by);
+            while let Some(list) = operands(self.program, short).filter(|list| list.len() > LONGEST) {
+                let conjunction = matches!(self.program.pool.get(short), Formula::And(_));
+                let pieces: Vec<Vec<FormulaId>> = list.chunks(LONGEST).map(<[FormulaId]>::to_vec).collect();
+                let read: Vec<FormulaId> =
+                    pieces.into_iter().map(|piece| self.piece(piece, conjunction, before)).collect();
+                short = self.junction(read, conjunction);
+            }
+            by.insert(id, short);
+        }
+        by[&root]
+    }
+
+    /// A variable for a piece of a long formula.
+    fn piece(&mut self, piece: Vec<FormulaId>, conjunction: bool, before: &mut Vec<Statement>) -> FormulaId {
+        let value = self.junction(piece, conjunction);
+        let target: VarId = self.program.variables.push(Variable {
+            role: Role::Temporary,
+            name: if conjunction { "all" } else { "any" }.to_owned(),
+            ty: Type::Bool,
+            initial: Value::Bool(false),
+            comment: None,
+            address: None,
+            span: None,
+        });
+        before.push(Statement::Assign { target, value, remark: None });
+        self.program.pool.variable(target, Type::Bool)
+    }
+
+    fn junction(&mut self, operands: Vec<FormulaId>, conjunction: bool) -> FormulaId {
+        let pool = &mut self.program.pool;
+        if conjunction { pool.and(operands) } else { pool.or(operands) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scan::by_hand::{assign, bit, empty};
+    use crate::scan::evaluate::Evaluator;
+    use grafc_model::reaction::Stimulus;
+
+    /// `w := NOT (i0 OR i1 OR …)` and, if that is false, `v := i0 AND i1 AND …`.
+    fn program(length: usize) -> Program {
+        let mut p = empty();
+        let inputs: Vec<FormulaId> = (0..length).map(|_| bit(&mut p, Role::Input).1).collect();
+        let [w, v] = [(); 2].map(|()| bit(&mut p, Role::Output).0);
+        let any = p.pool.or(inputs.clone());
+        let (none, all) = (p.pool.not(any), p.pool.and(inputs));
+        let branches = vec![(any, vec![assign(v, all)])];
+        p.micro_step = vec![assign(w, none), Statement::If { branches, otherwise: Vec::new() }];
+        p
+    }
+
+    #[test]
+    fn pieces_are_short_and_mean_the_same() {
+        let mut program = program(600);
+        cut(&mut program);
+        // Three pieces before each of the two formulas that were long where they stood, three in the branch.
+        let [.., Statement::If { branches, .. }] = program.micro_step.as_slice() else { panic!("an If at the end") };
+        assert_eq!(program.micro_step.len(), 3 + 1 + 3 + 1);
+        assert_eq!(branches[0].1.len(), 3 + 1);
+        for (ones, w, v) in [
+            (0..0, true, false),
+            // The last of a whole piece.
+            (255..256, false, false),
+            (599..600, false, false),
+            (0..599, false, false),
+            (0..600, false, true),
+        ] {
+            let inputs = (0..600).map(|n| Value::Bool(ones.contains(&n))).collect();
+            let response = Evaluator::new(&program).react(&Stimulus { inputs, t_ms: 0 });
+            assert_eq!(response.outputs, [Value::Bool(w), Value::Bool(v)], "{ones:?}");
+        }
+    }
+
+    #[test]
+    fn short_programs_stay_as_they_are() {
+        let mut program = program(LONGEST);
+        let before = program.micro_step.clone();
+        cut(&mut program);
+        assert_eq!(program.micro_step, before);
+    }
+}

@@ -1,0 +1,6 @@
+//! Shorter programs that mean the same.
+
+pub(crate) mod absorb;
+pub(crate) mod idle_delays;
+pub(crate) mod long_chains;
+pub(crate) mod sweep;

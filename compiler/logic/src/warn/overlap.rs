@@ -1,0 +1,119 @@
+//! Where the overlap of the r- and s-trigger can be seen.
+//!
+//! In these encodings a step goes one micro-step after its successor has come. The stable situations are those of the
+//! rules all the same if
+//! 1. evolution goes on until it is stable, so that the overlap is over by then;
+//! 2. no condition depends on activities, or on variables that stored actions write: what is true when a token moves
+//!    stays true while it overlaps. Edges of inputs are over by then, so they may not decide between two ways;
+//! 3. for each transition, every step before it and every step after it lie in one component: an active successor then
+//!    means that the token has come from here, never that another one was there already;
+//! 4. no enclosing step and no forcing step is among those that overlap.
+//!
+//! Stored actions on deactivation or clearing see the overlap even then: they are done later, or more than once. So do
+//! those whose event or value depends on activities, or on variables that other stored actions write.
+
+use crate::analysis::components::Components;
+use crate::options::Options;
+use grafc_diagnostics::{Code, Diagnostic, Span};
+use grafc_model::chart::{Event, ExprId, ExprKind, Mode, StepId, VariableId};
+use grafc_model::reaction::Evolution;
+use grafc_net::Net;
+use index_vec::IndexVec;
+
+/// One warning if the overlap can be seen, with the first place that shows it.
+pub(crate) fn check(net: &Net, options: &Options, components: &Components) -> Option<Diagnostic> {
+    let (place, why) = seen(net, options, components)?;
+    let encoding = options.encoding.name();
+    Some(
+        Diagnostic::new(Code::W0413, place, format!("the overlap of `{encoding}` can be seen in this chart"))
+            .note(format!(
+                "in this encoding a step stays active for one micro-step together with the step that follows it; {why}"
+            ))
+            .help("use `--encoding single-phase`, `sequent` or `switch`, which do exactly what the chart means"),
+    )
+}
+
+fn seen(net: &Net, options: &Options, components: &Components) -> Option<(Span, String)> {
+    let start = net.places.first().map(|p| p.span)?;
+    if options.profile.evolution == Evolution::Scan {
+        return Some((start, "with `--evolution scan` it is there at the end of a call".to_owned()));
+    }
+    if let Some(grafcet) = net.grafcets.iter().find(|g| g.steps.iter().any(|s| net.places[*s].within.is_some())) {
+        return Some((grafcet.span, format!("the enclosure `{}` sees both of its enclosing grafcet", grafcet.name)));
+    }
+    if let Some(order) = net.grafcets.iter().find_map(|g| g.orders.first()) {
+        return Some((order.span, "a forcing order acts while both are active".to_owned()));
+    }
+    for action in &net.stored {
+        match action.event {
+            Event::Deactivation(_) | Event::Clearing(_) => {
+                let why = "an action on deactivation or on clearing is done later or more than once";
+                return Some((action.span, why.to_owned()));
+            }
+            Event::Event(_, event) => {
+                if let Some((place, why)) = read(net, event, false, None) {
+                    return Some((place, why.to_owned()));
+                }
+            }
+            Event::Activation(_) => {}
+        }
+        if let Some((place, why)) = read(net, action.value, false, Some(action.target)) {
+            return Some((place, why.to_owned()));
+        }
+    }
+    let mut leaving: IndexVec<StepId, u32> = net.places.iter().map(|_| 0).collect();
+    net.transitions.iter().flat_map(|t| &t.pre).for_each(|s| leaving[*s] += 1);
+    for transition in &net.transitions {
+        let several = transition.pre.iter().any(|s| leaving[*s] > 1);
+        if let Some((place, why)) = read(net, transition.condition, several, None) {
+            return Some((place, why.to_owned()));
+        }
+        for before in &transition.pre {
+            for after in transition.post.iter().filter(|after| *after != before) {
+                if !components.of(*before).iter().any(|c| components.of(*after).contains(c)) {
+                    let (a, b) = (&net.places[*before].label, &net.places[*after].label);
+                    let why = format!("it is not proved that step {b} is active only after step {a} has been left");
+                    return Some((transition.span, why));
+                }
+            }
+        }
+    }
+    None
+}
+
+/// What a condition, an event or the value given to a variable reads that the overlap changes. `several`: it decides
+/// between several transitions. A value may read what it replaces.
+fn read(net: &Net, root: ExprId, several: bool, replaced: Option<VariableId>) -> Option<(Span, &'static str)> {
+    let mut stack = vec![root];
+    while let Some(e) = stack.pop() {
+        let expr = &net.exprs[e];
+        let why = match &expr.kind {
+            ExprKind::StepActive(_) | ExprKind::StepTime(_) | ExprKind::MacroActive(_) | ExprKind::GrafcetActive(_) => {
+                Some("an activity is read here")
+            }
+            ExprKind::Variable(v) => match net.variables[*v].mode {
+                Mode::Given => None,
+                Mode::Stored if replaced == Some(*v) => None,
+                Mode::Wire | Mode::Stored => Some("what actions write is read here"),
+            },
+            ExprKind::Rise(_) | ExprKind::Fall(_) => {
+                several.then_some("an edge decides here between several transitions, and is over while the step stays")
+            }
+            ExprKind::Literal(_)
+            | ExprKind::Not(_)
+            | ExprKind::And(..)
+            | ExprKind::Or(..)
+            | ExprKind::Xor(..)
+            | ExprKind::Delay { .. }
+            | ExprKind::Compare(..)
+            | ExprKind::Arithmetic(..)
+            | ExprKind::Negate(_)
+            | ExprKind::Widen(_) => None,
+        };
+        if let Some(why) = why {
+            return Some((expr.span, why));
+        }
+        stack.extend(expr.kind.operands());
+    }
+    None
+}
