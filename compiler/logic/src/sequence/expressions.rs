@@ -3,7 +3,7 @@
 //! What needs memory of its own from scan to scan has no place in such a chart: edges, delays of anything but a step. Those
 //! that inputs alone decide are found before it is called (`prepare`).
 
-use super::prepare::Prepared;
+use super::prepared::Prepared;
 use super::{Reasons, SequenceStep, is_small};
 use crate::scan::{Role, VarId, Variable};
 use grafc_diagnostics::Span;

@@ -12,6 +12,7 @@ mod actions;
 mod expressions;
 mod fit;
 mod prepare;
+mod prepared;
 
 use crate::scan::{Program, Role, VarId, Variable};
 use expressions::Expressions;

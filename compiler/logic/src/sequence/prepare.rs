@@ -11,33 +11,11 @@
 
 use super::Reasons;
 use super::expressions::Expressions;
-use crate::scan::{Preset, Role, Statement, Timer, TimerId, VarId, Variable};
+use crate::scan::{Preset, Role, Statement, Timer, VarId, Variable};
 use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, Mode, VariableKind};
 use grafc_model::reaction::Evolution;
-use index_vec::IndexVec;
-use rustc_hash::{FxHashMap, FxHashSet};
-
-/// The statements so far.
-#[derive(Default)]
-pub(super) struct Prepared {
-    /// What the chart is given, in order.
-    pub given: Vec<VarId>,
-    /// What keeps its value from call to call.
-    pub memory: Vec<VarId>,
-    /// The markers of steps that are read.
-    pub shown: Vec<VarId>,
-    pub timers: IndexVec<TimerId, Timer>,
-    /// In the first call, before all others.
-    pub first: Vec<Statement>,
-    /// In each call.
-    pub before: Vec<Statement>,
-    /// In each call, behind those: edge operands are kept as they are before the chart goes on.
-    pub last: Vec<Statement>,
-    old: FxHashMap<FormulaId, VarId>,
-    edges: FxHashMap<(FormulaId, bool), VarId>,
-    delays: FxHashMap<(FormulaId, i64, i64), VarId>,
-}
+use rustc_hash::FxHashSet;
 
 impl Expressions<'_> {
     /// Whether a value is known when the chart is called.

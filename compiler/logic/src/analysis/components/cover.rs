@@ -7,6 +7,7 @@
 //! an initial step, a step with a link, or a step that the same order forces.
 
 use super::family::{Component, Family};
+use super::reason::Reason;
 use super::search::Search;
 use super::{Surroundings, forced};
 use crate::lower::cover::{Cover, CoverSet};
@@ -20,33 +21,6 @@ const CROSSING: usize = 8;
 
 /// Sets are compared with branches no more often than this for each step of the net.
 const COMPARED: usize = 16;
-
-/// Why no component was found that holds a step.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Reason {
-    /// Two transitions after it were not proved to exclude each other.
-    Together(TransitionId, TransitionId),
-    /// So many transitions leave it that they are not compared.
-    Many(usize),
-    /// A source transition leads to it.
-    Source(TransitionId),
-    /// A transition leads to it only from steps that stay bits.
-    From(TransitionId),
-    /// A transition leads to it from steps of which none goes together with it.
-    Origin(TransitionId),
-    /// Two steps before a transition would go together with it.
-    Before(TransitionId, StepId, StepId),
-    /// Two steps after a transition would go together with it.
-    After(TransitionId, StepId, StepId),
-    /// Two initial steps would go together with it.
-    Initial(StepId, StepId),
-    /// Two steps with activation links would go together with it.
-    Links(StepId, StepId),
-    /// Two steps that one order forces would go together with it.
-    Forced(StepId, StepId),
-    /// The search has taken too much work.
-    GivenUp,
-}
 
 /// The cover, and the components that its sets belong to.
 pub(super) struct Arranged {

@@ -25,11 +25,12 @@
 
 mod cover;
 mod family;
+mod reason;
 mod search;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use cover::Reason;
+pub(crate) use reason::Reason;
 
 use crate::lower::cover::Cover;
 

@@ -16,8 +16,8 @@
 //! starts again without the step chosen.
 
 use super::Surroundings;
-use super::cover::Reason;
 use super::family::{Component, Family, Region, Side};
+use super::reason::Reason;
 use grafc_model::chart::{StepId, TransitionId};
 use grafc_net::Net;
 use index_vec::IndexVec;

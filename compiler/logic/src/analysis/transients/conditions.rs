@@ -52,7 +52,7 @@ pub(super) fn add(
                 }
             }
             ExprKind::Compare(op, a, b) => {
-                for (side, op) in [(a, op), (b, turned(op))] {
+                for (side, op) in [(a, op), (b, op.mirrored())] {
                     match (&net.exprs[side].kind, op) {
                         // It falls to zero when its step is deactivated.
                         (ExprKind::StepTime(s), _) if unchanged(*s) => {}
@@ -82,16 +82,5 @@ pub(super) fn add(
             | ExprKind::Negate(_)
             | ExprKind::Widen(_) => causes.at_once(Change::Expr(e, way), effect),
         }
-    }
-}
-
-/// The comparison with its sides exchanged.
-pub(super) fn turned(op: Comparison) -> Comparison {
-    match op {
-        Comparison::Less => Comparison::Greater,
-        Comparison::LessEqual => Comparison::GreaterEqual,
-        Comparison::Greater => Comparison::Less,
-        Comparison::GreaterEqual => Comparison::LessEqual,
-        Comparison::Equal | Comparison::NotEqual => op,
     }
 }

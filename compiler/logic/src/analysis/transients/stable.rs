@@ -8,7 +8,6 @@
 //! A condition may also say that a step has been active since before the reaction: `3s/X5` and `[T5 >= 3s]` need time
 //! to pass while step 5 is active, and no time passes within a reaction.
 
-use super::conditions::turned;
 use grafc_model::chart::{
     Arithmetic, Comparison, ExprId, ExprKind, Mode, StepId, TransitionId, Type, Value, VariableId, VariableKind,
 };
@@ -375,7 +374,7 @@ fn time_has_passed(net: &Net, op: Comparison, a: ExprId, b: ExprId, asserted: bo
     };
     let (step, op, ms) = match (&net.exprs[a].kind, &net.exprs[b].kind) {
         (ExprKind::StepTime(s), _) => (*s, op, constant(b)?),
-        (_, ExprKind::StepTime(s)) => (*s, turned(op), constant(a)?),
+        (_, ExprKind::StepTime(s)) => (*s, op.mirrored(), constant(a)?),
         _ => return None,
     };
     let passed = match (op, asserted) {
