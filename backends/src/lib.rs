@@ -4,6 +4,7 @@
 //! by the tables of [`keywords`]; [`comment`] makes every text of the user's harmless inside a comment.
 
 pub mod awl;
+pub mod choice;
 pub mod comment;
 mod formulas;
 mod iec;
@@ -12,11 +13,16 @@ pub mod il;
 pub mod keywords;
 mod limits;
 pub mod namer;
+mod output;
 pub mod plcopen;
 pub mod rust;
 pub mod scl;
 pub mod st;
+mod target;
 pub mod tcpou;
 mod transliterate;
 mod writer;
 mod xml;
+
+pub use output::{Output, Source};
+pub use target::{About, Target};

@@ -3,6 +3,7 @@
 //! Everything goes into a static library, since that has to have all it needs: what would use `std` or allocate is
 //! refused. It is built for the machine at hand, and for a microcontroller where the toolchain has its `core`.
 
+use grafc_backends::Target;
 use grafc_backends::rust::{self, Runtime};
 use grafc_diagnostics::FileId;
 use grafc_logic::{Encoding, Options};
@@ -70,10 +71,10 @@ fn write(folder: &Path, runtime: Runtime, charts: &[(String, String)], extra: &s
             let product = rust::Options { runtime, module: Some(module), ..rust::Options::default() };
             let options = grafc::pipeline::Options {
                 lowering: Options { encoding, ..Options::default() },
-                product: grafc::pipeline::Product::Rust(product),
+                product: grafc::pipeline::Product::Code(Target::Rust(product)),
             };
             let (code, said) = grafc::pipeline::compile(FileId(0), text, name, &options);
-            library.push_str(&code.unwrap_or_else(|| panic!("{name}: {said:#?}")));
+            library.push_str(&code.unwrap_or_else(|| panic!("{name}: {said:#?}")).text);
         }
     }
     library.push_str(extra);

@@ -9,7 +9,7 @@
 use expect_test::expect_file;
 use grafc::pipeline::{self, Options, Product};
 use grafc_backends::plcopen::{self, Body};
-use grafc_backends::{awl, il, rust, st};
+use grafc_backends::{Target, awl, il, rust, st};
 use grafc_diagnostics::FileId;
 use grafc_logic::{Encoding, Options as Lowering};
 use grafc_net::passes;
@@ -52,16 +52,17 @@ impl Golden {
     /// What a chart becomes.
     fn made(&self, case: &Case, encoding: Encoding, simplify: bool, product: Product) -> String {
         let options = Options { lowering: Lowering { profile: case.profile, encoding, simplify }, product };
-        let (text, said) = pipeline::compile(FileId::default(), &case.text, &case.name, &options);
-        text.unwrap_or_else(|| panic!("{}: {said:?}", case.name))
+        let (made, said) = pipeline::compile(FileId::default(), &case.text, &case.name, &options);
+        made.unwrap_or_else(|| panic!("{}: {said:?}", case.name)).text
     }
 
     /// The languages of PLCs; the name of the file has no ending yet.
     fn code(&mut self, case: &Case, encoding: Encoding, simplify: bool, file: &str) {
         let header = vec![format!("from {}.gct", case.name)];
-        let text = Product::St(st::Options { header: header.clone(), ..st::Options::default() });
-        let list = Product::Il(il::Options { header: header.clone(), ..il::Options::default() });
-        let source = Product::Awl(awl::Options { header, organization_block: true, ..awl::Options::default() });
+        let text = Product::Code(Target::St(st::Options { header: header.clone(), ..st::Options::default() }));
+        let list = Product::Code(Target::Il(il::Options { header: header.clone(), ..il::Options::default() }));
+        let source =
+            Product::Code(Target::Awl(awl::Options { header, organization_block: true, ..awl::Options::default() }));
         for (product, ending) in [(text, "st"), (list, "il"), (source, "awl")] {
             let text = self.made(case, encoding, simplify, product);
             self.expect(format!("{file}.{ending}"), &text);
@@ -72,7 +73,7 @@ impl Golden {
     fn rust(&mut self, case: &Case, encoding: Encoding, file: String) {
         let header = vec![format!("from {}.gct", case.name)];
         let options = rust::Options { header, ..rust::Options::default() };
-        let text = self.made(case, encoding, true, Product::Rust(options));
+        let text = self.made(case, encoding, true, Product::Code(Target::Rust(options)));
         self.expect(file, &text);
     }
 
@@ -80,7 +81,7 @@ impl Golden {
     fn project(&mut self, case: &Case, body: Body, file: String) {
         let header = vec![format!("from {}.gct", case.name)];
         let options = plcopen::Options { body, header, ..plcopen::Options::default() };
-        let text = self.made(case, Encoding::default(), true, Product::Plcopen(options));
+        let text = self.made(case, Encoding::default(), true, Product::Code(Target::Plcopen(options)));
         self.expect(file, &text);
     }
 

@@ -3,7 +3,7 @@
 
 use grafc::pipeline::{self, Options, Product};
 use grafc_backends::plcopen::{self, Body, Dialect};
-use grafc_backends::{iec61131_10, il, scl, tcpou};
+use grafc_backends::{Target, iec61131_10, il, scl, tcpou};
 use grafc_diagnostics::FileId;
 use grafc_logic::{Encoding, Options as Lowering};
 use grafc_testsuite::charts::{Case, cases, charts_folder, vectors_folder};
@@ -230,13 +230,13 @@ transition Ж1 -> шаг : 2s/a__b or LONG or LONG2
 fn made(case: &Case, product: Product) -> String {
     let lowering = Lowering { profile: case.profile, encoding: Encoding::default(), simplify: true };
     let options = Options { lowering, product };
-    let (text, said) = pipeline::compile(FileId::default(), &case.text, &case.name, &options);
-    text.unwrap_or_else(|| panic!("{}: {said:?}", case.name))
+    let (made, said) = pipeline::compile(FileId::default(), &case.text, &case.name, &options);
+    made.unwrap_or_else(|| panic!("{}: {said:?}", case.name)).text
 }
 
 fn project(dialect: Dialect, body: Body) -> Product {
     let header = vec!["Made --by hand-- ]]> *) \u{2}".to_string()];
-    Product::Plcopen(plcopen::Options { dialect, body, header, interval_ms: Some(10) })
+    Product::Code(Target::Plcopen(plcopen::Options { dialect, body, header, interval_ms: Some(10) }))
 }
 
 fn all_cases() -> Vec<Case> {
@@ -284,7 +284,7 @@ fn another_reader_finds_the_same_units_and_statements() {
         let read: plcopen_reader::Project =
             plcopen_reader::from_str(&text).unwrap_or_else(|e| panic!("{}: {e}", case.name));
         let units = read.types.and_then(|types| types.pous).map(|pous| pous.pou).unwrap_or_default();
-        let structured = made(&case, Product::St(Default::default()));
+        let structured = made(&case, Product::Code(Target::St(Default::default())));
         let block = structured.lines().find_map(|line| line.strip_prefix("FUNCTION_BLOCK ")).unwrap_or_default();
         let names: Vec<&str> = units.iter().map(|unit| unit.name.as_str()).collect();
         assert_eq!(names.len(), 2, "{}", case.name);
@@ -299,7 +299,7 @@ fn another_reader_finds_the_same_units_and_statements() {
 fn instructions_are_those_of_the_instruction_list() {
     for case in all_cases() {
         let options = il::Options { pou: il::Pou::Program, ..il::Options::default() };
-        let list = made(&case, Product::Il(options));
+        let list = made(&case, Product::Code(Target::Il(options)));
         let (block, program) = list.split_once("\nEND_FUNCTION_BLOCK\n").expect("a function block and a program");
         let expected = [statements(block), statements(program)];
         for dialect in [Dialect::Neutral, Dialect::Codesys] {
@@ -330,18 +330,18 @@ fn texts<'d>(document: &'d Document, name: &'d str) -> Vec<&'d str> {
 #[test]
 fn the_vendor_forms_hold_the_same_statements() {
     for case in all_cases() {
-        let structured = made(&case, Product::St(Default::default()));
+        let structured = made(&case, Product::Code(Target::St(Default::default())));
         let statements = statements(&structured);
         let drawn_apart = statements.replace("]]>", "]] >");
 
-        let text = made(&case, Product::Tcpou(tcpou::Options::default()));
+        let text = made(&case, Product::Code(Target::Tcpou(tcpou::Options::default())));
         let document = Document::read(&text).unwrap_or_else(|e| panic!("{}: {e}", case.name));
         let [body] = texts(&document, "ST")[..] else { panic!("{}: not one body", case.name) };
         assert_eq!(body.trim(), drawn_apart, "{}", case.name);
         let [declaration] = texts(&document, "Declaration")[..] else { panic!("{}: no declaration", case.name) };
         assert!(declaration.trim_end().ends_with("END_VAR"), "{declaration}");
 
-        let text = made(&case, Product::Iec61131_10(iec61131_10::Options::default()));
+        let text = made(&case, Product::Code(Target::Iec61131_10(iec61131_10::Options::default())));
         let document = Document::read(&text).unwrap_or_else(|e| panic!("{}: {e}", case.name));
         let [body] = texts(&document, "ST")[..] else { panic!("{}: not one body", case.name) };
         assert_eq!(body.trim(), statements, "{}", case.name);
@@ -350,7 +350,7 @@ fn the_vendor_forms_hold_the_same_statements() {
             variables.filter_map(|id| document.attribute(id, "orderWithinParamSet")?.parse().ok()).collect();
         assert!(places.iter().copied().eq(0..places.len()), "{}: {places:?}", case.name);
 
-        let text = made(&case, Product::Scl(scl::Options::default()));
+        let text = made(&case, Product::Code(Target::Scl(scl::Options::default())));
         assert!(text.is_ascii(), "{}", case.name);
         assert!(!text.contains("(*"), "{}: {text}", case.name);
         // Without marks and comments it is the same again.
@@ -384,7 +384,7 @@ fn scl_marks_every_variable_and_no_other_word() {
     let mut case = all_cases().remove(0);
     case.text = chart.to_string();
     case.name = "press".to_string();
-    let text = made(&case, Product::Scl(scl::Options::default()));
+    let text = made(&case, Product::Code(Target::Scl(scl::Options::default())));
     for expected in [
         "FUNCTION_BLOCK \"press\"\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\nVAR_INPUT\n    a : Bool;\n",
         "    on_X1 {InstructionName := 'TON_TIME'; LibVersion := '1.0'} : TON_TIME;\n",

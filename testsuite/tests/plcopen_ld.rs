@@ -2,6 +2,7 @@
 //! else, and wires run from pin to pin.
 
 use grafc::pipeline::{self, Options, Product};
+use grafc_backends::Target;
 use grafc_backends::plcopen::{self, Body, Dialect};
 use grafc_diagnostics::FileId;
 use grafc_logic::{Encoding, Options as Lowering};
@@ -49,9 +50,9 @@ fn ladder(name: &str, text: &str, encoding: Encoding, evolution: Evolution) -> S
     let header = vec!["Made --by hand-- ]]> *) \u{2}".to_string()];
     let options = plcopen::Options { body: Body::Ld, header, ..plcopen::Options::default() };
     let lowering = Lowering { profile: Profile { evolution, ..Profile::default() }, encoding, simplify: true };
-    let options = Options { lowering, product: Product::Plcopen(options) };
+    let options = Options { lowering, product: Product::Code(Target::Plcopen(options)) };
     let (made, said) = pipeline::compile(FileId::default(), text, "chart", &options);
-    made.unwrap_or_else(|| panic!("{name}: {said:?}"))
+    made.unwrap_or_else(|| panic!("{name}: {said:?}")).text
 }
 
 /// All charts as ladders, by name: in both evolutions, the encodings in turn, some charts in all.

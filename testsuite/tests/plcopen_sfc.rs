@@ -2,6 +2,7 @@
 //! cannot is refused with every reason.
 
 use grafc::pipeline::{self, Options, Product};
+use grafc_backends::Target;
 use grafc_backends::plcopen::{self, Body, Dialect};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId};
 use grafc_logic::scan::StepId;
@@ -48,10 +49,11 @@ transition (j) 9 -> 1 : not ready
 
 fn draw(text: &str, evolution: Evolution, dialect: Dialect) -> Result<String, Vec<Diagnostic>> {
     let profile = Profile { evolution, ..Profile::default() };
-    let product = Product::Plcopen(plcopen::Options { body: Body::Sfc, dialect, ..plcopen::Options::default() });
+    let product =
+        Product::Code(Target::Plcopen(plcopen::Options { body: Body::Sfc, dialect, ..plcopen::Options::default() }));
     let options = Options { lowering: Lowering { profile, encoding: Encoding::default(), simplify: true }, product };
     let (made, said) = pipeline::compile(FileId::default(), text, "chart", &options);
-    made.ok_or_else(|| said.iter().cloned().collect())
+    made.map(|made| made.text).ok_or_else(|| said.iter().cloned().collect())
 }
 
 /// All charts that can be drawn in the neutral dialect, by name.

@@ -27,6 +27,7 @@ mod mnemonics;
 mod numbers;
 mod restart;
 mod statements;
+pub(crate) mod target;
 #[cfg(test)]
 mod tests;
 mod timers;

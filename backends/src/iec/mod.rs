@@ -3,6 +3,7 @@
 //! Edition 2, and of it only what MATIEC, IronPLC, STruC++ and the vendors' tools all take: keywords in upper case, flat
 //! comments, no VAR_TEMP, time literals of one unit, located variables in a block of their own.
 
+pub(crate) mod choices;
 pub(crate) mod declarations;
 pub(crate) mod frame;
 pub(crate) mod literals;

@@ -4,6 +4,8 @@
 //! through inputs and outputs together. Only the function block is written; some readers refuse or ignore the rest.
 //! Within a variable the comment comes first, then the type, then the initial value.
 
+pub(crate) mod target;
+
 use crate::comment::clean;
 use crate::iec::declarations::{Block, Entry, Kind};
 use crate::st::{self, Style};

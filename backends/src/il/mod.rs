@@ -16,6 +16,7 @@
 mod code;
 mod expressions;
 mod statements;
+pub(crate) mod target;
 #[cfg(test)]
 mod tests;
 

@@ -13,6 +13,7 @@ mod interface;
 pub mod ld;
 mod project;
 pub mod sfc;
+pub(crate) mod target;
 
 pub use dialect::Dialect;
 

@@ -28,6 +28,7 @@ mod scan;
 mod situation;
 mod size;
 mod steps;
+pub(crate) mod target;
 mod uses;
 
 use crate::comment::clean;

@@ -5,6 +5,8 @@
 //! variables bears a `#`, timers are `TON_TIME` and say which instruction they are, comments go to the end of the line,
 //! and the file is ASCII. There are no programs and no addresses: an organisation block calls the instance.
 
+pub(crate) mod target;
+
 use crate::comment::clean;
 use crate::iec::declarations::{Block, Entry, EntryType, Kind};
 use crate::iec::parts::Parts;

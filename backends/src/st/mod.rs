@@ -6,6 +6,7 @@
 pub(crate) mod call;
 mod expressions;
 mod statements;
+pub(crate) mod target;
 #[cfg(test)]
 pub(crate) mod tests;
 

@@ -3,6 +3,8 @@
 //! Declaration and implementation are plain Structured Text, without the closing keyword. The identity that the format
 //! asks for comes from the name of the block, so the same chart always gives the same file.
 
+pub(crate) mod target;
+
 use crate::comment::clean;
 use crate::iec::declarations;
 use crate::st::{self, Style};

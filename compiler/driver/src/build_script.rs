@@ -7,9 +7,10 @@
 use crate::Exit;
 use crate::fault;
 use crate::files::{Place, print};
-use crate::header;
+use crate::header::header;
 use crate::pipeline::{self, Options, Product};
 use crate::report::{Failure, Format, Report, to_stderr};
+use grafc_backends::Target;
 use grafc_backends::rust::{self, Runtime};
 use grafc_diagnostics::render;
 use grafc_logic::Encoding;
@@ -184,20 +185,16 @@ impl Build {
             return Err(Failure::WrongUse(what, "choose another name with `module`".to_string()));
         }
 
-        let header = header::of_rust(&chart, &self.lowering, self.runtime);
-        let product = Product::Rust(rust::Options {
-            runtime: self.runtime,
-            header,
-            module: Some(module),
-            ..rust::Options::default()
-        });
-        let options = Options { lowering: self.lowering, product };
+        let options = rust::Options { runtime: self.runtime, module: Some(module), ..rust::Options::default() };
+        let mut target = Target::Rust(options);
+        target.set_header(header(&chart, &self.lowering, &target));
+        let options = Options { lowering: self.lowering, product: Product::Code(target) };
         let Some(file) = report.load(&chart)? else { return Ok(None) };
         let text = &report.sources.file(file).text;
         let (made, said) = pipeline::compile(file, text, &chart.chart_name(), &options);
         report.diagnostics.append(said);
         let Some(code) = made else { return Ok(None) };
-        output.write(&code)?;
+        output.write(&code.text)?;
         print(&warnings(report))?;
         Ok(Some(path))
     }

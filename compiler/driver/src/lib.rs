@@ -7,6 +7,7 @@
 
 mod arguments;
 mod build_script;
+mod choices;
 pub mod command_line;
 mod commands;
 pub mod fault;

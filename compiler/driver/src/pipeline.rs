@@ -8,10 +8,11 @@
 //! stage that found an error, no other begins, save that a text with syntax errors is checked as far as it was read.
 //! What lies between two stages can be had as text.
 
-use grafc_backends::{awl, iec61131_10, il, plcopen, rust, scl, st, tcpou};
+use grafc_backends::{Output, Source, Target};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
 use grafc_logic::Encoding;
 use grafc_logic::scan::{self, Program};
+use grafc_logic::sequence::{Sequence, sequence};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::Profile;
 use grafc_model::simulate::Simulator;
@@ -19,6 +20,7 @@ use grafc_model::trace;
 use grafc_net::Net;
 use grafc_net::passes::Pass;
 use grafc_syntax::ast::same;
+use std::cell::OnceCell;
 
 /// What is made, and what it is to mean.
 #[derive(Clone, Debug)]
@@ -29,25 +31,11 @@ pub struct Options {
     pub product: Product,
 }
 
-/// What comes out: code, with the choices that its language alone knows, or what lies between two stages.
+/// What comes out: code, or what lies between two stages.
 #[derive(Clone, Debug)]
 pub enum Product {
-    /// IEC 61131-3 Structured Text.
-    St(st::Options),
-    /// IEC 61131-3 instruction list.
-    Il(il::Options),
-    /// Siemens STL.
-    Awl(awl::Options),
-    /// A PLCopen XML project.
-    Plcopen(plcopen::Options),
-    /// Siemens SCL.
-    Scl(scl::Options),
-    /// A TwinCAT program organisation unit.
-    Tcpou(tcpou::Options),
-    /// The exchange format of IEC 61131-10.
-    Iec61131_10(iec61131_10::Options),
-    /// Rust.
-    Rust(rust::Options),
+    /// Code.
+    Code(Target),
     /// The syntax tree.
     Tree,
     /// The checked chart.
@@ -63,7 +51,7 @@ pub enum Product {
 }
 
 /// As far as what is asked for. There is a text exactly if no message is an error; and none after a pass that is not run.
-pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) -> (Option<String>, Diagnostics) {
+pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) -> (Option<Output>, Diagnostics) {
     let lowering = &options.lowering;
     let (made, said) = match &options.product {
         Product::Tree => {
@@ -93,25 +81,9 @@ pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) 
             let (program, said) = lower(file, text, default_name, lowering);
             (program.as_ref().map(scan::dump), said)
         }
-        Product::St(options) => emit(file, text, default_name, lowering, |program| st::emit(program, options)),
-        Product::Il(options) => emit(file, text, default_name, lowering, |program| il::emit(program, options)),
-        Product::Awl(options) => emit(file, text, default_name, lowering, |program| awl::emit(program, options)),
-        Product::Plcopen(options) => match options.body {
-            plcopen::Body::St => emit(file, text, default_name, lowering, |program| plcopen::emit(program, options)),
-            plcopen::Body::Il => emit(file, text, default_name, lowering, |program| plcopen::emit_il(program, options)),
-            plcopen::Body::Ld => {
-                emit(file, text, default_name, lowering, |program| plcopen::ld::emit(program, options))
-            }
-            plcopen::Body::Sfc => draw(file, text, default_name, lowering, options),
-        },
-        Product::Scl(options) => emit(file, text, default_name, lowering, |program| scl::emit(program, options)),
-        Product::Tcpou(options) => emit(file, text, default_name, lowering, |program| tcpou::emit(program, options)),
-        Product::Iec61131_10(options) => {
-            emit(file, text, default_name, lowering, |program| iec61131_10::emit(program, options))
-        }
-        Product::Rust(options) => emit(file, text, default_name, lowering, |program| rust::emit(program, options)),
+        Product::Code(target) => return emit(file, text, default_name, lowering, target),
     };
-    (made.filter(|_| !said.has_errors()), said)
+    (made.map(Output::from).filter(|_| !said.has_errors()), said)
 }
 
 /// As far as the checked chart. There is one exactly if no message is an error.
@@ -171,36 +143,44 @@ fn emit(
     text: &str,
     default_name: &str,
     options: &grafc_logic::Options,
-    backend: impl FnOnce(&Program) -> Result<String, Diagnostics>,
-) -> (Option<String>, Diagnostics) {
-    let (program, mut said) = lower(file, text, default_name, options);
-    match program.as_ref().map(backend) {
-        Some(Ok(code)) => (Some(code), said),
-        Some(Err(found)) => {
-            said.append(found);
+    target: &Target,
+) -> (Option<Output>, Diagnostics) {
+    let (net, mut said) = flatten(file, text, default_name, options.encoding, |_, _| ());
+    let Some(net) = net else { return (None, said) };
+    let stages = LastStages { net: &net, options, program: OnceCell::new(), sequence: OnceCell::new() };
+    let made = target.emit(&stages);
+    if let Some((_, found)) = stages.program.into_inner() {
+        said.append(found);
+    }
+    match made {
+        Ok(output) => (Some(output).filter(|_| !said.has_errors()), said),
+        Err(found) => {
+            // What a stage said is there already.
+            if !said.has_errors() {
+                said.append(found);
+            }
             (None, said)
         }
-        None => (None, said),
     }
 }
 
-/// As far as a drawing, which is made from the flat net.
-fn draw(
-    file: FileId,
-    text: &str,
-    default_name: &str,
-    options: &grafc_logic::Options,
-    drawing: &plcopen::Options,
-) -> (Option<String>, Diagnostics) {
-    let (net, mut said) = flatten(file, text, default_name, options.encoding, |_, _| ());
-    let Some(net) = net else { return (None, said) };
-    let drawn = grafc_logic::sequence::sequence(&net, options.profile);
-    match drawn.and_then(|sequence| plcopen::sfc::emit(&sequence, drawing)) {
-        Ok(code) => (Some(code), said),
-        Err(found) => {
-            said.append(found);
-            (None, said)
-        }
+/// The stages after the flat net, of which a target asks for the one that it writes.
+struct LastStages<'n> {
+    net: &'n Net,
+    options: &'n grafc_logic::Options,
+    program: OnceCell<(Option<Program>, Diagnostics)>,
+    sequence: OnceCell<Result<Sequence, Diagnostics>>,
+}
+
+impl Source for LastStages<'_> {
+    fn program(&self) -> Result<&Program, Diagnostics> {
+        let (program, said) = self.program.get_or_init(|| grafc_logic::compile(self.net, self.options));
+        program.as_ref().filter(|_| !said.has_errors()).ok_or_else(|| said.clone())
+    }
+
+    fn sequence(&self) -> Result<&Sequence, Diagnostics> {
+        let drawn = self.sequence.get_or_init(|| sequence(self.net, self.options.profile));
+        drawn.as_ref().map_err(Diagnostics::clone)
     }
 }
 

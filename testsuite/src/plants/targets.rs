@@ -3,7 +3,7 @@
 use super::Plant;
 use crate::{ironplc, matiec, strucpp};
 use grafc::pipeline::{self, Product};
-use grafc_backends::{awl, iec61131_10, il, plcopen, rust, scl, st, tcpou};
+use grafc_backends::{Target, awl, iec61131_10, il, plcopen, rust, scl, st, tcpou};
 use grafc_diagnostics::{Code, FileId};
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::Profile;
@@ -47,8 +47,8 @@ pub fn targets(plant: &Plant, tools: &Tools) -> Result<Written, String> {
         for product in products() {
             let lowering = Options { profile: Profile::default(), encoding, simplify: true };
             let options = pipeline::Options { lowering, product };
-            let (text, said) = pipeline::compile(FileId::default(), &plant.text, &plant.name, &options);
-            let Some(text) = text else {
+            let (made, said) = pipeline::compile(FileId::default(), &plant.text, &plant.name, &options);
+            let Some(made) = made else {
                 if is_drawing(&options.product) && said.iter().any(|message| message.code == Code::E0503) {
                     written.undrawn += 1;
                     continue;
@@ -56,7 +56,7 @@ pub fn targets(plant: &Plant, tools: &Tools) -> Result<Written, String> {
                 return Err(format!("{:?}, {}: {said:#?}", options.product, encoding.name()));
             };
             written.texts += 1;
-            for (compiler, taken) in taken(tools, &options.product, &text) {
+            for (compiler, taken) in taken(tools, &options.product, &made.text) {
                 taken.map_err(|said| format!("{compiler}, {}: {said}", encoding.name()))?;
                 written.taken += 1;
             }
@@ -69,34 +69,36 @@ pub fn targets(plant: &Plant, tools: &Tools) -> Result<Written, String> {
 pub const PRODUCTS: usize = 12;
 
 fn products() -> [Product; PRODUCTS] {
-    let plcopen = |dialect, body| Product::Plcopen(plcopen::Options { dialect, body, ..plcopen::Options::default() });
+    let plcopen = |dialect, body| {
+        Product::Code(Target::Plcopen(plcopen::Options { dialect, body, ..plcopen::Options::default() }))
+    };
     [
-        Product::St(st::Options::default()),
-        Product::Il(il::Options::default()),
+        Product::Code(Target::St(st::Options::default())),
+        Product::Code(Target::Il(il::Options::default())),
         plcopen(plcopen::Dialect::Neutral, plcopen::Body::St),
         plcopen(plcopen::Dialect::Codesys, plcopen::Body::St),
         plcopen(plcopen::Dialect::Neutral, plcopen::Body::Il),
         plcopen(plcopen::Dialect::Neutral, plcopen::Body::Ld),
         plcopen(plcopen::Dialect::Neutral, plcopen::Body::Sfc),
-        Product::Scl(scl::Options::default()),
-        Product::Tcpou(tcpou::Options::default()),
-        Product::Iec61131_10(iec61131_10::Options::default()),
-        Product::Awl(awl::Options::default()),
-        Product::Rust(rust::Options::default()),
+        Product::Code(Target::Scl(scl::Options::default())),
+        Product::Code(Target::Tcpou(tcpou::Options::default())),
+        Product::Code(Target::Iec61131_10(iec61131_10::Options::default())),
+        Product::Code(Target::Awl(awl::Options::default())),
+        Product::Code(Target::Rust(rust::Options::default())),
     ]
 }
 
 fn is_drawing(product: &Product) -> bool {
-    matches!(product, Product::Plcopen(options) if options.body == plcopen::Body::Sfc)
+    matches!(product, Product::Code(Target::Plcopen(options)) if options.body == plcopen::Body::Sfc)
 }
 
 /// What the compilers say that read the language.
 fn taken(tools: &Tools, product: &Product, text: &str) -> Vec<(&'static str, Result<(), String>)> {
     let mut said = Vec::new();
-    if matches!(product, Product::St(_) | Product::Il(_)) {
+    if matches!(product, Product::Code(Target::St(_) | Target::Il(_))) {
         said.extend(tools.matiec.iter().map(|tools| ("MATIEC", matiec::accepts(tools, text))));
     }
-    if matches!(product, Product::St(_)) {
+    if matches!(product, Product::Code(Target::St(_))) {
         said.extend(tools.ironplc.iter().map(|tools| ("IronPLC", ironplc::accepts(tools, text))));
         said.extend(tools.strucpp.iter().map(|tools| ("STruC++", strucpp::accepts(tools, text))));
     }

@@ -1,0 +1,24 @@
+//! The exchange format of IEC 61131-10 as a target.
+
+use super::Options;
+use crate::choice::{Choice, Chosen, Refusal};
+use crate::output::{Output, Source};
+use grafc_diagnostics::Diagnostics;
+
+pub(crate) const NAME: &str = "iec61131-10";
+pub(crate) const TITLE: &str = "The function block in the XML of IEC 61131-10";
+pub(crate) const EXTENSION: &str = "xml";
+/// The form leaves no choice.
+pub(crate) const CHOICES: &[&Choice] = &[];
+
+pub(crate) fn options(_: &Chosen) -> Result<Options, Refusal> {
+    Ok(Options::default())
+}
+
+pub(crate) fn spelled(_: &Options) -> String {
+    String::new()
+}
+
+pub(crate) fn emit(source: &dyn Source, options: &Options) -> Result<Output, Diagnostics> {
+    super::emit(source.program()?, options).map(Output::from)
+}

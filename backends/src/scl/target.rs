@@ -1,0 +1,24 @@
+//! Siemens SCL as a target.
+
+use super::Options;
+use crate::choice::{Choice, Chosen, Refusal};
+use crate::output::{Output, Source};
+use grafc_diagnostics::Diagnostics;
+
+pub(crate) const NAME: &str = "scl";
+pub(crate) const TITLE: &str = "Siemens SCL, a source file for TIA Portal";
+pub(crate) const EXTENSION: &str = "scl";
+/// The form leaves no choice.
+pub(crate) const CHOICES: &[&Choice] = &[];
+
+pub(crate) fn options(_: &Chosen) -> Result<Options, Refusal> {
+    Ok(Options::default())
+}
+
+pub(crate) fn spelled(_: &Options) -> String {
+    String::new()
+}
+
+pub(crate) fn emit(source: &dyn Source, options: &Options) -> Result<Output, Diagnostics> {
+    super::emit(source.program()?, options).map(Output::from)
+}

@@ -1,0 +1,24 @@
+//! Structured Text as a target.
+
+use super::Options;
+use crate::choice::{Choice, Chosen, Refusal};
+use crate::iec::choices::{self, POU, TASK_INTERVAL};
+use crate::output::{Output, Source};
+use grafc_diagnostics::Diagnostics;
+
+pub(crate) const NAME: &str = "st";
+pub(crate) const TITLE: &str = "IEC 61131-3 Structured Text";
+pub(crate) const EXTENSION: &str = "st";
+pub(crate) const CHOICES: &[&Choice] = &[&POU, &TASK_INTERVAL];
+
+pub(crate) fn options(chosen: &Chosen) -> Result<Options, Refusal> {
+    choices::options(chosen)
+}
+
+pub(crate) fn spelled(options: &Options) -> String {
+    choices::spelled(options)
+}
+
+pub(crate) fn emit(source: &dyn Source, options: &Options) -> Result<Output, Diagnostics> {
+    super::emit(source.program()?, options).map(Output::from)
+}

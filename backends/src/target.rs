@@ -1,0 +1,136 @@
+//! The targets, in one list.
+//!
+//! A target is a folder with a file `target.rs`, which holds what this list asks of it: `NAME`, `TITLE`, `EXTENSION` and
+//! `CHOICES`; `options` makes its options of what was chosen, `spelled` says them as a command line would, and `emit`
+//! writes.
+
+use crate::choice::{Choice, Chosen, Refusal};
+use crate::output::{Output, Source};
+use grafc_diagnostics::Diagnostics;
+
+/// What is known of a target before anything is chosen.
+#[derive(Debug)]
+pub struct About {
+    /// The name, as the command line has it.
+    pub name: &'static str,
+    /// What it is, in a few words.
+    pub title: &'static str,
+    /// What the name of a file ends with, without the dot.
+    pub extension: &'static str,
+    /// What it leaves to choose.
+    pub choices: &'static [&'static Choice],
+    make: fn(&Chosen) -> Result<Target, Refusal>,
+}
+
+impl About {
+    /// The target with what was chosen. Choices that it does not know are of no effect.
+    ///
+    /// # Errors
+    /// Values that do not go together.
+    pub fn target(&self, chosen: &Chosen) -> Result<Target, Refusal> {
+        (self.make)(chosen)
+    }
+}
+
+macro_rules! targets {
+    ($($(#[$doc:meta])* $Target:ident => $folder:ident,)*) => {
+        /// A target, with what its language alone leaves to choose.
+        #[derive(Clone, PartialEq, Eq, Debug)]
+        pub enum Target {
+            $($(#[$doc])* $Target(crate::$folder::Options),)*
+        }
+
+        impl Target {
+            /// What is known of all targets.
+            pub const ALL: &'static [About] = &[$(About {
+                name: crate::$folder::target::NAME,
+                title: crate::$folder::target::TITLE,
+                extension: crate::$folder::target::EXTENSION,
+                choices: crate::$folder::target::CHOICES,
+                make: |chosen| crate::$folder::target::options(chosen).map(Target::$Target),
+            },)*];
+
+            /// What is known of this one.
+            pub fn about(&self) -> &'static About {
+                let name = match self {
+                    $(Target::$Target(_) => crate::$folder::target::NAME,)*
+                };
+                // Both are made of one list.
+                Target::ALL.iter().find(|about| about.name == name).unwrap_or(&Target::ALL[0])
+            }
+
+            /// The target and what was chosen, as a command line would say it; what is usual is said, too.
+            pub fn spelled(&self) -> (&'static str, String) {
+                match self {
+                    $(Target::$Target(options) =>
+                        (crate::$folder::target::NAME, crate::$folder::target::spelled(options)),)*
+                }
+            }
+
+            /// Puts lines at the head of what is written, as a comment.
+            pub fn set_header(&mut self, lines: Vec<String>) {
+                match self {
+                    $(Target::$Target(options) => options.header = lines,)*
+                }
+            }
+
+            /// Writes.
+            ///
+            /// # Errors
+            /// What the stages before said, if that is an error; what the target cannot do; or a fault of grafc.
+            pub fn emit(&self, source: &dyn Source) -> Result<Output, Diagnostics> {
+                match self {
+                    $(Target::$Target(options) => crate::$folder::target::emit(source, options),)*
+                }
+            }
+        }
+    };
+}
+
+targets! {
+    /// IEC 61131-3 Structured Text.
+    St => st,
+    /// IEC 61131-3 instruction list.
+    Il => il,
+    /// Siemens STL.
+    Awl => awl,
+    /// A PLCopen XML project.
+    Plcopen => plcopen,
+    /// Siemens SCL.
+    Scl => scl,
+    /// A TwinCAT program organisation unit.
+    Tcpou => tcpou,
+    /// The exchange format of IEC 61131-10.
+    Iec61131_10 => iec61131_10,
+    /// Rust.
+    Rust => rust,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::choice::{Value, Values};
+
+    #[test]
+    fn every_target_is_itself_and_has_a_name_of_its_own() {
+        for (place, about) in Target::ALL.iter().enumerate() {
+            let target = about.target(&Chosen::new()).expect("what is usual goes together");
+            assert_eq!((target.about().name, target.spelled().0), (about.name, about.name));
+            assert!(Target::ALL[..place].iter().all(|other| other.name != about.name), "{}", about.name);
+        }
+    }
+
+    #[test]
+    fn what_is_usual_can_be_chosen_and_changes_nothing() {
+        for about in Target::ALL {
+            let usual = about.target(&Chosen::new());
+            for choice in about.choices {
+                if let Values::Names(names) = choice.values {
+                    assert!(names().iter().any(|(name, _)| *name == choice.default), "{}", choice.name);
+                    let chosen = Chosen::new().with(choice, Value::Name(choice.default.to_owned()));
+                    assert_eq!(about.target(&chosen), usual, "--{} {}", choice.name, choice.default);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,24 @@
+//! A program organisation unit of TwinCAT as a target.
+
+use super::Options;
+use crate::choice::{Choice, Chosen, Refusal};
+use crate::output::{Output, Source};
+use grafc_diagnostics::Diagnostics;
+
+pub(crate) const NAME: &str = "tcpou";
+pub(crate) const TITLE: &str = "A TwinCAT 3 program organisation unit";
+pub(crate) const EXTENSION: &str = "TcPOU";
+/// The form leaves no choice.
+pub(crate) const CHOICES: &[&Choice] = &[];
+
+pub(crate) fn options(_: &Chosen) -> Result<Options, Refusal> {
+    Ok(Options::default())
+}
+
+pub(crate) fn spelled(_: &Options) -> String {
+    String::new()
+}
+
+pub(crate) fn emit(source: &dyn Source, options: &Options) -> Result<Output, Diagnostics> {
+    super::emit(source.program()?, options).map(Output::from)
+}
