@@ -1,6 +1,6 @@
 //! One message, and the list a stage returns.
 
-use crate::{Code, Severity, Span};
+use crate::{Code, Fix, Severity, Span};
 
 /// A place and what is to be said there.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -28,6 +28,8 @@ pub struct Diagnostic {
     pub notes: Vec<String>,
     /// A cure, only if it is sure to help.
     pub help: Option<String>,
+    /// The same as changes of the text, where it is one; each is a cure by itself.
+    pub fixes: Vec<Fix>,
 }
 
 impl Diagnostic {
@@ -40,6 +42,7 @@ impl Diagnostic {
             secondary: Vec::new(),
             notes: Vec::new(),
             help: None,
+            fixes: Vec::new(),
         }
     }
 
@@ -64,6 +67,12 @@ impl Diagnostic {
     /// Adds a cure.
     pub fn help(mut self, text: impl Into<String>) -> Self {
         self.help = Some(text.into());
+        self
+    }
+
+    /// Adds a change of the text that does what the cure says.
+    pub fn fix(mut self, fix: Fix) -> Self {
+        self.fixes.push(fix);
         self
     }
 }

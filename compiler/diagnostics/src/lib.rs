@@ -5,9 +5,13 @@
 
 mod code;
 mod diagnostic;
+mod fix;
+mod lines;
 pub mod render;
 mod source;
 
 pub use code::{Code, Severity};
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
+pub use fix::{Applicability, Edit, Fix, Misfit, apply};
+pub use lines::{Place, Position, Unit};
 pub use source::{FileId, SourceFile, SourceMap, Span};

@@ -1,6 +1,9 @@
 //! Source texts and places in them.
 
+use crate::lines::{Lines, Place, Position, Unit, ceiling, floor};
 use std::fmt;
+use std::ops::Range;
+use std::sync::OnceLock;
 
 /// A text that was handed to grafc: a chart or a trace.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
@@ -30,8 +33,18 @@ impl Span {
         Span { file: self.file, start: self.start.min(other.start), end: self.end.max(other.end) }
     }
 
+    /// The empty span before it.
+    pub fn before(self) -> Span {
+        Span { end: self.start, ..self }
+    }
+
+    /// The empty span behind it.
+    pub fn behind(self) -> Span {
+        Span { start: self.end, ..self }
+    }
+
     /// The byte range, for slicing the text.
-    pub fn range(self) -> std::ops::Range<usize> {
+    pub fn range(self) -> Range<usize> {
         self.start as usize..self.end as usize
     }
 }
@@ -49,6 +62,55 @@ pub struct SourceFile {
     pub name: String,
     /// The text.
     pub text: String,
+    /// Made when a line is asked for.
+    lines: OnceLock<Lines>,
+}
+
+impl SourceFile {
+    /// A text and its name.
+    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
+        SourceFile { name: name.into(), text: text.into(), lines: OnceLock::new() }
+    }
+
+    fn lines(&self) -> &Lines {
+        self.lines.get_or_init(|| Lines::new(&self.text))
+    }
+
+    /// Line and column of a byte, as messages count them.
+    pub fn position(&self, byte: usize) -> Position {
+        self.lines().position(&self.text, byte)
+    }
+
+    /// Line and column of a byte, as editors count them.
+    pub fn place(&self, byte: usize, unit: Unit) -> Place {
+        self.lines().place(&self.text, byte, unit)
+    }
+
+    /// The byte at a line and column, as editors count them.
+    pub fn byte(&self, place: Place, unit: Unit) -> usize {
+        self.lines().byte(&self.text, place, unit)
+    }
+
+    /// The line of a byte, from 0.
+    pub fn line_of(&self, byte: usize) -> usize {
+        self.lines().line_of(byte)
+    }
+
+    /// The bytes of a line without its end; lines count from 0.
+    pub fn line(&self, line: usize) -> Range<usize> {
+        self.lines().line(&self.text, line)
+    }
+
+    /// How many lines there are; behind a line feed at the end there is one more, which is empty.
+    pub fn line_count(&self) -> usize {
+        self.lines().count()
+    }
+
+    /// The bytes of a span, cut to the text and widened to whole characters.
+    pub fn range(&self, span: Span) -> Range<usize> {
+        let start = floor(&self.text, span.start as usize);
+        start..ceiling(&self.text, (span.end as usize).max(start))
+    }
 }
 
 /// All texts of one run of the compiler.
@@ -66,7 +128,7 @@ impl SourceMap {
     /// Adds a text; spans in it carry the id returned.
     pub fn add(&mut self, name: impl Into<String>, text: impl Into<String>) -> FileId {
         let id = FileId(self.files.len() as u32);
-        self.files.push(SourceFile { name: name.into(), text: text.into() });
+        self.files.push(SourceFile::new(name, text));
         id
     }
 
@@ -78,5 +140,20 @@ impl SourceMap {
     /// The piece of text under a span.
     pub fn slice(&self, span: Span) -> &str {
         &self.file(span.file).text[span.range()]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spans_are_cut_to_the_text_and_to_whole_characters() {
+        let file = SourceFile::new("t", "aä");
+        let range = |start, end| file.range(Span { file: FileId(0), start, end });
+        assert_eq!(range(2, 2), 1..3);
+        assert_eq!(range(1, 2), 1..3);
+        assert_eq!(range(90, 91), 3..3);
+        assert_eq!(range(1, 0), 1..1);
     }
 }

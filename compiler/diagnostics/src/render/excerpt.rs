@@ -5,7 +5,7 @@
 //! a long line the surroundings of its labels. Characters that would move a terminal's cursor or reorder the line are
 //! replaced by ones that can be seen.
 
-use super::position::LineIndex;
+use crate::SourceFile;
 use codespan_reporting::files::{Error, Files};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -37,60 +37,56 @@ struct Line {
 
 impl Excerpt {
     /// What is shown for these places of a text, and where they lie in it.
-    pub fn new(index: &LineIndex, places: &[Range<usize>]) -> (Excerpt, Vec<Range<usize>>) {
-        let places: Vec<Range<usize>> = places.iter().map(|place| without_line_ends(index, place)).collect();
-        let mut excerpt = Excerpt {
-            name: visible(&index.file.name),
-            text: String::new(),
-            lines: Vec::new(),
-            columns: BTreeMap::new(),
-        };
-        let points: Vec<Vec<Range<usize>>> = places.iter().map(|place| points(index, place)).collect();
+    pub fn new(file: &SourceFile, places: &[Range<usize>]) -> (Excerpt, Vec<Range<usize>>) {
+        let places: Vec<Range<usize>> = places.iter().map(|place| without_line_ends(file, place)).collect();
+        let mut excerpt =
+            Excerpt { name: visible(&file.name), text: String::new(), lines: Vec::new(), columns: BTreeMap::new() };
+        let points: Vec<Vec<Range<usize>>> = places.iter().map(|place| points(file, place)).collect();
         // For each byte of the text that is shown, where it is shown.
         let mut shown = BTreeMap::new();
         let mut previous: Option<usize> = None;
-        for line in lines_of(index, &places) {
+        for line in lines_of(file, &places) {
             if let Some(previous) = previous {
                 match line - previous {
                     0 | 1 => {}
                     // codespan shows a single line between two others.
-                    2 => excerpt.push_line(index, previous + 1, &[], &mut shown),
+                    2 => excerpt.push_line(file, previous + 1, &[], &mut shown),
                     _ => excerpt.push_gap(previous + 2),
                 }
             }
-            let range = index.line(line);
+            let range = file.line(line);
             let on_line: Vec<Range<usize>> = points
                 .iter()
                 .flatten()
                 .filter(|point| range.start <= point.start && point.end <= range.end)
                 .cloned()
                 .collect();
-            excerpt.push_line(index, line, &on_line, &mut shown);
+            excerpt.push_line(file, line, &on_line, &mut shown);
             previous = Some(line);
         }
         let place_of = |byte: usize| shown.range(..=byte).next_back().map_or(0, |(_, at)| *at);
         let shown_places: Vec<Range<usize>> = places.iter().map(|p| place_of(p.start)..place_of(p.end)).collect();
         for (place, shown) in places.iter().zip(&shown_places) {
-            excerpt.columns.insert(shown.start, index.position(place.start).column);
+            excerpt.columns.insert(shown.start, file.position(place.start).column);
         }
         (excerpt, shown_places)
     }
 
     fn push_line(
         &mut self,
-        index: &LineIndex,
+        file: &SourceFile,
         line: usize,
         places: &[Range<usize>],
         shown: &mut BTreeMap<usize, usize>,
     ) {
-        let range = index.line(line);
+        let range = file.line(line);
         let start = self.text.len();
         let mut end_of_last = range.start;
-        for part in parts(&index.file.text, range.clone(), places) {
+        for part in parts(&file.text, range.clone(), places) {
             if part.start > end_of_last {
                 self.text.push('…');
             }
-            for (byte, character) in index.file.text[part.clone()].char_indices() {
+            for (byte, character) in file.text[part.clone()].char_indices() {
                 shown.insert(part.start + byte, self.text.len());
                 self.text.push(visible_character(character));
             }
@@ -118,24 +114,24 @@ impl Excerpt {
 }
 
 /// A place that stops before the line end it would otherwise underline.
-fn without_line_ends(index: &LineIndex, place: &Range<usize>) -> Range<usize> {
-    let first = index.line(index.line_of(place.start));
+fn without_line_ends(file: &SourceFile, place: &Range<usize>) -> Range<usize> {
+    let first = file.line(file.line_of(place.start));
     let start = place.start.min(first.end);
     let mut end = place.end.max(start);
     if end > start {
-        let last = index.line_of(end);
-        let line = index.line(last);
-        end = if end == line.start && last > 0 { index.line(last - 1).end } else { end.min(line.end) };
+        let last = file.line_of(end);
+        let line = file.line(last);
+        end = if end == line.start && last > 0 { file.line(last - 1).end } else { end.min(line.end) };
         end = end.max(start);
     }
     start..end
 }
 
 /// The lines to show: those of a place, or the first and last ones of a long place.
-fn lines_of(index: &LineIndex, places: &[Range<usize>]) -> BTreeSet<usize> {
+fn lines_of(file: &SourceFile, places: &[Range<usize>]) -> BTreeSet<usize> {
     let mut lines = BTreeSet::new();
     for place in places {
-        let (first, last) = (index.line_of(place.start), index.line_of(place.end));
+        let (first, last) = (file.line_of(place.start), file.line_of(place.end));
         lines.extend(first..=last.min(first + LINES_AFTER_START));
         lines.extend(last.saturating_sub(LINES_BEFORE_END).max(first)..=last);
     }
@@ -143,8 +139,8 @@ fn lines_of(index: &LineIndex, places: &[Range<usize>]) -> BTreeSet<usize> {
 }
 
 /// The parts of a place that must be seen: itself within one line, else its ends.
-fn points(index: &LineIndex, place: &Range<usize>) -> Vec<Range<usize>> {
-    if index.line_of(place.start) == index.line_of(place.end) {
+fn points(file: &SourceFile, place: &Range<usize>) -> Vec<Range<usize>> {
+    if file.line_of(place.start) == file.line_of(place.end) {
         vec![place.clone()]
     } else {
         vec![place.start..place.start, place.end..place.end]

@@ -1,7 +1,6 @@
 //! Messages for people: headline, underlined places, reasons, cure.
 
 use super::excerpt::{Excerpt, Excerpts, LINES_AFTER_START, LINES_BEFORE_END, visible, visible_lines};
-use super::position::Indexes;
 use crate::{Diagnostic, Diagnostics, FileId, Label, Severity, SourceMap};
 use codespan_reporting::diagnostic as codespan;
 use codespan_reporting::term::termcolor::{Ansi, NoColor, WriteColor};
@@ -13,29 +12,23 @@ const OTHER_PLACES: usize = 8;
 
 /// All messages, in the order given, each followed by an empty line; with ANSI colours if asked to.
 pub fn human(sources: &SourceMap, diagnostics: &Diagnostics, colour: bool) -> String {
-    let mut indexes = Indexes::default();
     if colour {
         let mut out = Ansi::new(Vec::new());
-        write_all(&mut out, sources, diagnostics, &mut indexes);
+        write_all(&mut out, sources, diagnostics);
         String::from_utf8_lossy(&out.into_inner()).into_owned()
     } else {
         let mut out = NoColor::new(Vec::new());
-        write_all(&mut out, sources, diagnostics, &mut indexes);
+        write_all(&mut out, sources, diagnostics);
         let text = String::from_utf8_lossy(&out.into_inner()).into_owned();
         text.lines().flat_map(|line| [line.trim_end(), "\n"]).collect()
     }
 }
 
-fn write_all<'a>(
-    out: &mut dyn WriteColor,
-    sources: &'a SourceMap,
-    diagnostics: &Diagnostics,
-    indexes: &mut Indexes<'a>,
-) {
+fn write_all(out: &mut dyn WriteColor, sources: &SourceMap, diagnostics: &Diagnostics) {
     let config =
         Config { start_context_lines: LINES_AFTER_START, end_context_lines: LINES_BEFORE_END, ..Config::default() };
     for diagnostic in diagnostics {
-        let (excerpts, message) = prepare(sources, diagnostic, indexes);
+        let (excerpts, message) = prepare(sources, diagnostic);
         if term::emit_to_write_style(out, &config, &excerpts, &message).is_err() {
             // The excerpt is ours and in memory; should it still be refused, the headline must not be lost.
             let header = format!("{}[{}]: {}\n\n", severity(diagnostic), diagnostic.code.as_str(), message.message);
@@ -45,11 +38,7 @@ fn write_all<'a>(
 }
 
 /// A message in codespan's form, and the excerpts that its labels lie in.
-fn prepare<'a>(
-    sources: &'a SourceMap,
-    diagnostic: &Diagnostic,
-    indexes: &mut Indexes<'a>,
-) -> (Excerpts, codespan::Diagnostic<usize>) {
+fn prepare(sources: &SourceMap, diagnostic: &Diagnostic) -> (Excerpts, codespan::Diagnostic<usize>) {
     let shown = &diagnostic.secondary[..diagnostic.secondary.len().min(OTHER_PLACES)];
     let labels: Vec<&Label> = std::iter::once(&diagnostic.primary).chain(shown).collect();
     let mut files: Vec<FileId> = Vec::new();
@@ -62,10 +51,10 @@ fn prepare<'a>(
     let mut excerpts = Vec::new();
     let mut places: Vec<Option<(usize, Range<usize>)>> = vec![None; labels.len()];
     for (id, file) in files.iter().enumerate() {
-        let index = indexes.get(sources, *file);
         let of_file: Vec<usize> = (0..labels.len()).filter(|i| labels[*i].span.file == *file).collect();
-        let ranges: Vec<Range<usize>> = of_file.iter().map(|i| index.range(labels[*i].span)).collect();
-        let (excerpt, ranges) = Excerpt::new(index, &ranges);
+        let file = sources.file(*file);
+        let ranges: Vec<Range<usize>> = of_file.iter().map(|i| file.range(labels[*i].span)).collect();
+        let (excerpt, ranges) = Excerpt::new(file, &ranges);
         excerpts.push(excerpt);
         for (label, range) in of_file.into_iter().zip(ranges) {
             places[label] = Some((id, range));

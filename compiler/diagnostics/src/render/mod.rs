@@ -7,7 +7,6 @@
 mod excerpt;
 mod human;
 mod json;
-mod position;
 mod sarif;
 
 pub use human::human;

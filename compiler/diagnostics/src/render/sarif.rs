@@ -3,20 +3,18 @@
 //! One run. Its rules are the codes that occur, in order, each with its page; results are in the order given. No
 //! dates and no absolute paths other than those the user gave, so that equal runs give equal text.
 
-use super::position::Indexes;
-use crate::{Code, Diagnostic, Diagnostics, FileId, Label, Severity, SourceMap};
+use crate::{Code, Diagnostic, Diagnostics, Edit, FileId, Fix, Label, Severity, SourceMap, Span};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 
 /// A whole SARIF log; `version` is grafc's.
 pub fn sarif(sources: &SourceMap, diagnostics: &Diagnostics, version: &str) -> String {
-    let mut indexes = Indexes::default();
     let used: BTreeSet<Code> = diagnostics.iter().map(|d| d.code).collect();
     let rules: Vec<Code> = Code::ALL.iter().copied().filter(|code| used.contains(code)).collect();
     let spans = diagnostics.iter().flat_map(|d| std::iter::once(&d.primary).chain(&d.secondary)).map(|l| l.span);
     let files: Vec<FileId> = spans.map(|span| span.file).collect::<BTreeSet<_>>().into_iter().collect();
-    let mut places = Places { sources, files: &files, indexes: &mut indexes };
-    let results: Vec<Value> = diagnostics.iter().map(|d| result(d, &rules, &mut places)).collect();
+    let places = Places { sources, files: &files };
+    let results: Vec<Value> = diagnostics.iter().map(|d| result(d, &rules, &places)).collect();
     let log = json!({
         "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
         "version": "2.1.0",
@@ -48,7 +46,7 @@ fn artifact(sources: &SourceMap, file: FileId) -> Value {
     json!({ "location": { "uri": uri(&sources.file(file).name) } })
 }
 
-fn result(diagnostic: &Diagnostic, rules: &[Code], places: &mut Places) -> Value {
+fn result(diagnostic: &Diagnostic, rules: &[Code], places: &Places) -> Value {
     let mut text = diagnostic.message.clone();
     for note in &diagnostic.notes {
         text.push_str("\nnote: ");
@@ -72,35 +70,66 @@ fn result(diagnostic: &Diagnostic, rules: &[Code], places: &mut Places) -> Value
     if !related.is_empty() {
         result["relatedLocations"] = json!(related);
     }
+    if !diagnostic.fixes.is_empty() {
+        result["fixes"] = diagnostic.fixes.iter().map(|fix| places.fix(fix)).collect();
+    }
     result
 }
 
-struct Places<'a, 'b> {
+struct Places<'a> {
     sources: &'a SourceMap,
-    files: &'b [FileId],
-    indexes: &'b mut Indexes<'a>,
+    files: &'a [FileId],
 }
 
-impl Places<'_, '_> {
-    fn location(&mut self, label: &Label, id: Option<usize>) -> Value {
-        let index = self.indexes.get(self.sources, label.span.file);
-        let range = index.range(label.span);
-        let (start, end) = (index.position(range.start), index.position(range.end));
-        let mut artifact = json!({ "uri": uri(&index.file.name) });
-        if let Ok(index) = self.files.binary_search(&label.span.file) {
+impl Places<'_> {
+    fn artifact(&self, file: FileId) -> Value {
+        let mut artifact = json!({ "uri": uri(&self.sources.file(file).name) });
+        if let Ok(index) = self.files.binary_search(&file) {
             artifact["index"] = json!(index);
         }
+        artifact
+    }
+
+    fn region(&self, span: Span) -> Value {
+        let file = self.sources.file(span.file);
+        let range = file.range(span);
+        let (start, end) = (file.position(range.start), file.position(range.end));
+        json!({
+            "startLine": start.line,
+            "startColumn": start.column,
+            "endLine": end.line,
+            "endColumn": end.column,
+            "byteOffset": start.byte,
+            "byteLength": end.byte - start.byte,
+        })
+    }
+
+    /// A fix changes artifacts, each by replacements (SARIF 2.1.0, 3.55 to 3.57).
+    fn fix(&self, fix: &Fix) -> Value {
+        let of_file = |file: FileId| -> Value {
+            let edits = fix.edits.iter().filter(|edit| edit.span.file == file).map(|edit| self.replacement(edit));
+            json!({ "artifactLocation": self.artifact(file), "replacements": edits.collect::<Vec<_>>() })
+        };
+        let files: BTreeSet<FileId> = fix.edits.iter().map(|edit| edit.span.file).collect();
+        json!({
+            "description": { "text": fix.title },
+            "artifactChanges": files.into_iter().map(of_file).collect::<Vec<_>>(),
+        })
+    }
+
+    fn replacement(&self, edit: &Edit) -> Value {
+        let mut replacement = json!({ "deletedRegion": self.region(edit.span) });
+        if !edit.text.is_empty() {
+            replacement["insertedContent"] = json!({ "text": edit.text });
+        }
+        replacement
+    }
+
+    fn location(&self, label: &Label, id: Option<usize>) -> Value {
         let mut location = json!({
             "physicalLocation": {
-                "artifactLocation": artifact,
-                "region": {
-                    "startLine": start.line,
-                    "startColumn": start.column,
-                    "endLine": end.line,
-                    "endColumn": end.column,
-                    "byteOffset": start.byte,
-                    "byteLength": end.byte - start.byte,
-                },
+                "artifactLocation": self.artifact(label.span.file),
+                "region": self.region(label.span),
             },
         });
         if let Some(id) = id {
@@ -153,7 +182,6 @@ fn uri(path: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Span;
     use expect_test::expect;
 
     #[test]
@@ -329,6 +357,31 @@ mod tests {
             }
         "#]]
         .assert_eq(&format!("{log:#}\n"));
+    }
+
+    #[test]
+    fn fixes_are_replacements() {
+        let mut sources = SourceMap::new();
+        let file = sources.add("a.gct", "вход a\nb\n");
+        let fix = Fix::certain("f").replace(Span::new(file, 9, 10), "я").delete(Span::new(file, 11, 12));
+        let mut diagnostics = Diagnostics::new();
+        diagnostics.push(Diagnostic::new(Code::E0201, Span::new(file, 9, 10), "m").fix(fix));
+        let log: Value = serde_json::from_str(&sarif(&sources, &diagnostics, "0")).unwrap();
+        let region = |line, column, byte, end| {
+            json!({ "startLine": line, "startColumn": column, "endLine": line, "endColumn": end,
+                    "byteOffset": byte, "byteLength": 1 })
+        };
+        let expected = json!([{
+            "description": { "text": "f" },
+            "artifactChanges": [{
+                "artifactLocation": { "uri": "a.gct", "index": 0 },
+                "replacements": [
+                    { "deletedRegion": region(1, 6, 9, 7), "insertedContent": { "text": "я" } },
+                    { "deletedRegion": region(2, 1, 11, 2) },
+                ],
+            }],
+        }]);
+        assert_eq!(log["runs"][0]["results"][0]["fixes"], expected);
     }
 
     #[test]
