@@ -1,6 +1,6 @@
 //! The long run's parts: mismatches become small, are kept and found again; the command says what it did.
 
-use grafc_model::chart::{Chart, Event, ExprKind};
+use grafc_model::chart::{Chart, Event, ExprKind, Tables};
 use grafc_model::reaction::{Evolution, Profile};
 use grafc_testsuite::charts;
 use grafc_testsuite::differential::long_run::{self, Draft, Plan, is_wrong};
@@ -31,9 +31,9 @@ impl Executor for Wrong {
     }
 }
 
-fn another(task: Task, change: impl FnOnce(&mut Chart)) -> Outcome {
+fn another(task: Task, change: impl FnOnce(&mut Tables)) -> Outcome {
     let mut chart = task.chart.clone();
-    change(&mut chart);
+    change(chart.edit());
     Outcome::Ran(simulate(&chart, task.profile, task.stimuli))
 }
 

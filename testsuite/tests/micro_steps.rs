@@ -16,7 +16,7 @@ mod runs;
 
 use fastrand::Rng;
 use grafc_logic::{Encoding, Options};
-use grafc_model::chart::{Chart, Expr, ExprKind, Mode, Node, StepId, Type, VariableId, VariableKind};
+use grafc_model::chart::{Chart, Expr, ExprKind, Mode, Node, StepId, Tables, Type, VariableId, VariableKind};
 use grafc_model::reaction::{Evolution, Profile, Stimulus};
 use grafc_testsuite::charts::{self, Case};
 use grafc_testsuite::differential::{caught, compile, exact, overlapping, profile};
@@ -99,11 +99,11 @@ fn successors(chart: &Chart) -> Vec<Vec<StepId>> {
         for before in &transition.pre {
             let before = match *before {
                 Node::Step(s) => s,
-                Node::Macro(m) => chart.macro_steps[m].exit,
+                Node::Macro(m) => chart.exit(m),
             };
             let after = transition.post.iter().map(|after| match *after {
                 Node::Step(s) => s,
-                Node::Macro(m) => chart.macro_steps[m].entry,
+                Node::Macro(m) => chart.entry(m),
             });
             successors[before.index()].extend(after.filter(|after| *after != before));
         }
@@ -153,11 +153,11 @@ fn every_chart_goes_the_same_way() {
 }
 
 /// Runs random charts of a kind, changed before they are run.
-fn random(kind: Kind, seeds: std::ops::Range<u64>, rows: usize, change: impl Fn(&mut Chart, u64)) -> Counts {
+fn random(kind: Kind, seeds: std::ops::Range<u64>, rows: usize, change: impl Fn(&mut Tables, u64)) -> Counts {
     let mut counts = Counts::default();
     for seed in seeds {
         let mut drawn = checked(seed, kind);
-        change(&mut drawn.chart, seed);
+        change(drawn.chart.edit(), seed);
         let stimuli = trace(seed, &drawn.chart, rows);
         // A low bound: hundreds of micro-steps of a livelock show nothing that a few do not.
         let profile = profile(seed);

@@ -52,11 +52,11 @@ fn warned(said: &Diagnostics, code: Code, places: &[Span]) -> bool {
 fn arcs(chart: &Chart, t: TransitionId) -> (BTreeSet<StepId>, BTreeSet<StepId>) {
     let before = chart.transitions[t].pre.iter().map(|node| match *node {
         Node::Step(s) => s,
-        Node::Macro(m) => chart.macro_steps[m].exit,
+        Node::Macro(m) => chart.exit(m),
     });
     let after = chart.transitions[t].post.iter().map(|node| match *node {
         Node::Step(s) => s,
-        Node::Macro(m) => chart.macro_steps[m].entry,
+        Node::Macro(m) => chart.entry(m),
     });
     (before.collect(), after.collect())
 }
@@ -180,7 +180,7 @@ fn what_happens_at_once_was_warned_of() {
     for kind in [Kind::Plain, Kind::Flat, Kind::Hierarchical] {
         for seed in 7000..7250 {
             let mut drawn = checked(seed, kind);
-            enrich::for_meetings(&mut drawn.chart, seed);
+            enrich::for_meetings(drawn.chart.edit(), seed);
             let chart = &drawn.chart;
             let watched = watch(chart, bounded(profile(seed)), &trace(seed, chart, 40));
             if let Err(fault) = look(chart, &watched, &warnings(chart), &mut counts) {
@@ -253,7 +253,7 @@ fn an_overlap_that_shows_was_warned_of() {
     let (mut silent, mut shown) = (0, 0);
     for seed in 9000..9400 {
         let mut drawn = checked(seed, Kind::Plain);
-        enrich::for_overlap(&mut drawn.chart, seed);
+        enrich::for_overlap(drawn.chart.edit(), seed);
         let chart = &drawn.chart;
         let evolution = if seed % 16 == 0 { Evolution::Scan } else { Evolution::Stable };
         let profile = Profile { evolution, ..Profile::default() };

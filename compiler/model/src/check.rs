@@ -1,27 +1,110 @@
 //! The pipeline from syntax tree to checked chart.
 
-use crate::chart::Chart;
+use crate::chart::{Chart, MacroId, Tables};
 use crate::checks;
-use crate::resolve::resolve;
+use crate::resolve::{definitions, resolve};
+use crate::symbols::Symbols;
 use grafc_diagnostics::Diagnostics;
 use grafc_syntax::ast;
+use index_vec::{IndexVec, index_vec};
+
+/// What a text came to.
+#[derive(Clone, Debug)]
+pub struct Checked {
+    /// What is wrong with it, or may not be meant, in order of place.
+    pub diagnostics: Diagnostics,
+    /// What is declared, and which names refer to it.
+    pub symbols: Symbols,
+    chart: Outcome,
+}
+
+#[derive(Clone, Debug)]
+enum Outcome {
+    Valid(Chart),
+    Faulty(Tables),
+}
+
+impl Checked {
+    /// The chart as far as it goes, whatever is wrong.
+    pub fn tables(&self) -> &Tables {
+        match &self.chart {
+            Outcome::Valid(chart) => chart,
+            Outcome::Faulty(tables) => tables,
+        }
+    }
+
+    /// The chart, if no rule is broken.
+    pub fn chart(&self) -> Option<&Chart> {
+        match &self.chart {
+            Outcome::Valid(chart) => Some(chart),
+            Outcome::Faulty(_) => None,
+        }
+    }
+
+    /// The chart, if no rule is broken, and what was said of it.
+    pub fn into_chart(self) -> (Option<Chart>, Diagnostics) {
+        let chart = match self.chart {
+            Outcome::Valid(chart) => Some(chart),
+            Outcome::Faulty(_) => None,
+        };
+        (chart, self.diagnostics)
+    }
+}
 
 /// Resolves a syntax tree and applies every rule; gives back the chart if no rule is broken.
 ///
 /// `default_name` names a chart without a heading. The messages are in order of place.
 pub fn check(tree: &ast::Chart, default_name: &str) -> (Option<Chart>, Diagnostics) {
+    examine(tree, default_name).into_chart()
+}
+
+/// As [`check`], for those who look closer, or want the chart as far as it goes.
+///
+/// Of a tree from which the parser left something out there is no chart, and only those messages which hold whatever
+/// stands there.
+pub fn examine(tree: &ast::Chart, default_name: &str) -> Checked {
     let mut diagnostics = Diagnostics::new();
     let mut resolved = resolve(tree, default_name, &mut diagnostics);
     for rule in checks::ERRORS {
         rule(&resolved, &mut diagnostics);
     }
     checks::set_levels(&mut resolved, &mut diagnostics);
-    let sound = resolved.complete && !diagnostics.has_errors();
-    if sound {
+    let is_sound = resolved.complete && tree.is_whole && !diagnostics.has_errors();
+    if is_sound {
         for rule in checks::WARNINGS {
             rule(&resolved, &mut diagnostics);
         }
     }
+    if !tree.is_whole {
+        diagnostics.retain(|diagnostic| diagnostic.code.is_certain_beside_syntax_errors());
+    }
     diagnostics.sort_by_place();
-    (sound.then_some(resolved.chart), diagnostics)
+    let mut symbols = resolved.symbols;
+    symbols.definitions = definitions(tree, &resolved.parts);
+    symbols.sort();
+    let mut tables = resolved.chart;
+    let chart = if is_sound {
+        Outcome::Valid(Chart::checked(tables))
+    } else {
+        open_circles(&mut tables);
+        Outcome::Faulty(tables)
+    };
+    Checked { diagnostics, symbols, chart }
+}
+
+/// Takes macro-steps out of the expansions that they hold themselves (E0306), so that going up from one ends.
+fn open_circles(tables: &mut Tables) {
+    let macro_steps = &mut tables.macro_steps;
+    let mut walk_of: IndexVec<MacroId, Option<MacroId>> = index_vec![None; macro_steps.len()];
+    for start in macro_steps.indices() {
+        let mut at = start;
+        while walk_of[at].is_none() {
+            walk_of[at] = Some(start);
+            match macro_steps[at].expansion_of {
+                Some(outer) if walk_of[outer] == Some(start) => macro_steps[at].expansion_of = None,
+                Some(outer) => at = outer,
+                None => break,
+            }
+        }
+    }
 }

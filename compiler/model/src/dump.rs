@@ -17,8 +17,8 @@ pub fn dump(chart: &Chart) -> String {
     section(&mut out, "variables", chart.variables.iter().map(variable));
     section(&mut out, "grafcets", chart.grafcets.indices().flat_map(|g| grafcet(chart, g)));
     section(&mut out, "hierarchy", chart.hierarchy.iter().map(|g| chart.grafcet(*g)));
-    let macro_steps = chart.macro_steps.iter().map(|m| {
-        let (entry, exit) = (chart.step(m.entry), chart.step(m.exit));
+    let macro_steps = chart.macro_steps.iter_enumerated().map(|(id, m)| {
+        let (entry, exit) = (chart.step(chart.entry(id)), chart.step(chart.exit(id)));
         let of = expansion(chart, m.expansion_of);
         format!("{} in {}{of}: {entry} to {exit}{}", name(&m.label), chart.grafcet(m.grafcet), comment(&m.comment))
     });

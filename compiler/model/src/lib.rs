@@ -11,7 +11,8 @@ pub mod dump;
 pub mod reaction;
 mod resolve;
 pub mod simulate;
+pub mod symbols;
 pub mod trace;
 
-pub use check::check;
+pub use check::{Checked, check, examine};
 pub use dump::dump;

@@ -1,7 +1,7 @@
 //! Whole charts of the standard pass every rule, and come out as they were drawn.
 
 use grafc_diagnostics::FileId;
-use grafc_model::chart::{Chart, Node, StepId};
+use grafc_model::chart::{Chart, MacroId, Node, StepId};
 
 /// A chart about which nothing is to be said but these warnings.
 fn chart_with(warnings: &[&str], text: &str) -> Chart {
@@ -93,7 +93,11 @@ fn macro_steps() {
     assert_eq!(labels(&chart, &chart.grafcets[0].steps), ["E3", "30", "S3", "1", "2", "E4", "S4"]);
     let [inner, outer] = &chart.macro_steps.raw[..] else { panic!("two macro-steps") };
     assert_eq!((inner.label.as_str(), outer.label.as_str()), ("M4", "M3"));
-    assert_eq!(labels(&chart, &[inner.entry, inner.exit, outer.entry, outer.exit]), ["E4", "S4", "E3", "S3"]);
+    let (m4, m3) = (MacroId::new(0), MacroId::new(1));
+    assert_eq!(
+        labels(&chart, &[chart.entry(m4), chart.exit(m4), chart.entry(m3), chart.exit(m3)]),
+        ["E4", "S4", "E3", "S3"]
+    );
     assert_eq!(inner.expansion_of.map(|id| id.index()), Some(1));
     assert_eq!(outer.expansion_of, None);
 }

@@ -8,11 +8,11 @@ use index_vec::IndexVec;
 pub fn build(chart: &Chart) -> Net {
     let mut macro_steps: IndexVec<MacroId, MacroStep> = chart
         .macro_steps
-        .iter()
-        .map(|m| MacroStep {
+        .iter_enumerated()
+        .map(|(id, m)| MacroStep {
             label: m.label.clone(),
-            entry: m.entry,
-            exit: m.exit,
+            entry: chart.entry(id),
+            exit: chart.exit(id),
             places: Vec::new(),
             inner: Vec::new(),
             entered_by: Vec::new(),

@@ -31,6 +31,8 @@ pub struct Chart {
     pub comments: Vec<Comment>,
     /// The whole text.
     pub span: Span,
+    /// Whether nothing was left out, because nothing was wrong.
+    pub is_whole: bool,
 }
 
 /// `chart Name "comment"`.

@@ -4,25 +4,25 @@ use crate::probes::variable;
 use fastrand::Rng;
 use grafc_diagnostics::{FileId, Span};
 use grafc_model::chart::{
-    Arithmetic, Chart, Comparison, Event, Expr, ExprId, ExprKind, Mode, StepId, Stored, TransitionId, Type, Value,
+    Arithmetic, Comparison, Event, Expr, ExprId, ExprKind, Mode, StepId, Stored, Tables, TransitionId, Type, Value,
     VariableId, VariableKind,
 };
 
-fn push(chart: &mut Chart, kind: ExprKind, ty: Type) -> ExprId {
+fn push(chart: &mut Tables, kind: ExprKind, ty: Type) -> ExprId {
     let span = chart.steps[StepId::new(0)].span;
     chart.exprs.push(Expr { kind, ty, span })
 }
 
-fn step(rng: &mut Rng, chart: &Chart) -> StepId {
+fn step(rng: &mut Rng, chart: &Tables) -> StepId {
     StepId::new(rng.usize(0..chart.steps.len()))
 }
 
-fn transition(rng: &mut Rng, chart: &Chart) -> TransitionId {
+fn transition(rng: &mut Rng, chart: &Tables) -> TransitionId {
     TransitionId::new(rng.usize(0..chart.transitions.len()))
 }
 
 /// An input of type bool, or `1`.
-fn input(rng: &mut Rng, chart: &mut Chart) -> ExprId {
+fn input(rng: &mut Rng, chart: &mut Tables) -> ExprId {
     let inputs = chart.variables.iter_enumerated().filter(|(_, v)| v.kind == VariableKind::Input && v.ty == Type::Bool);
     let inputs: Vec<VariableId> = inputs.map(|(v, _)| v).collect();
     match rng.choice(inputs) {
@@ -32,14 +32,14 @@ fn input(rng: &mut Rng, chart: &mut Chart) -> ExprId {
 }
 
 /// A stored action of its own place in the text.
-fn act(chart: &mut Chart, event: Event, target: VariableId, value: ExprId) {
+fn act(chart: &mut Tables, event: Event, target: VariableId, value: ExprId) {
     let place = 1_000_000 + 2 * chart.stored.len();
     let span = Span::new(FileId::default(), place, place + 1);
     chart.stored.push(Stored { event, target, value, span });
 }
 
 /// Many selections become exclusive, and a few variables get several assignments.
-pub fn for_meetings(chart: &mut Chart, seed: u64) {
+pub fn for_meetings(chart: &mut Tables, seed: u64) {
     let mut rng = Rng::with_seed(seed ^ 0x6d65_6574);
     if chart.transitions.is_empty() {
         return;
@@ -79,7 +79,7 @@ pub fn for_meetings(chart: &mut Chart, seed: u64) {
 }
 
 /// One thing that may show that steps overlap, or none.
-pub fn for_overlap(chart: &mut Chart, seed: u64) {
+pub fn for_overlap(chart: &mut Tables, seed: u64) {
     let mut rng = Rng::with_seed(seed ^ 0x6f76_6572);
     let seen = step(&mut rng, chart);
     let at = step(&mut rng, chart);
@@ -141,7 +141,7 @@ pub fn for_overlap(chart: &mut Chart, seed: u64) {
     }
 }
 
-fn counter(chart: &mut Chart, event: Event) -> VariableId {
+fn counter(chart: &mut Tables, event: Event) -> VariableId {
     let target = variable(chart, Type::Dint, Value::Int(0));
     let (old, one) = (ExprKind::Variable(target), ExprKind::Literal(Value::Int(1)));
     let (old, one) = (push(chart, old, Type::Dint), push(chart, one, Type::Dint));
@@ -151,7 +151,7 @@ fn counter(chart: &mut Chart, event: Event) -> VariableId {
 }
 
 /// An output of continuous actions, or `1`.
-fn wire(rng: &mut Rng, chart: &mut Chart) -> ExprId {
+fn wire(rng: &mut Rng, chart: &mut Tables) -> ExprId {
     let wires = chart.variables.iter_enumerated().filter(|(_, v)| v.mode == Mode::Wire);
     let wires: Vec<VariableId> = wires.map(|(v, _)| v).collect();
     match rng.choice(wires) {

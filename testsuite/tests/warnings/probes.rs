@@ -6,7 +6,7 @@
 //! and nothing else changes; the rules allow these at any time.
 
 use grafc_model::chart::{
-    Arithmetic, Chart, Event, Expr, ExprKind, Mode, Stored, TransitionId, Type, Value, Variable, VariableId,
+    Arithmetic, Chart, Event, Expr, ExprKind, Mode, Stored, Tables, TransitionId, Type, Value, Variable, VariableId,
     VariableKind,
 };
 use grafc_model::reaction::{Evolution, Profile, Stimulus};
@@ -74,19 +74,20 @@ pub fn watch(chart: &Chart, profile: Profile, stimuli: &[Stimulus]) -> Watched {
 
 fn probed(chart: &Chart) -> (Chart, Probes) {
     let mut probed = chart.clone();
-    let clearings = chart.transitions.iter_enumerated().map(|(t, _)| count(&mut probed, Event::Clearing(t))).collect();
+    let clearings =
+        chart.transitions.iter_enumerated().map(|(t, _)| count(probed.edit(), Event::Clearing(t))).collect();
     let mut actions = Vec::new();
     for action in &chart.stored {
-        let counted = count(&mut probed, action.event);
-        let value = variable(&mut probed, chart.exprs[action.value].ty, chart.variables[action.target].initial);
-        probed.stored.push(Stored { target: value, ..action.clone() });
+        let counted = count(probed.edit(), action.event);
+        let value = variable(probed.edit(), chart.exprs[action.value].ty, chart.variables[action.target].initial);
+        probed.edit().stored.push(Stored { target: value, ..action.clone() });
         actions.push((counted, value));
     }
     (probed, Probes { clearings, actions })
 }
 
 /// Counts how often an event occurs.
-fn count(chart: &mut Chart, event: Event) -> VariableId {
+fn count(chart: &mut Tables, event: Event) -> VariableId {
     let counter = variable(chart, Type::Dint, Value::Int(0));
     let span = chart.steps.first().map(|s| s.span).expect("a chart has steps");
     let mut push = |kind| chart.exprs.push(Expr { kind, ty: Type::Dint, span });
@@ -97,7 +98,7 @@ fn count(chart: &mut Chart, event: Event) -> VariableId {
 }
 
 /// A further variable that stored actions write.
-pub fn variable(chart: &mut Chart, ty: Type, initial: Value) -> VariableId {
+pub fn variable(chart: &mut Tables, ty: Type, initial: Value) -> VariableId {
     let span = chart.steps.first().map(|s| s.span).expect("a chart has steps");
     chart.variables.push(Variable {
         name: format!("more_{}", chart.variables.len()),

@@ -11,7 +11,7 @@
 
 use super::arcs;
 use super::truth::{Edges, Truth, truths};
-use crate::chart::{Chart, StepId, TransitionId};
+use crate::chart::{StepId, Tables, TransitionId};
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use index_vec::{IndexVec, index_vec};
@@ -50,7 +50,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
 }
 
 /// The transitions that can be cleared again and again without anything from outside.
-fn counting(chart: &Chart) -> IndexVec<TransitionId, bool> {
+fn counting(chart: &Tables) -> IndexVec<TransitionId, bool> {
     let truths = truths(chart, Edges::Sometimes);
     let mut counting: IndexVec<TransitionId, bool> = chart
         .transitions
@@ -85,7 +85,7 @@ fn counting(chart: &Chart) -> IndexVec<TransitionId, bool> {
 }
 
 /// `circle` goes against the arcs.
-fn report(chart: &Chart, circle: &[TransitionId]) -> Diagnostic {
+fn report(chart: &Tables, circle: &[TransitionId]) -> Diagnostic {
     let first = (0..circle.len()).min_by_key(|&i| chart.transitions[circle[i]].span).unwrap_or_default();
     let along = circle[..=first].iter().rev().chain(circle[first + 1..].iter().rev());
     // The step of the circle before each transition.

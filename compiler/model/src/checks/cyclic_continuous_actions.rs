@@ -7,7 +7,7 @@
 //! Right: `step 1 { A if b }`, `step 2 { B if A }`
 
 use super::walk::below;
-use crate::chart::{Chart, ExprKind, Mode, VariableId};
+use crate::chart::{ExprKind, Mode, Tables, VariableId};
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use index_vec::{IndexVec, index_vec};
@@ -61,7 +61,7 @@ enum State {
 }
 
 /// The wires that the conditions of each wire read, each once.
-fn reads(chart: &Chart) -> IndexVec<VariableId, Vec<Read>> {
+fn reads(chart: &Tables) -> IndexVec<VariableId, Vec<Read>> {
     let mut reads: IndexVec<VariableId, Vec<Read>> = index_vec![Vec::new(); chart.variables.len()];
     for action in chart.continuous.iter() {
         let Some(condition) = action.condition else { continue };
@@ -81,7 +81,7 @@ fn reads(chart: &Chart) -> IndexVec<VariableId, Vec<Read>> {
     reads
 }
 
-fn report(chart: &Chart, wire: VariableId, span: Span, circle: &[Read]) -> Diagnostic {
+fn report(chart: &Tables, wire: VariableId, span: Span, circle: &[Read]) -> Diagnostic {
     let name = &chart.variables[wire].name;
     let message = match circle {
         [_] => format!("the continuous action on `{name}` reads `{name}` itself"),

@@ -7,7 +7,7 @@
 //! Wrong: `grafcet G1 { initial step 1 { force G2{} } }  grafcet G2 { initial step 2 { force G1{} } }`
 //! Right: the same without the second order.
 
-use crate::chart::{Chart, GrafcetId};
+use crate::chart::{GrafcetId, Tables};
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use index_vec::{IndexVec, index_vec};
@@ -51,10 +51,11 @@ pub fn set_levels(resolved: &mut Resolved, diagnostics: &mut Diagnostics) {
         report_circles(chart, &edges, &waiting, diagnostics);
     }
     ready.sort_unstable_by_key(|&id| (chart.grafcets[id].level, id));
+    ready.extend(chart.grafcets.indices().filter(|&id| waiting[id] > 0));
     chart.hierarchy = ready;
 }
 
-fn edges(chart: &Chart) -> Vec<Edge> {
+fn edges(chart: &Tables) -> Vec<Edge> {
     let enclosures = chart.grafcets.iter_enumerated().filter_map(|(below, grafcet)| {
         let above = chart.steps[grafcet.enclosing_step?].grafcet;
         Some(Edge { above, below, span: grafcet.span, verb: "encloses" })
@@ -68,7 +69,7 @@ fn edges(chart: &Chart) -> Vec<Edge> {
 }
 
 /// Every grafcet that still waits has another such above it: going up from it leads into a circle.
-fn report_circles(chart: &Chart, edges: &[Edge], waiting: &IndexVec<GrafcetId, usize>, diagnostics: &mut Diagnostics) {
+fn report_circles(chart: &Tables, edges: &[Edge], waiting: &IndexVec<GrafcetId, usize>, diagnostics: &mut Diagnostics) {
     let mut up: IndexVec<GrafcetId, Option<usize>> = index_vec![None; chart.grafcets.len()];
     for (index, edge) in edges.iter().enumerate() {
         if waiting[edge.above] > 0 && waiting[edge.below] > 0 {
@@ -98,7 +99,7 @@ fn report_circles(chart: &Chart, edges: &[Edge], waiting: &IndexVec<GrafcetId, u
     }
 }
 
-fn report(chart: &Chart, circle: &[&Edge]) -> Diagnostic {
+fn report(chart: &Tables, circle: &[&Edge]) -> Diagnostic {
     let name = |id: GrafcetId| &chart.grafcets[id].name;
     let say = |edge: &Edge| format!("`{}` {} `{}`", name(edge.above), edge.verb, name(edge.below));
     let (first, others) = circle.split_first().expect("a circle has an edge");

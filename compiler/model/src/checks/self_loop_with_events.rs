@@ -6,7 +6,7 @@
 //! Warned of: `step 2 { C := C + 1 on activation }`, `transition 2 -> 2 : ↑a`
 //! Not warned of: `transition 2 -> 2 : ↑a { C := C + 1 }`
 
-use crate::chart::{Chart, Event, ExprKind, Node, StepId};
+use crate::chart::{Event, ExprKind, Node, StepId, Tables};
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use index_vec::{IndexVec, index_vec};
@@ -39,7 +39,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
 }
 
 /// For each step what a real activation or deactivation of it would do, and where that is written.
-fn sensitive(chart: &Chart) -> IndexVec<StepId, Option<(&'static str, Span)>> {
+fn sensitive(chart: &Tables) -> IndexVec<StepId, Option<(&'static str, Span)>> {
     let mut sensitive: IndexVec<StepId, Option<(&'static str, Span)>> = index_vec![None; chart.steps.len()];
     for action in &chart.stored {
         match action.event {

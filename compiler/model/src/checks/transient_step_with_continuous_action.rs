@@ -11,7 +11,7 @@
 
 use super::arcs;
 use super::truth::{Edges, Truth, truths};
-use crate::chart::{Chart, GrafcetId, StepId, TransitionId};
+use crate::chart::{GrafcetId, StepId, Tables, TransitionId};
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use index_vec::{IndexVec, index_vec};
@@ -55,7 +55,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
 }
 
 /// The grafcets that an order may freeze: those that one names, and what their steps enclose.
-fn freezable(chart: &Chart) -> IndexVec<GrafcetId, bool> {
+fn freezable(chart: &Tables) -> IndexVec<GrafcetId, bool> {
     let mut freezable: IndexVec<GrafcetId, bool> = index_vec![false; chart.grafcets.len()];
     for order in &chart.orders {
         freezable[order.grafcet] = true;

@@ -1,6 +1,6 @@
 //! What is known of conditions before the chart runs.
 
-use crate::chart::{Chart, Expr, ExprId, ExprKind, Value, VariableKind};
+use crate::chart::{Expr, ExprId, ExprKind, Tables, Value, VariableKind};
 use index_vec::IndexVec;
 
 /// What is known of a condition.
@@ -24,7 +24,7 @@ pub enum Edges {
 }
 
 /// What is known of each expression; of those that are no conditions nothing.
-pub fn truths(chart: &Chart, edges: Edges) -> IndexVec<ExprId, Truth> {
+pub fn truths(chart: &Tables, edges: Edges) -> IndexVec<ExprId, Truth> {
     let mut truths = IndexVec::with_capacity(chart.exprs.len());
     for expr in &chart.exprs {
         truths.push(truth(chart, expr, edges, &truths));
@@ -32,7 +32,7 @@ pub fn truths(chart: &Chart, edges: Edges) -> IndexVec<ExprId, Truth> {
     truths
 }
 
-fn truth(chart: &Chart, expr: &Expr, edges: Edges, below: &IndexVec<ExprId, Truth>) -> Truth {
+fn truth(chart: &Tables, expr: &Expr, edges: Edges, below: &IndexVec<ExprId, Truth>) -> Truth {
     use Truth::{Always, Never, Sometimes};
     let certain = |value| if value { Always } else { Never };
     match expr.kind {

@@ -1,13 +1,14 @@
 //! The interpretation: transition-conditions, actions and forcing orders, in source order.
 
-use super::expressions::{Context, Need};
+use super::expressions::{self, Context, Need};
 use super::parts::{Holder, Parts};
 use super::scope::{Label, Reference, Scope, kind};
 use super::types;
 use crate::chart::{
-    Chart, Continuous, Event, Expr, ExprId, ExprKind, Mode, Node, Order, Situation, StepId, Stored, TransitionId, Type,
-    Value, VariableId, VariableKind,
+    Continuous, Event, Expr, ExprId, ExprKind, Mode, Node, Order, Situation, StepId, Stored, Tables, TransitionId,
+    Type, Value, VariableId, VariableKind,
 };
+use crate::symbols::{Form, Role, Symbols, Wanted};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use grafc_syntax::ast;
 use index_vec::IndexVec;
@@ -18,10 +19,11 @@ pub fn interpret<'a>(
     parts: &Parts<'a>,
     scope: &Scope<'a>,
     constants: &IndexVec<VariableId, Option<Value>>,
-    chart: &mut Chart,
+    chart: &mut Tables,
+    symbols: &mut Symbols,
     diagnostics: &mut Diagnostics,
 ) -> bool {
-    let mut interpretation = Interpretation { tree, scope, constants, chart, diagnostics, complete: true };
+    let mut interpretation = Interpretation { tree, scope, constants, chart, symbols, diagnostics, complete: true };
     for holder in &parts.holders {
         match *holder {
             Holder::Step(index) => {
@@ -45,7 +47,8 @@ struct Interpretation<'i, 'a> {
     tree: &'a ast::Exprs,
     scope: &'i Scope<'a>,
     constants: &'i IndexVec<VariableId, Option<Value>>,
-    chart: &'i mut Chart,
+    chart: &'i mut Tables,
+    symbols: &'i mut Symbols,
     diagnostics: &'i mut Diagnostics,
     complete: bool,
 }
@@ -80,6 +83,10 @@ impl Interpretation<'_, '_> {
                 let forced = self.scope.label(&grafcet.text);
                 let situation = self.situation(situation);
                 match forced {
+                    Some(label) => self.symbols.used(grafcet.span, label, Form::Name, Role::Forced),
+                    None => self.symbols.missed(grafcet.span, Wanted::Grafcet),
+                }
+                match forced {
                     Some(Label::Grafcet(id)) => {
                         self.chart.orders.push(Order { step, grafcet: id, situation, span: action.span });
                     }
@@ -101,7 +108,10 @@ impl Interpretation<'_, '_> {
     }
 
     fn assignment(&mut self, assignment: &ast::Assignment, event: Event, span: Span) {
-        let Some(target) = self.target(&assignment.target) else { return };
+        let Some(target) = self.target(&assignment.target) else {
+            // Nothing is known of the type that the value is to have, so only its names are looked at.
+            return expressions::note_names(self.tree, self.scope, assignment.value, self.symbols);
+        };
         let value = self.expression(assignment.value, Need::Value(self.chart.variables[target].ty));
         self.chart.stored.push(Stored { event, target, value, span });
     }
@@ -115,7 +125,12 @@ impl Interpretation<'_, '_> {
         };
         let mut steps = Vec::with_capacity(names.len());
         for name in names {
-            match self.scope.node(&name.text) {
+            let node = self.scope.node(&name.text);
+            match node {
+                Some(node) => self.symbols.used(name.span, node, Form::Name, Role::Forced),
+                None => self.symbols.missed(name.span, Wanted::Step),
+            }
+            match node {
                 Some(Node::Step(step)) => steps.push(step),
                 Some(Node::Macro(_)) => {} // E0316
                 None => self.fault(self.scope.unknown_step(&name.text, name.span)),
@@ -145,7 +160,12 @@ impl Interpretation<'_, '_> {
 
     /// A variable that can be assigned to.
     fn target(&mut self, name: &ast::Name) -> Option<VariableId> {
-        let diagnostic = match self.scope.reference(&name.text) {
+        let reference = self.scope.reference(&name.text);
+        match reference.map(Reference::entity) {
+            Some((entity, form)) => self.symbols.used(name.span, entity, form, Role::Assigned),
+            None => self.symbols.missed(name.span, Wanted::Target),
+        }
+        let diagnostic = match reference {
             Some(Reference::Variable(id)) => {
                 let variable = &self.chart.variables[id];
                 let what = match variable.kind {
@@ -176,7 +196,7 @@ impl Interpretation<'_, '_> {
     fn expression(&mut self, written: ast::ExprId, need: Need) -> ExprId {
         let context =
             Context { tree: self.tree, scope: self.scope, variables: &self.chart.variables, constants: self.constants };
-        context.resolve(written, need, &mut self.chart.exprs, self.diagnostics).unwrap_or_else(|| {
+        context.resolve(written, need, &mut self.chart.exprs, self.symbols, self.diagnostics).unwrap_or_else(|| {
             self.complete = false;
             let span = self.tree[written].span;
             self.chart.exprs.push(Expr { kind: ExprKind::Literal(Value::Bool(false)), ty: Type::Bool, span })
@@ -190,7 +210,7 @@ impl Interpretation<'_, '_> {
 }
 
 /// A variable is a wire or stored by the actions on it; where it is both (E0412), the chart goes no further.
-fn set_modes(chart: &mut Chart) {
+fn set_modes(chart: &mut Tables) {
     for action in &chart.stored {
         chart.variables[action.target].mode = Mode::Stored;
     }

@@ -4,12 +4,13 @@
 //! found in the order of dependence, with a stack of our own.
 
 use super::addresses;
-use super::expressions::{Context, Need};
+use super::expressions::{Context, Need, note_names};
 use super::fold::fold;
 use super::parts::Parts;
 use super::scope::{Reference, Scope};
 use super::types;
 use crate::chart::{Mode, Value, Variable, VariableId, VariableKind};
+use crate::symbols::Symbols;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use grafc_syntax::ast;
 use index_vec::IndexVec;
@@ -42,6 +43,7 @@ pub fn evaluate(
     parts: &Parts,
     scope: &Scope,
     variables: &mut IndexVec<VariableId, Variable>,
+    symbols: &mut Symbols,
     diagnostics: &mut Diagnostics,
 ) -> Values {
     let mut owners = IndexVec::with_capacity(variables.len());
@@ -56,6 +58,7 @@ pub fn evaluate(
         owners,
         states: vec![State::Untouched; parts.declarations.len()],
         values: Values { constants: index_vec::index_vec![None; 0], complete: true },
+        symbols,
         diagnostics,
     };
     evaluation.values.constants.resize(evaluation.variables.len(), None);
@@ -90,6 +93,7 @@ struct Evaluation<'e, 'a> {
     owners: IndexVec<VariableId, usize>,
     states: Vec<State>,
     values: Values,
+    symbols: &'e mut Symbols,
     diagnostics: &'e mut Diagnostics,
 }
 
@@ -118,6 +122,9 @@ impl Evaluation<'_, '_> {
                     // Done without a value: what depends on it keeps silent.
                     self.values.complete = false;
                     self.states[next] = State::Done;
+                    if let Some(initial) = self.parts.declarations[next].initial {
+                        note_names(self.tree, self.scope, initial, self.symbols);
+                    }
                 }
                 Some(_) => {}
                 None => {
@@ -185,7 +192,7 @@ impl Evaluation<'_, '_> {
             constants: &self.values.constants,
         };
         let mut pool = IndexVec::new();
-        let root = context.resolve(initial, Need::Value(declaration.ty), &mut pool, self.diagnostics);
+        let root = context.resolve(initial, Need::Value(declaration.ty), &mut pool, self.symbols, self.diagnostics);
         let value = root.and_then(|root| {
             let kinds = &*self.variables;
             match fold(&pool, root, &self.values.constants, |id| kinds[id].kind == VariableKind::Constant) {

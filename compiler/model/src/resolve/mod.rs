@@ -1,11 +1,12 @@
 //! From the syntax tree to the chart: names, types, constants, who belongs where.
 //!
-//! What is wrong is reported and left out or given a stand-in, so that the rules in `checks/` see all the rest. A chart
-//! with stand-ins never leaves [`check`](crate::check()).
+//! What is wrong is reported and left out or given a stand-in, so that the rules in `checks/` see all the rest. Tables
+//! with stand-ins never become a [`Chart`](crate::chart::Chart).
 
 mod actions;
 mod addresses;
 mod declarations;
+mod definitions;
 mod expressions;
 mod fold;
 pub mod parts;
@@ -14,7 +15,10 @@ mod structure;
 mod suggest;
 pub mod types;
 
-use crate::chart::{Chart, MacroId};
+pub use definitions::definitions;
+
+use crate::chart::{MacroId, Tables};
+use crate::symbols::Symbols;
 use grafc_diagnostics::Diagnostics;
 use grafc_syntax::ast;
 use index_vec::IndexVec;
@@ -30,9 +34,11 @@ pub struct Resolved<'a> {
     /// The macro-step of each expansion, if there is one.
     pub expanded: IndexVec<ExpansionId, Option<MacroId>>,
     /// The chart. Levels and `hierarchy` are not known yet.
-    pub chart: Chart,
+    pub chart: Tables,
     /// Whether no stand-in is in it.
     pub complete: bool,
+    /// What names were taken for; declarations are not among it yet.
+    pub symbols: Symbols,
 }
 
 /// Resolves a syntax tree.
@@ -41,24 +47,18 @@ pub fn resolve<'a>(tree: &'a ast::Chart, default_name: &str, diagnostics: &mut D
     let scope = Scope::declare(&parts, diagnostics);
     let mut variables = declarations::variables(&parts);
     addresses::assign(&parts, &mut variables, diagnostics);
-    let values = declarations::evaluate(&tree.exprs, &parts, &scope, &mut variables, diagnostics);
-    let mut chart = Chart {
+    let mut symbols = Symbols::default();
+    let values = declarations::evaluate(&tree.exprs, &parts, &scope, &mut variables, &mut symbols, diagnostics);
+    let mut chart = Tables {
         name: tree.heading.as_ref().map_or_else(|| default_name.to_owned(), |heading| heading.name.text.clone()),
         comment: tree.heading.as_ref().and_then(|heading| comment(&heading.comment)),
         variables,
-        steps: IndexVec::new(),
-        macro_steps: IndexVec::new(),
-        transitions: IndexVec::new(),
-        grafcets: IndexVec::new(),
-        hierarchy: Vec::new(),
-        continuous: Vec::new(),
-        stored: Vec::new(),
-        orders: Vec::new(),
-        exprs: IndexVec::new(),
+        ..Tables::default()
     };
-    let expanded = structure::build(&mut parts, &scope, &mut chart, diagnostics);
-    let interpreted = actions::interpret(&tree.exprs, &parts, &scope, &values.constants, &mut chart, diagnostics);
-    Resolved { parts, scope, expanded, chart, complete: values.complete && interpreted }
+    let expanded = structure::build(&mut parts, &scope, &mut chart, &mut symbols, diagnostics);
+    let interpreted =
+        actions::interpret(&tree.exprs, &parts, &scope, &values.constants, &mut chart, &mut symbols, diagnostics);
+    Resolved { parts, scope, expanded, chart, complete: values.complete && interpreted, symbols }
 }
 
 fn comment(text: &Option<ast::Text>) -> Option<String> {

@@ -153,6 +153,12 @@ impl<'a> Parts<'a> {
         }]
     }
 
+    /// The steps, and then the macro-steps.
+    pub fn nodes(&self) -> impl Iterator<Item = Node> + use<> {
+        let (steps, macro_steps) = (self.step_places.indices(), self.macro_places.indices());
+        steps.map(Node::Step).chain(macro_steps.map(Node::Macro))
+    }
+
     /// The grafcet of items that belong to none.
     pub fn stray(&mut self) -> GrafcetId {
         let span =

@@ -6,6 +6,7 @@
 use super::parts::Parts;
 use super::suggest::Suggestions;
 use crate::chart::{GrafcetId, MacroId, Node, StepId, VariableId};
+use crate::symbols::{Entity, Form};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use grafc_syntax::ast;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -30,6 +31,27 @@ pub enum Reference {
     Activity(Label),
     /// `T` and a step label.
     Duration(StepId),
+}
+
+impl Reference {
+    /// What it refers to, and how the name of that is part of it.
+    pub fn entity(self) -> (Entity, Form) {
+        match self {
+            Reference::Variable(id) => (Entity::Variable(id), Form::Name),
+            Reference::Activity(label) => (label.into(), Form::Activity),
+            Reference::Duration(step) => (Entity::Step(step), Form::Duration),
+        }
+    }
+}
+
+impl From<Label> for Entity {
+    fn from(label: Label) -> Self {
+        match label {
+            Label::Step(id) => Entity::Step(id),
+            Label::Macro(id) => Entity::Macro(id),
+            Label::Grafcet(id) => Entity::Grafcet(id),
+        }
+    }
 }
 
 /// The name of a grafcet in a file without grafcet blocks.

@@ -5,37 +5,47 @@
 use super::comment;
 use super::parts::{ExpansionId, Frame, Parts};
 use super::scope::{IMPLIED_GRAFCET, Label, Scope};
-use crate::chart::{Chart, ExprId, Grafcet, GrafcetId, MacroId, MacroStep, Node, Step, StepId, Transition};
+use crate::chart::{ExprId, Grafcet, GrafcetId, MacroId, MacroStep, Node, Step, Tables, Transition};
+use crate::symbols::{Form, Role, Symbols, Wanted};
 use grafc_diagnostics::Diagnostics;
 use grafc_syntax::ast;
 use index_vec::{IndexVec, index_vec};
 use rustc_hash::FxHashSet;
 
-/// Stands for an entry or exit that is missing (E0306).
-const MISSING_STEP: StepId = StepId::from_raw_unchecked(u32::MAX);
-
 /// Fills in the grafcets, steps, macro-steps and transitions; gives back which macro-step each expansion expands.
 pub fn build<'a>(
     parts: &mut Parts<'a>,
     scope: &Scope<'a>,
-    chart: &mut Chart,
+    chart: &mut Tables,
+    symbols: &mut Symbols,
     diagnostics: &mut Diagnostics,
 ) -> IndexVec<ExpansionId, Option<MacroId>> {
-    let expanded = expanded(parts, scope, diagnostics);
+    let expanded = expanded(parts, scope, symbols, diagnostics);
     let homes = homes(parts, &expanded);
-    grafcets(parts, scope, chart, diagnostics);
+    grafcets(parts, scope, chart, symbols, diagnostics);
     steps(parts, &expanded, &homes, chart);
     entries_and_exits(parts, scope, &expanded, chart);
-    transitions(parts, scope, &homes, chart, diagnostics);
+    transitions(parts, scope, &homes, chart, symbols, diagnostics);
     expanded
 }
 
 /// The macro-step of each expansion.
-fn expanded(parts: &Parts, scope: &Scope, diagnostics: &mut Diagnostics) -> IndexVec<ExpansionId, Option<MacroId>> {
+fn expanded(
+    parts: &Parts,
+    scope: &Scope,
+    symbols: &mut Symbols,
+    diagnostics: &mut Diagnostics,
+) -> IndexVec<ExpansionId, Option<MacroId>> {
     let macro_step = |name: &ast::Name| match scope.label(&name.text) {
-        Some(Label::Macro(id)) => Some(id),
-        Some(Label::Step(_) | Label::Grafcet(_)) => None, // E0306
+        Some(label) => {
+            symbols.used(name.span, label, Form::Name, Role::Expanded);
+            match label {
+                Label::Macro(id) => Some(id),
+                Label::Step(_) | Label::Grafcet(_) => None, // E0306
+            }
+        }
         None => {
+            symbols.missed(name.span, Wanted::MacroStep);
             diagnostics.push(scope.unknown_step(&name.text, name.span));
             None
         }
@@ -72,12 +82,17 @@ fn homes(parts: &mut Parts, expanded: &IndexVec<ExpansionId, Option<MacroId>>) -
     homes.into_iter().map(|home| home.expect("every expansion has been a start")).collect()
 }
 
-fn grafcets(parts: &Parts, scope: &Scope, chart: &mut Chart, diagnostics: &mut Diagnostics) {
+fn grafcets(parts: &Parts, scope: &Scope, chart: &mut Tables, symbols: &mut Symbols, diagnostics: &mut Diagnostics) {
     for part in &parts.grafcets {
         let mut enclosing_step = None;
         for name in part.ast.iter().flat_map(|grafcet| &grafcet.path) {
+            let named = name.text.strip_prefix('X').map(|label| (label, scope.label(label)));
+            match named {
+                Some((_, Some(label))) => symbols.used(name.span, label, Form::Activity, Role::Enclosing),
+                Some((_, None)) | None => symbols.missed(name.span, Wanted::EnclosingStep),
+            }
             // The last name is the step that encloses directly.
-            enclosing_step = match name.text.strip_prefix('X').map(|label| (label, scope.label(label))) {
+            enclosing_step = match named {
                 Some((_, Some(Label::Step(step)))) => Some(step),
                 Some((_, Some(Label::Macro(_)))) => None, // E0318
                 Some((label, Some(Label::Grafcet(_)) | None)) => {
@@ -109,7 +124,7 @@ fn steps(
     parts: &Parts,
     expanded: &IndexVec<ExpansionId, Option<MacroId>>,
     homes: &IndexVec<ExpansionId, GrafcetId>,
-    chart: &mut Chart,
+    chart: &mut Tables,
 ) {
     for part in &parts.steps {
         let step = part.ast;
@@ -137,8 +152,8 @@ fn steps(
                     comment: comment(&step.comment),
                     grafcet,
                     expansion_of,
-                    entry: MISSING_STEP,
-                    exit: MISSING_STEP,
+                    entry: None,
+                    exit: None,
                     span: step.label.span,
                 });
             }
@@ -151,7 +166,7 @@ fn entries_and_exits(
     parts: &Parts,
     scope: &Scope,
     expanded: &IndexVec<ExpansionId, Option<MacroId>>,
-    chart: &mut Chart,
+    chart: &mut Tables,
 ) {
     for (expansion, part) in parts.expansions.iter_enumerated() {
         let Some(macro_step) = expanded[expansion] else { continue };
@@ -162,8 +177,7 @@ fn entries_and_exits(
         };
         let (entry, exit) = (step_of('E'), step_of('S'));
         let found = &mut chart.macro_steps[macro_step];
-        found.entry = entry.unwrap_or(MISSING_STEP);
-        found.exit = exit.unwrap_or(MISSING_STEP);
+        (found.entry, found.exit) = (entry, exit);
     }
 }
 
@@ -171,18 +185,26 @@ fn transitions(
     parts: &Parts,
     scope: &Scope,
     homes: &IndexVec<ExpansionId, GrafcetId>,
-    chart: &mut Chart,
+    chart: &mut Tables,
+    symbols: &mut Symbols,
     diagnostics: &mut Diagnostics,
 ) {
     let mut seen = FxHashSet::default();
-    let mut nodes = |names: &[ast::Name]| {
+    let mut nodes = |names: &[ast::Name], role: Role| {
         let mut nodes = Vec::with_capacity(names.len());
         seen.clear();
         for name in names {
             match scope.node(&name.text) {
-                Some(node) if seen.insert(node) => nodes.push(node),
-                Some(_) => {} // E0303
-                None => diagnostics.push(scope.unknown_step(&name.text, name.span)),
+                Some(node) => {
+                    symbols.used(name.span, node, Form::Name, role);
+                    if seen.insert(node) {
+                        nodes.push(node);
+                    } // else E0303
+                }
+                None => {
+                    symbols.missed(name.span, Wanted::Step);
+                    diagnostics.push(scope.unknown_step(&name.text, name.span));
+                }
             }
         }
         nodes
@@ -196,8 +218,8 @@ fn transitions(
                 Frame::Grafcet(grafcet) => grafcet,
                 Frame::Expansion(expansion) => homes[expansion],
             },
-            pre: nodes(&transition.from),
-            post: nodes(&transition.to),
+            pre: nodes(&transition.from, Role::Before),
+            post: nodes(&transition.to, Role::After),
             condition: ExprId::new(0), // filled in with the actions
             span: transition.span,
         });

@@ -17,11 +17,11 @@ impl Flat {
     pub fn new(chart: &Chart) -> Self {
         let exit = |node: &Node| match *node {
             Node::Step(step) => step,
-            Node::Macro(id) => chart.macro_steps[id].exit,
+            Node::Macro(id) => chart.exit(id),
         };
         let entry = |node: &Node| match *node {
             Node::Step(step) => step,
-            Node::Macro(id) => chart.macro_steps[id].entry,
+            Node::Macro(id) => chart.entry(id),
         };
         Flat {
             pre: chart.transitions.iter().map(|t| t.pre.iter().map(exit).collect()).collect(),

@@ -10,7 +10,7 @@ use index_vec::index_vec;
 const DEPTH: usize = 100_000;
 
 /// One initial step, two inputs, and whatever the caller adds.
-fn chart() -> Chart {
+fn chart() -> Tables {
     let step = Step {
         label: "1".to_string(),
         comment: None,
@@ -29,25 +29,18 @@ fn chart() -> Chart {
         steps: vec![StepId::new(0)],
         span: Span::default(),
     };
-    let mut chart = Chart {
+    let mut chart = Tables {
         name: "test".to_string(),
-        comment: None,
-        variables: index_vec![],
         steps: index_vec![step],
-        macro_steps: index_vec![],
-        transitions: index_vec![],
         grafcets: index_vec![grafcet],
         hierarchy: vec![GrafcetId::new(0)],
-        continuous: Vec::new(),
-        stored: Vec::new(),
-        orders: Vec::new(),
-        exprs: index_vec![],
+        ..Tables::default()
     };
     declare(&mut chart, VariableKind::Input, Mode::Given);
     chart
 }
 
-fn declare(chart: &mut Chart, kind: VariableKind, mode: Mode) -> VariableId {
+fn declare(chart: &mut Tables, kind: VariableKind, mode: Mode) -> VariableId {
     chart.variables.push(Variable {
         name: format!("v{}", chart.variables.len()),
         comment: None,
@@ -61,17 +54,18 @@ fn declare(chart: &mut Chart, kind: VariableKind, mode: Mode) -> VariableId {
     })
 }
 
-fn expression(chart: &mut Chart, kind: ExprKind) -> ExprId {
+fn expression(chart: &mut Tables, kind: ExprKind) -> ExprId {
     chart.exprs.push(Expr { kind, ty: Type::Bool, span: Span::default() })
 }
 
-fn assign(chart: &mut Chart, target: VariableId, condition: ExprId) {
+fn assign(chart: &mut Tables, target: VariableId, condition: ExprId) {
     let step = StepId::new(0);
     chart.continuous.push(Continuous { step, target, condition: Some(condition), span: Span::default() });
 }
 
 /// One call with the input false, one with the input true.
-fn run(chart: &Chart) -> [Response; 2] {
+fn run(tables: &Tables) -> [Response; 2] {
+    let chart = &Chart::checked(tables.clone());
     let mut simulator = Simulator::new(chart, Profile::default());
     [false, true].map(|value| simulator.react(&Stimulus { t_ms: 0, inputs: vec![Value::Bool(value)] }))
 }

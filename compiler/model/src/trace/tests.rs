@@ -1,7 +1,7 @@
 //! What is read, what is refused and where, what is written.
 
 use super::{parse_trace, write_trace};
-use crate::chart::{Chart, Grafcet, GrafcetId, Mode, Step, StepId, Type, Value, Variable, VariableKind};
+use crate::chart::{Chart, Grafcet, GrafcetId, Mode, Step, StepId, Tables, Type, Value, Variable, VariableKind};
 use crate::reaction::{Flags, Response, Stimulus};
 use grafc_diagnostics::{Diagnostic, FileId, Span};
 use index_vec::index_vec;
@@ -40,9 +40,8 @@ fn chart() -> Chart {
         span: Span::default(),
     };
     use VariableKind::{Input, Output};
-    Chart {
+    Chart::checked(Tables {
         name: "test".to_string(),
-        comment: None,
         variables: index_vec![
             variable("a", Input, Type::Bool, Value::Bool(false)),
             variable("n", Input, Type::Int, Value::Int(7)),
@@ -52,15 +51,10 @@ fn chart() -> Chart {
             variable("d", Input, Type::Time, Value::Time(0)),
         ],
         steps: index_vec![step("1"), step("with, comma")],
-        macro_steps: index_vec![],
-        transitions: index_vec![],
         grafcets: index_vec![grafcet],
         hierarchy: vec![GrafcetId::new(0)],
-        continuous: Vec::new(),
-        stored: Vec::new(),
-        orders: Vec::new(),
-        exprs: index_vec![],
-    }
+        ..Tables::default()
+    })
 }
 
 fn row(t_ms: i64, a: bool, n: i64, x: f64, d: i64) -> Stimulus {

@@ -155,6 +155,7 @@ impl<'text> Reader<'text> {
             comments: comments.collect(),
             exprs: self.builder.exprs,
             span: Span::new(self.file, 0, self.text.len()),
+            is_whole: !diagnostics.has_errors(),
         };
         (chart, diagnostics)
     }

@@ -4,7 +4,7 @@
 //! transitions it cleared. The expected situation before rule R5 is worked out here from the arcs.
 
 use grafc_model::chart::{
-    Chart, Event, ExprKind, GrafcetId, Mode, Node, Order, Situation, StepId, TransitionId, Value, VariableId,
+    Chart, Event, ExprKind, GrafcetId, MacroId, Mode, Node, Order, Situation, StepId, TransitionId, Value, VariableId,
     VariableKind,
 };
 use grafc_model::reaction::{Evolution, Profile, Response, Stimulus};
@@ -96,18 +96,18 @@ struct Watch<'a> {
 
 impl<'a> Watch<'a> {
     fn new(chart: &'a Chart, profile: Profile) -> Self {
-        let steps = |nodes: &[Node], of_macro: fn(&grafc_model::chart::MacroStep) -> StepId| {
+        let steps = |nodes: &[Node], of_macro: fn(&Chart, MacroId) -> StepId| {
             let step = |node: &Node| match node {
                 Node::Step(step) => *step,
-                Node::Macro(id) => of_macro(&chart.macro_steps[*id]),
+                Node::Macro(id) => of_macro(chart, *id),
             };
             nodes.iter().map(step).collect::<Vec<StepId>>()
         };
         Watch {
             chart,
             profile,
-            pre: chart.transitions.iter().map(|t| steps(&t.pre, |m| m.exit)).collect(),
-            post: chart.transitions.iter().map(|t| steps(&t.post, |m| m.entry)).collect(),
+            pre: chart.transitions.iter().map(|t| steps(&t.pre, Chart::exit)).collect(),
+            post: chart.transitions.iter().map(|t| steps(&t.post, Chart::entry)).collect(),
             seen: BTreeSet::new(),
             now: 0,
             started: false,

@@ -34,11 +34,14 @@ impl Work<'_, '_, '_> {
                 (on, *operand, off)
             }
             _ => {
+                // None of them becomes a node, so their names are noted here.
+                parts.iter().for_each(|&part| self.note(part));
                 let diagnostic = self.misplaced(span, &kinds, parts);
                 self.report(place, diagnostic);
                 return None;
             }
         };
+        parts.iter().filter(|&&part| part != operand).for_each(|&part| self.note(part));
         let on = self.time(place, on, span);
         let off = self.time(place, off, span);
         if let (Some(on), Some(off)) = (on, off) {
@@ -47,6 +50,16 @@ impl Work<'_, '_, '_> {
             self.nodes[place].faulty = true;
         }
         Some(operand)
+    }
+
+    /// Notes what a part refers to that does not become a node.
+    fn note(&mut self, part: ast::ExprId) {
+        let written = &self.context.tree[part];
+        if let ast::ExprKind::Name(name) = &written.kind
+            && let Some(reference) = self.context.scope.reference(name)
+        {
+            self.read(written.span, reference);
+        }
     }
 
     fn part(&self, id: ast::ExprId) -> Part {

@@ -4,6 +4,7 @@ use super::{Detail, Kind, Work};
 use crate::chart::Type;
 use crate::resolve::scope::Reference;
 use crate::resolve::types;
+use crate::symbols::Wanted;
 use grafc_diagnostics::{Code, Diagnostic};
 use grafc_syntax::ast::{BinaryOp, ExprKind};
 
@@ -26,6 +27,7 @@ impl Work<'_, '_, '_> {
             ExprKind::Name(name) => match context.scope.reference(name) {
                 Some(reference) => {
                     self.nodes[node].detail = Detail::Reference(reference);
+                    self.read(written.span, reference);
                     Kind::Known(match reference {
                         Reference::Variable(id) => context.variables[id].ty,
                         Reference::Activity(_) => Type::Bool,
@@ -33,6 +35,7 @@ impl Work<'_, '_, '_> {
                     })
                 }
                 None => {
+                    self.symbols.missed(written.span, Wanted::Value);
                     self.report(node, context.scope.unknown_name(name, written.span));
                     Kind::Faulty
                 }

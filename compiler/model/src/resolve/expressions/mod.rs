@@ -9,15 +9,18 @@ mod demand;
 mod emit;
 mod flatten;
 mod infer;
+mod names;
 #[cfg(test)]
 mod tests;
 
 use super::scope::{Reference, Scope};
 use crate::chart::{DelayTime, Expr, ExprId, Type, Value, Variable, VariableId};
+use crate::symbols::{Role, Symbols};
 use flatten::Node;
-use grafc_diagnostics::{Diagnostic, Diagnostics};
+use grafc_diagnostics::{Diagnostic, Diagnostics, Span};
 use grafc_syntax::ast;
 use index_vec::IndexVec;
+pub use names::note_names;
 
 /// What expressions are resolved against.
 #[derive(Clone, Copy)]
@@ -61,9 +64,10 @@ impl Context<'_, '_> {
         root: ast::ExprId,
         need: Need,
         pool: &mut IndexVec<ExprId, Expr>,
+        symbols: &mut Symbols,
         diagnostics: &mut Diagnostics,
     ) -> Option<ExprId> {
-        let mut work = Work { context: self, nodes: Vec::new(), diagnostics };
+        let mut work = Work { context: self, nodes: Vec::new(), symbols, diagnostics };
         work.flatten(root);
         work.infer();
         work.demand(need);
@@ -77,6 +81,7 @@ struct Work<'w, 'c, 'a> {
     context: &'w Context<'c, 'a>,
     /// Its nodes, parents first.
     nodes: Vec<Node>,
+    symbols: &'w mut Symbols,
     diagnostics: &'w mut Diagnostics,
 }
 
@@ -91,6 +96,12 @@ impl<'a> Work<'_, '_, 'a> {
         self.nodes[node].faulty = true;
         self.nodes[node].kind = Kind::Faulty;
         self.diagnostics.push(diagnostic);
+    }
+
+    /// Notes that a name is read.
+    fn read(&mut self, span: Span, reference: Reference) {
+        let (entity, form) = reference.entity();
+        self.symbols.used(span, entity, form, Role::Read);
     }
 
     /// The node itself, out of its parentheses.

@@ -2,10 +2,18 @@
 //!
 //! Macro-steps, enclosures and forcing are still whole. Every list is in order of declaration, and ids are places in
 //! these lists. Expressions lie in one pool, children before parents; walk it with loops, never by recursion.
+//!
+//! [`Tables`] are what a text came to, as far as it went; a [`Chart`] is tables that break no rule. Only
+//! [`check`](crate::check()) makes one of the other, so what runs or lowers a chart asks for a `Chart`, and what draws
+//! or describes one is content with tables.
 
+mod expression;
+
+pub use expression::{Arithmetic, Comparison, DelayTime, Expr, ExprKind};
 use grafc_diagnostics::Span;
 pub use grafc_syntax::ast::Type;
 use index_vec::{IndexVec, define_index_type};
+use std::ops::Deref;
 
 macro_rules! ids {
     ($($(#[$doc:meta])* $name:ident $format:literal;)*) => {
@@ -33,9 +41,52 @@ ids! {
     ExprId "e{}";
 }
 
-/// A checked chart.
+/// A chart that breaks no rule.
 #[derive(Clone, Debug)]
-pub struct Chart {
+pub struct Chart(Tables);
+
+impl Chart {
+    /// The tables of a chart, once every rule has been applied to them.
+    pub(crate) fn checked(tables: Tables) -> Self {
+        Chart(tables)
+    }
+
+    /// The tables, to be changed in place. Who does, as tests do, answers for it that no rule is broken.
+    pub fn edit(&mut self) -> &mut Tables {
+        &mut self.0
+    }
+
+    /// Where arcs into a macro-step lead.
+    ///
+    /// # Panics
+    /// If an edit took it away.
+    pub fn entry(&self, id: MacroId) -> StepId {
+        self.macro_steps[id].entry.expect("the expansion of a macro-step has an entry step (E0306)")
+    }
+
+    /// Where arcs out of a macro-step start.
+    ///
+    /// # Panics
+    /// If an edit took it away.
+    pub fn exit(&self, id: MacroId) -> StepId {
+        self.macro_steps[id].exit.expect("the expansion of a macro-step has an exit step (E0306)")
+    }
+}
+
+impl Deref for Chart {
+    type Target = Tables;
+
+    fn deref(&self) -> &Tables {
+        &self.0
+    }
+}
+
+/// A chart as far as it goes: complete as part of a [`Chart`], else without what was faulty.
+///
+/// What there is has its place: every id is in its table, the operands of an expression come before it, and going up from
+/// a macro-step to the one that holds it ends. In place of an expression that makes no sense stands `false`.
+#[derive(Clone, Debug, Default)]
+pub struct Tables {
     /// The name in its heading, or the name that the caller chose (of the file).
     pub name: String,
     /// The attached comment.
@@ -50,7 +101,8 @@ pub struct Chart {
     pub transitions: IndexVec<TransitionId, Transition>,
     /// Partial grafcets.
     pub grafcets: IndexVec<GrafcetId, Grafcet>,
-    /// All grafcets, sorted by (level, declaration): an encloser or forcer comes before what it encloses or forces.
+    /// All grafcets, sorted by (level, declaration): an encloser or forcer comes before what it encloses or forces. Those
+    /// that go round in a circle come last.
     pub hierarchy: Vec<GrafcetId>,
     /// Continuous actions, in order of declaration.
     pub continuous: Vec<Continuous>,
@@ -154,10 +206,10 @@ pub struct MacroStep {
     pub grafcet: GrafcetId,
     /// The macro-step whose expansion holds it directly.
     pub expansion_of: Option<MacroId>,
-    /// Where arcs into it lead.
-    pub entry: StepId,
-    /// Where arcs out of it start.
-    pub exit: StepId,
+    /// Where arcs into it lead; a [`Chart`] has it.
+    pub entry: Option<StepId>,
+    /// Where arcs out of it start; a [`Chart`] has it.
+    pub exit: Option<StepId>,
     /// The label in its declaration.
     pub span: Span,
 }
@@ -268,141 +320,4 @@ pub enum Situation {
     Current,
     /// The initial situation.
     Initial,
-}
-
-/// An expression, its type and its place.
-#[derive(Clone, Debug)]
-pub struct Expr {
-    /// What it is.
-    pub kind: ExprKind,
-    /// Its type.
-    pub ty: Type,
-    /// Its place.
-    pub span: Span,
-}
-
-/// The forms of expression. All children have smaller ids.
-#[derive(Clone, PartialEq, Debug)]
-pub enum ExprKind {
-    /// A literal of type `ty`.
-    Literal(Value),
-    /// A declared variable, constants included.
-    Variable(VariableId),
-    /// `Xn`
-    StepActive(StepId),
-    /// `Tn`: time since its activation, 0 while inactive (X2).
-    StepTime(StepId),
-    /// `XMn`
-    MacroActive(MacroId),
-    /// `XGn`
-    GrafcetActive(GrafcetId),
-    /// Boolean.
-    Not(ExprId),
-    /// Boolean.
-    And(ExprId, ExprId),
-    /// Boolean.
-    Or(ExprId, ExprId),
-    /// Boolean.
-    Xor(ExprId, ExprId),
-    /// `↑e` (X4); `e` holds no edge.
-    Rise(ExprId),
-    /// `↓e` (X4); `e` holds no edge.
-    Fall(ExprId),
-    /// `on/e/off` (X5); `e` holds no edge.
-    Delay {
-        /// On-delay; zero if not given.
-        on: DelayTime,
-        /// The operand; Boolean.
-        operand: ExprId,
-        /// Off-delay; zero if not given.
-        off: DelayTime,
-    },
-    /// Both sides have the same type.
-    Compare(Comparison, ExprId, ExprId),
-    /// Sides and result have the type of the node, save that `time * n`, `n * time` and `time / n` take a whole number.
-    /// Wraps around at the width of the type; division by zero gives 0 and raises DIV0.
-    Arithmetic(Arithmetic, ExprId, ExprId),
-    /// `-e`; wraps around.
-    Negate(ExprId),
-    /// A conversion without loss to the type of the node: `int` to `dint`, `uint` to `real`, …
-    Widen(ExprId),
-}
-
-impl ExprKind {
-    /// The operands, from left to right.
-    pub fn operands(&self) -> impl DoubleEndedIterator<Item = ExprId> + use<> {
-        let (first, second) = match *self {
-            ExprKind::Literal(_)
-            | ExprKind::Variable(_)
-            | ExprKind::StepActive(_)
-            | ExprKind::StepTime(_)
-            | ExprKind::MacroActive(_)
-            | ExprKind::GrafcetActive(_) => (None, None),
-            ExprKind::Not(a) | ExprKind::Rise(a) | ExprKind::Fall(a) | ExprKind::Negate(a) | ExprKind::Widen(a) => {
-                (Some(a), None)
-            }
-            ExprKind::Delay { operand, .. } => (Some(operand), None),
-            ExprKind::And(a, b)
-            | ExprKind::Or(a, b)
-            | ExprKind::Xor(a, b)
-            | ExprKind::Compare(_, a, b)
-            | ExprKind::Arithmetic(_, a, b) => (Some(a), Some(b)),
-        };
-        first.into_iter().chain(second)
-    }
-}
-
-/// A delay: milliseconds, and the constant that gave them, if one did.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub struct DelayTime {
-    /// Milliseconds, at least 0.
-    pub ms: i64,
-    /// The time constant.
-    pub constant: Option<VariableId>,
-}
-
-/// Comparisons.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Comparison {
-    /// `=`
-    Equal,
-    /// `<>`
-    NotEqual,
-    /// `<`
-    Less,
-    /// `<=`
-    LessEqual,
-    /// `>`
-    Greater,
-    /// `>=`
-    GreaterEqual,
-}
-
-impl Comparison {
-    /// What holds between two values in the other order.
-    pub fn mirrored(self) -> Comparison {
-        match self {
-            Comparison::Equal => Comparison::Equal,
-            Comparison::NotEqual => Comparison::NotEqual,
-            Comparison::Less => Comparison::Greater,
-            Comparison::LessEqual => Comparison::GreaterEqual,
-            Comparison::Greater => Comparison::Less,
-            Comparison::GreaterEqual => Comparison::LessEqual,
-        }
-    }
-}
-
-/// Arithmetic operators.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Arithmetic {
-    /// `+`
-    Add,
-    /// `-`
-    Subtract,
-    /// `*`
-    Multiply,
-    /// `/`, towards zero for integers
-    Divide,
-    /// `mod`, with the sign of the dividend
-    Modulo,
 }
