@@ -4,7 +4,7 @@
 //! `// test: evolution=scan initial-actions=off bound=50` sets the profile. With `encodings=all` in it the r- and
 //! s-trigger must do what is expected, too: a chart in which no transition leads from step to step has no overlap.
 
-use crate::differential;
+use crate::ways;
 use grafc_diagnostics::{Diagnostics, FileId};
 use grafc_logic::{Encoding, Options};
 use grafc_model::chart::Chart;
@@ -36,7 +36,7 @@ impl Case {
 
     /// All ways to lower the chart that must do what is expected, with a name each.
     pub fn ways(&self) -> Vec<(String, Options)> {
-        differential::ways(self.profile, self.encodings())
+        ways::ways(self.profile, self.encodings())
     }
 }
 

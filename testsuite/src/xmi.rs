@@ -1,25 +1,33 @@
 //! Charts as AGRAFE saves them: small ones written here, regular ones of any size, and damaged ones.
 
+use crate::tools::{Tool, or_skip};
 use fastrand::Rng;
 use std::fmt::Write as _;
 use std::path::PathBuf;
+use std::{fs, io};
 
-/// The charts of AGRAFE's own collection, by name; none if the folder is not there.
+/// The charts of AGRAFE's own collection, by name; an error says what is missing.
 ///
 /// They lie beside the project, in `../shared/charts/agrafe`, or where `AGRAFE_CHARTS` says.
-pub fn collection() -> Option<Vec<(String, String)>> {
+pub fn collection() -> Result<Vec<(String, String)>, String> {
     let folder = std::env::var_os("AGRAFE_CHARTS").map(PathBuf::from);
     let folder = folder.unwrap_or_else(|| crate::binary::root().join("../shared/charts/agrafe"));
+    let missing = |error: io::Error| format!("{}: {error}; AGRAFE_CHARTS names the charts of AGRAFE", folder.display());
     let mut charts = Vec::new();
-    for entry in std::fs::read_dir(folder).ok()? {
-        let path = entry.ok()?.path();
+    for entry in fs::read_dir(&folder).map_err(missing)? {
+        let path = entry.map_err(missing)?.path();
         if path.extension().is_some_and(|extension| extension == "grafcet") {
-            let name = path.file_stem()?.to_string_lossy().into_owned();
-            charts.push((name, std::fs::read_to_string(path).ok()?));
+            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            charts.push((name, fs::read_to_string(path).map_err(missing)?));
         }
     }
     charts.sort();
-    Some(charts)
+    Ok(charts)
+}
+
+/// The collection, or nothing and a line that says why the test that wants it does nothing.
+pub fn collection_or_skip() -> Option<Vec<(String, String)>> {
+    or_skip(Tool::Agrafe, collection())
 }
 
 /// What stands around the contents of a chart.

@@ -6,11 +6,13 @@ use grafc_backends::awl;
 use grafc_logic::scan::evaluate::Evaluator;
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::{Evolution, Profile};
-use grafc_testsuite::awlsim::{Tools, beyond, play_cycles, run};
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
-use grafc_testsuite::differential::{compile, first_difference, profile, report, simulate};
-use grafc_testsuite::jobs::Job;
+use grafc_testsuite::compare::{first_difference, report};
+use grafc_testsuite::executors::awlsim::{Tools, beyond, play_cycles, run};
+use grafc_testsuite::executors::jobs::Job;
+use grafc_testsuite::random::profile;
 use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::runs::{compile, simulate};
 
 /// The encodings that are exact, with formulas shortened.
 fn encodings() -> impl Iterator<Item = Encoding> {
@@ -220,7 +222,7 @@ fn a_restart_begins_anew() {
         let stimuli = stimuli("again", trace, &chart).expect("a trace without errors");
         let job = Job { program, stimuli };
         // At 2000 ms all is as at the start: step 1, one activation counted, a second to wait.
-        let rows = grafc_testsuite::awlsim::run_restarted(&tools, &job, 4).expect("a run");
+        let rows = grafc_testsuite::executors::awlsim::run_restarted(&tools, &job, 4).expect("a run");
         let expected = "again,n,m|1,1,0|2,1,1|2,1,1|3,1,1|1,1,0|1,1,0|2,1,1"
             .split('|')
             .skip(1)

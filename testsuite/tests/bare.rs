@@ -9,9 +9,9 @@ use grafc_diagnostics::FileId;
 use grafc_logic::{Encoding, Options};
 use grafc_testsuite::binary::root;
 use grafc_testsuite::charts::{cases, charts_folder};
-use grafc_testsuite::rust::Tools;
+use grafc_testsuite::executors::rust::Tools;
+use grafc_testsuite::tools::{Tool, or_skip};
 use std::fs;
-use std::io::Write as _;
 use std::path::Path;
 
 /// A Cortex-M4 or M7 with a floating point unit.
@@ -98,9 +98,12 @@ fn build(tools: &Tools, folder: &Path, target: Option<&str>) -> Result<(), Strin
 
 fn check(target: Option<&str>) {
     let Some(tools) = Tools::find_or_skip() else { return };
-    if let Some(target) = target.filter(|target| !tools.has_target(target)) {
-        let _ = writeln!(std::io::stderr(), "skipped: rustc has no core for {target}; `rustup target add` brings it");
-        return;
+    if let Some(target) = target {
+        let here = tools.has_target(target).then_some(());
+        let here = here.ok_or_else(|| format!("rustc has no core for {target}; `rustup target add` brings it"));
+        if or_skip(Tool::Microcontroller, here).is_none() {
+            return;
+        }
     }
     for runtime in [Runtime::Inline, Runtime::Crate] {
         let folder = tempfile::tempdir().expect("a temporary folder");

@@ -7,25 +7,12 @@ use grafc_backends::plcopen::Body;
 use grafc_logic::{Encoding, Options};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{Evolution, Profile, Stimulus};
-use grafc_testsuite::beremiz::{Source, Tools, run};
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
-use grafc_testsuite::differential::{self, compile, simulate};
-use grafc_testsuite::executors::{Executor, Outcome, Task, all};
-use grafc_testsuite::jobs::Job;
-use grafc_testsuite::plcopen_tools::skipped;
+use grafc_testsuite::executors::beremiz::{Source, Tools, run};
+use grafc_testsuite::executors::jobs::Job;
+use grafc_testsuite::executors::{Outcome, Task, find_or_skip};
 use grafc_testsuite::random::{Kind, checked, trace};
-
-/// The executor of a kind of body, or nothing and a line that says what is missing.
-fn executor(name: &str) -> Option<Box<dyn Executor>> {
-    let executor = all().into_iter().find(|executor| executor.name() == name).expect("the executor");
-    match executor.missing() {
-        None => Some(executor),
-        Some(missing) => {
-            skipped(missing);
-            None
-        }
-    }
-}
+use grafc_testsuite::runs::{self, compile, simulate};
 
 fn prepared(case: &Case) -> (Chart, Vec<Stimulus>) {
     let chart = check(&case.name, &case.text).unwrap_or_else(|fault| panic!("{fault}"));
@@ -35,7 +22,7 @@ fn prepared(case: &Case) -> (Chart, Vec<Stimulus>) {
 
 /// Runs the vectors and the charts, the encodings in turn; at least so many of them must run.
 fn vectors_and_charts_agree(name: &str, least: usize) {
-    let Some(executor) = self::executor(name) else { return };
+    let Some(executor) = find_or_skip(name) else { return };
     let all: Vec<Case> = [vectors_folder(), charts_folder()].iter().flat_map(|folder| cases(folder)).collect();
     let prepared: Vec<(Chart, Vec<Stimulus>)> = all.iter().map(self::prepared).collect();
     let tasks: Vec<Task> = all
@@ -85,10 +72,7 @@ fn sequential_function_charts() {
 /// The r- and s-trigger are written as they are evaluated, and do what is expected where nothing overlaps.
 #[test]
 fn overlapping_encodings() {
-    let tools = match Tools::find() {
-        Ok(tools) => tools,
-        Err(missing) => return skipped(&missing),
-    };
+    let Some(tools) = Tools::find_or_skip() else { return };
     let all = cases(&charts_folder()).into_iter().chain(cases(&vectors_folder()).into_iter().filter(|c| c.overlapping));
     let mut jobs = Vec::new();
     let mut expected = Vec::new();
@@ -97,7 +81,7 @@ fn overlapping_encodings() {
             let (chart, stimuli) = prepared(&case);
             let options = Options { profile: case.profile, encoding, simplify: true };
             let program = compile(&chart, &options).unwrap_or_else(|fault| panic!("{fault}"));
-            let evaluated = differential::run(&program, &stimuli);
+            let evaluated = runs::run(&program, &stimuli);
             if case.overlapping {
                 assert_eq!(spell(&chart, &stimuli, &evaluated), case.expected, "{}", case.name);
             }
@@ -114,7 +98,7 @@ fn overlapping_encodings() {
 
 /// Runs random charts of a kind and compares them with the simulator; at least so many of them must run.
 fn random_charts_agree(name: &str, seeds: std::ops::Range<u64>, kind: Kind, edit: fn(String) -> String, least: usize) {
-    let Some(executor) = self::executor(name) else { return };
+    let Some(executor) = find_or_skip(name) else { return };
     let charts: Vec<(String, Chart, Vec<Stimulus>, Profile)> = seeds
         .map(|seed| {
             let text = edit(checked(seed, kind).text);

@@ -4,7 +4,7 @@ use grafc_backends::st;
 use grafc_diagnostics::FileId;
 use grafc_logic::{Encoding, Options};
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli};
-use grafc_testsuite::differential;
+use grafc_testsuite::runs;
 
 /// Runs a check over all charts and reports every fault at once.
 fn each(test: impl Fn(&Case) -> Result<(), String>) {
@@ -35,7 +35,7 @@ fn the_simulator_agrees() {
     each(|case| {
         let chart = check(&case.name, &case.text)?;
         let stimuli = stimuli(&case.name, &case.trace, &chart)?;
-        let run = differential::simulate(&chart, case.profile, &stimuli);
+        let run = runs::simulate(&chart, case.profile, &stimuli);
         compare(&case.expected, &spell(&chart, &stimuli, &run))
     });
 }
@@ -46,7 +46,7 @@ fn the_scan_programs_agree() {
         let chart = check(&case.name, &case.text)?;
         let stimuli = stimuli(&case.name, &case.trace, &chart)?;
         for (way, options) in case.ways() {
-            let run = differential::evaluate(&chart, &options, &stimuli)?;
+            let run = runs::evaluate(&chart, &options, &stimuli)?;
             compare(&case.expected, &spell(&chart, &stimuli, &run)).map_err(|fault| format!("{way}\n{fault}"))?;
         }
         Ok(())
@@ -70,7 +70,7 @@ fn every_chart_compiles_to_structured_text_in_every_encoding() {
         let chart = check(&case.name, &case.text)?;
         for encoding in Encoding::ALL {
             let options = Options { profile: case.profile, encoding, simplify: true };
-            let program = differential::compile(&chart, &options)?;
+            let program = runs::compile(&chart, &options)?;
             let text = st::emit(&program, &st::Options::default()).map_err(|said| format!("{said:?}"))?;
             if !text.contains("FUNCTION_BLOCK") {
                 return Err(text);

@@ -5,10 +5,13 @@ use grafc_logic::Options;
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{Evolution, Profile, Stimulus};
 use grafc_testsuite::charts::{cases, charts_folder, check, spell, stimuli, vectors_folder};
+use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::controller::{instructions, ladder};
-use grafc_testsuite::differential::{compile, exact, first_difference, profile, report, simulate};
-use grafc_testsuite::jobs::Job;
+use grafc_testsuite::executors::jobs::Job;
+use grafc_testsuite::random::profile;
 use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::runs::{compile, simulate};
+use grafc_testsuite::ways::exact;
 
 #[test]
 fn vectors_and_charts_agree_as_instruction_lists() {

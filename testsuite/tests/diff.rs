@@ -5,8 +5,8 @@ use grafc_model::reaction::{Evolution, Profile};
 use grafc_testsuite::charts;
 use grafc_testsuite::differential::long_run::{self, Draft, Plan, is_wrong};
 use grafc_testsuite::differential::mismatch::{self, Mismatch};
-use grafc_testsuite::differential::simulate;
 use grafc_testsuite::executors::{Executor, Outcome, Task, select};
+use grafc_testsuite::runs::simulate;
 use std::process::{Command, Output};
 
 const PLAN: Plan = Plan { charts: 40, seed: 0, size: 1, scans: 30, threads: None };

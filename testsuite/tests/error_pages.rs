@@ -5,8 +5,8 @@ use grafc_diagnostics::{Code, Diagnostics, FileId, Severity};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::Profile;
 use grafc_testsuite::binary::{grafc, root};
-use grafc_testsuite::differential::simulate;
 use grafc_testsuite::markdown::{Block, blocks};
+use grafc_testsuite::runs::simulate;
 use std::collections::BTreeSet;
 use std::process::Command;
 

@@ -6,9 +6,10 @@ use grafc_backends::{awl, il, st};
 use grafc_diagnostics::{Code, Diagnostics, FileId};
 use grafc_logic::scan::Program;
 use grafc_logic::{Encoding, Options};
-use grafc_testsuite::awlsim;
 use grafc_testsuite::charts::{cases, charts_folder};
-use grafc_testsuite::matiec::{Tools, accepts};
+use grafc_testsuite::executors::awlsim;
+use grafc_testsuite::executors::matiec::{Tools, accepts};
+use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
 /// What a chart becomes.
@@ -71,14 +72,26 @@ fn survives(text: &str) -> Result<Codes, Diagnostics> {
     result
 }
 
+/// MATIEC, looked for once.
+fn matiec() -> Option<&'static Tools> {
+    static FOUND: OnceLock<Option<Tools>> = OnceLock::new();
+    FOUND.get_or_init(Tools::find_or_skip).as_ref()
+}
+
+/// awlsim, looked for once.
+fn awlsim() -> Option<&'static awlsim::Tools> {
+    static FOUND: OnceLock<Option<awlsim::Tools>> = OnceLock::new();
+    FOUND.get_or_init(awlsim::Tools::find_or_skip).as_ref()
+}
+
 fn taken(text: &str) {
     let codes = survives(text).unwrap_or_else(|said| panic!("{said:?}\n{text}"));
     // Where the tool is missing the code has at least been written.
-    if let Ok(tools) = Tools::find() {
-        accepts(&tools, &codes.iec).unwrap_or_else(|said| panic!("{said}\n{}", codes.iec));
+    if let Some(tools) = matiec() {
+        accepts(tools, &codes.iec).unwrap_or_else(|said| panic!("{said}\n{}", codes.iec));
     }
-    if let (Ok(tools), Some(awl)) = (awlsim::Tools::find(), codes.awl) {
-        awlsim::accepts(&tools, &[awl]).unwrap_or_else(|said| panic!("{said}"));
+    if let (Some(tools), Some(awl)) = (awlsim(), codes.awl) {
+        awlsim::accepts(tools, &[awl]).unwrap_or_else(|said| panic!("{said}"));
     }
 }
 
@@ -176,10 +189,10 @@ fn deep_nesting() {
             let text = format!("input a : bool\ninitial step 1\nstep 2\ntransition 1 -> 2 : {condition}\n");
             // MATIEC takes minutes over thousands of timers.
             if let Ok(codes) = survives(&text)
-                && let Ok(tools) = Tools::find()
                 && (depth == 100 || !open.contains("1s"))
+                && let Some(tools) = matiec()
             {
-                accepts(&tools, &codes.iec).unwrap_or_else(|said| panic!("{depth} times `{open}`: {said}"));
+                accepts(tools, &codes.iec).unwrap_or_else(|said| panic!("{depth} times `{open}`: {said}"));
             }
         }
     }
@@ -296,15 +309,15 @@ fn names_that_targets_reserve() {
     }
     assert!(codes.len() + 5 > words.len(), "only {} of {} names were taken", codes.len(), words.len());
     let (iec, awl): (Vec<String>, Vec<Option<String>>) = codes.into_iter().map(|codes| (codes.iec, codes.awl)).unzip();
-    if let Ok(tools) = awlsim::Tools::find() {
+    if let Some(tools) = awlsim() {
         let awl: Vec<String> = awl.into_iter().flatten().collect();
         assert_eq!(awl.len(), iec.len(), "a name is no reason to refuse a chart");
-        awlsim::accepts(&tools, &awl).unwrap_or_else(|said| panic!("{said}"));
+        awlsim::accepts(tools, &awl).unwrap_or_else(|said| panic!("{said}"));
     }
-    let Ok(tools) = Tools::find() else { return };
-    if accepts(&tools, &iec.concat()).is_err() {
+    let Some(tools) = matiec() else { return };
+    if accepts(tools, &iec.concat()).is_err() {
         for code in &iec {
-            accepts(&tools, code).unwrap_or_else(|said| panic!("{said}\n{code}"));
+            accepts(tools, code).unwrap_or_else(|said| panic!("{said}\n{code}"));
         }
     }
 }

@@ -10,7 +10,9 @@ use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId};
 use grafc_import::Options;
 use grafc_model::chart::Chart;
 use grafc_model::reaction::Profile;
-use grafc_testsuite::differential::{caught, compile, evaluate, exact, first_difference, report, simulate};
+use grafc_testsuite::compare::{first_difference, report};
+use grafc_testsuite::runs::{caught, compile, evaluate, simulate};
+use grafc_testsuite::ways::exact;
 use grafc_testsuite::{binary, random, xmi};
 use std::time::Instant;
 
@@ -316,7 +318,9 @@ fn damage(runs: u64) {
     let folder = binary::root().join("testsuite/imports");
     let read = |name: &str| std::fs::read_to_string(folder.join(name)).expect("a chart");
     let mut texts = vec![read("structure.grafcet"), read("actions.grafcet"), read("delays.grafcet"), xmi::ring(4)];
-    texts.extend(xmi::collection().into_iter().flatten().map(|(_, text)| text).filter(|text| text.len() < 20_000));
+    texts.extend(
+        xmi::collection_or_skip().into_iter().flatten().map(|(_, text)| text).filter(|text| text.len() < 20_000),
+    );
     let (mut charts, mut errors, mut checked) = (0, 0, 0);
     for seed in 0..runs {
         let mut rng = fastrand::Rng::with_seed(seed);
@@ -383,12 +387,8 @@ fn the_charts_of_agrafe_run_for_long() {
     run_collection(10_000);
 }
 
-#[allow(clippy::print_stderr, reason = "a test that skips says so")]
 fn run_collection(rows: usize) {
-    let Some(collection) = xmi::collection() else {
-        eprintln!("skipped: the charts of AGRAFE are not at ../shared/charts/agrafe, nor where AGRAFE_CHARTS says");
-        return;
-    };
+    let Some(collection) = xmi::collection_or_skip() else { return };
     assert!(collection.len() >= 15, "only {} charts", collection.len());
     for (name, text) in &collection {
         let (chart, said) = import(text, AS_IT_IS).unwrap_or_else(|said| panic!("{name}: {said:?}"));

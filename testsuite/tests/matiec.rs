@@ -7,9 +7,12 @@ use grafc_logic::scan::evaluate::Evaluator;
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::{Evolution, Profile};
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
-use grafc_testsuite::differential::{compile, first_difference, profile, report, simulate};
-use grafc_testsuite::matiec::{Job, Language, Tools, misreckons, run};
+use grafc_testsuite::compare::{first_difference, report};
+use grafc_testsuite::executors::jobs::Job;
+use grafc_testsuite::executors::matiec::{Language, Tools, misreckons, run};
+use grafc_testsuite::random::profile;
 use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::runs::{compile, simulate};
 
 /// The encodings that are exact, with formulas shortened.
 fn encodings() -> impl Iterator<Item = Encoding> {

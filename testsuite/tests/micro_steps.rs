@@ -19,8 +19,10 @@ use grafc_logic::{Encoding, Options};
 use grafc_model::chart::{Chart, Expr, ExprKind, Mode, Node, StepId, Tables, Type, VariableId, VariableKind};
 use grafc_model::reaction::{Evolution, Profile, Stimulus};
 use grafc_testsuite::charts::{self, Case};
-use grafc_testsuite::differential::{caught, compile, exact, overlapping, profile};
+use grafc_testsuite::random::profile;
 use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::runs::{caught, compile, overlapping};
+use grafc_testsuite::ways::exact;
 use runs::{Run, difference, evaluated, simulated};
 use std::fmt::Write as _;
 

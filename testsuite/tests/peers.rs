@@ -6,10 +6,11 @@
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{Profile, Response, Stimulus};
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
-use grafc_testsuite::differential::{profile, report, simulate};
-use grafc_testsuite::executors::{Executor, Outcome, Task, all};
-use grafc_testsuite::programs::or_skip;
+use grafc_testsuite::compare::report;
+use grafc_testsuite::executors::{Outcome, Task, find_or_skip};
+use grafc_testsuite::random::profile;
 use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::runs::simulate;
 
 /// A chart, how it runs, what is done to it and what it must do.
 struct Run {
@@ -42,15 +43,9 @@ fn random_run(seed: u64) -> Run {
     Run { name: format!("seed {seed}\n{}", drawn.text), chart: drawn.chart, profile: profile(seed), stimuli, expected }
 }
 
-/// The executor, if its tools are here.
-fn peer(name: &str) -> Option<Box<dyn Executor>> {
-    let executor = all().into_iter().find(|executor| executor.name() == name).expect("an executor of this name");
-    or_skip(executor.missing().map_or(Ok(()), |missing| Err(missing.to_string()))).map(|()| executor)
-}
-
 /// All runs are as expected, but for a tenth that may be passed over.
 fn agree(name: &str, runs: &[Run]) {
-    let Some(executor) = peer(name) else { return };
+    let Some(executor) = find_or_skip(name) else { return };
     let tasks: Vec<Task> = runs.iter().enumerate().map(|(turn, run)| run.task(turn)).collect();
     let (mut faults, mut passed_over) = (Vec::new(), 0);
     for (run, outcome) in runs.iter().zip(executor.run(&tasks)) {

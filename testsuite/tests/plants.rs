@@ -4,9 +4,9 @@
 //! that are missing are named, and left out.
 
 use grafc_logic::Encoding;
-use grafc_testsuite::executors::{all, select};
-use grafc_testsuite::plants::{PRODUCTS, Plant, TURNS, Tools, Trial, Written, plants, targets};
-use grafc_testsuite::programs::or_skip;
+use grafc_testsuite::executors::{all, is_here_or_skip};
+use grafc_testsuite::plants::{Compilers, PRODUCTS, Plant, TURNS, Trial, Written, plants, targets};
+use grafc_testsuite::xmi::collection_or_skip;
 
 /// Scans of each chart.
 const SCANS: usize = 60;
@@ -16,15 +16,12 @@ const LARGE: usize = 50;
 
 #[test]
 fn charts_of_agrafe_run_alike_everywhere() {
-    let Some(plants) = or_skip(plants()) else { return };
+    let Some(collection) = collection_or_skip() else { return };
+    let plants = plants(collection).expect("charts that are imported");
     assert!(plants.len() >= 15, "only {} charts", plants.len());
-    for executor in all() {
-        if let Some(missing) = executor.missing() {
-            or_skip::<()>(Err(format!("{}: {missing}", executor.name())));
-        }
-    }
-    for executor in select("all").expect("executors").into_iter().filter(|executor| !executor.name().starts_with("net"))
-    {
+    let mut executors = all();
+    executors.retain(|executor| !executor.name().starts_with("net") && is_here_or_skip(executor.as_ref()));
+    for executor in executors {
         let small = |plant: &&Plant| executor.is_external() && plant.chart.steps.len() < LARGE;
         for (place, plant) in plants.iter().filter(|plant| !small(plant)).enumerate() {
             let turn = TURNS[place % TURNS.len()];
@@ -37,14 +34,12 @@ fn charts_of_agrafe_run_alike_everywhere() {
 /// All targets in all encodings; compilers that are here take the text as it is.
 #[test]
 fn charts_of_agrafe_are_written_for_every_target() {
-    let Some(plants) = or_skip(plants()) else { return };
-    let (tools, missing) = Tools::find();
-    for what in missing {
-        or_skip::<()>(Err(what));
-    }
+    let Some(collection) = collection_or_skip() else { return };
+    let plants = plants(collection).expect("charts that are imported");
+    let (compilers, none) = (Compilers::find_or_skip(), Compilers::default());
     for plant in &plants {
-        let tools = if plant.chart.steps.len() < LARGE { &Tools::default() } else { &tools };
-        let written = targets(plant, tools).unwrap_or_else(|said| panic!("{}: {said}", plant.name));
+        let compilers = if plant.chart.steps.len() < LARGE { &none } else { &compilers };
+        let written = targets(plant, compilers).unwrap_or_else(|said| panic!("{}: {said}", plant.name));
         // All texts in all encodings, of which only the drawing may be refused.
         let Written { texts, undrawn, .. } = written;
         let encodings = Encoding::ALL.len();

@@ -3,10 +3,13 @@
 //! A long run is `cargo run --release -p grafc-testsuite -- diff --charts 20000`.
 
 use grafc_diagnostics::FileId;
+use grafc_testsuite::compare::first_difference;
 use grafc_testsuite::differential::long_run::{Draft, Plan, run};
-use grafc_testsuite::differential::{first_difference, mismatch, profile, simulate};
+use grafc_testsuite::differential::mismatch;
 use grafc_testsuite::executors::select;
+use grafc_testsuite::random::profile;
 use grafc_testsuite::random::{Draw, Kind, checked, checked_draw, trace};
+use grafc_testsuite::runs::simulate;
 
 const ROWS: usize = 25;
 

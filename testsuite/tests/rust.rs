@@ -6,11 +6,14 @@ use grafc_logic::{Encoding, Options};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::Response;
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
-use grafc_testsuite::differential::{compile, exact, first_difference, profile, report, simulate};
-use grafc_testsuite::jobs::Job;
+use grafc_testsuite::compare::{first_difference, report};
+use grafc_testsuite::executors::jobs::Job;
+use grafc_testsuite::executors::rust::{Tools, run};
+use grafc_testsuite::random::profile;
 use grafc_testsuite::random::{Drawn, Kind, checked, trace};
-use grafc_testsuite::rust::{Tools, run};
+use grafc_testsuite::runs::{compile, simulate};
 use grafc_testsuite::scaling::SHAPES;
+use grafc_testsuite::ways::exact;
 
 /// Charts in one program of rustc.
 const BATCH: usize = 100;

@@ -6,10 +6,10 @@ use grafc_backends::rust;
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::Profile;
 use grafc_testsuite::charts::{cases, charts_folder, check, vectors_folder};
-use grafc_testsuite::differential::compile;
 use grafc_testsuite::rings::Rings;
+use grafc_testsuite::runs::compile;
+use grafc_testsuite::tools::{Tool, or_skip};
 use std::fs;
-use std::io::Write as _;
 use std::path::Path;
 use std::process::Command;
 
@@ -40,15 +40,10 @@ fn write(folder: &Path) -> Vec<String> {
     modules
 }
 
-/// A command that is there, or nothing and a line on standard error.
-fn find_or_skip(name: &str) -> Option<Command> {
-    match Command::new(name).arg("--version").output() {
-        Ok(output) if output.status.success() => Some(Command::new(name)),
-        Ok(_) | Err(_) => {
-            let _ = writeln!(std::io::stderr(), "skipped: {name} cannot be called");
-            None
-        }
-    }
+/// A command that is there, or nothing and a line that says which test lacks it.
+fn find_or_skip(tool: Tool, name: &str) -> Option<Command> {
+    let found = Command::new(name).arg("--version").output().is_ok_and(|output| output.status.success());
+    or_skip(tool, found.then(|| Command::new(name)).ok_or_else(|| format!("{name} cannot be called")))
 }
 
 fn run(mut command: Command) -> Result<(), String> {
@@ -59,7 +54,7 @@ fn run(mut command: Command) -> Result<(), String> {
 
 #[test]
 fn rustfmt_changes_nothing() {
-    let Some(mut rustfmt) = find_or_skip("rustfmt") else { return };
+    let Some(mut rustfmt) = find_or_skip(Tool::Rustfmt, "rustfmt") else { return };
     let folder = tempfile::tempdir().expect("a temporary folder");
     let files = write(folder.path()).into_iter().map(|module| format!("{module}.rs"));
     rustfmt.args(["--check", "--edition", "2024"]).args(files).current_dir(folder.path());
@@ -68,7 +63,7 @@ fn rustfmt_changes_nothing() {
 
 #[test]
 fn clippy_is_silent() {
-    let Some(mut clippy) = find_or_skip("clippy-driver") else { return };
+    let Some(mut clippy) = find_or_skip(Tool::Clippy, "clippy-driver") else { return };
     let folder = tempfile::tempdir().expect("a temporary folder");
     let library: String = write(folder.path()).iter().map(|module| format!("pub mod {module};\n")).collect();
     fs::write(folder.path().join("lib.rs"), library).expect("a file in a temporary folder");

@@ -3,8 +3,8 @@
 //! The project of cargo on it is `runtime-support/examples/blink`, which has a test of its own.
 
 use grafc_testsuite::binary::{grafc, root};
+use grafc_testsuite::executors::rust::Tools;
 use grafc_testsuite::markdown::{blocks, matches, write_files};
-use grafc_testsuite::rust::Tools;
 use std::path::Path;
 use std::process::Command;
 

@@ -8,7 +8,7 @@ use grafc_logic::{Encoding, Options};
 use grafc_model::chart::Value;
 use grafc_model::reaction::{Evolution, Profile, Stimulus};
 use grafc_testsuite::binary::root;
-use grafc_testsuite::{charts, differential};
+use grafc_testsuite::{charts, runs};
 
 /// Table 12.4: method 2, single-phase.
 const TABLE_12_4: [&[usize]; 5] = [&[0], &[1], &[2, 5], &[4, 7], &[0]];
@@ -50,7 +50,7 @@ fn figure_12_6(encoding: Encoding) -> Program {
     assert_eq!(labels, ["Y0", "Y1", "Y2", "Y3", "Y4", "Y5", "Y6", "Y7"]);
     let profile = Profile { evolution: Evolution::Scan, ..Profile::default() };
     let options = Options { profile, encoding, ..Options::default() };
-    differential::compile(&chart, &options).expect("a program")
+    runs::compile(&chart, &options).expect("a program")
 }
 
 /// The steps that are active after each row of inputs, one micro-step a row. The first row is the initial reaction,
@@ -196,7 +196,7 @@ fn s_triggers_set_what_is_set_and_reset() {
     let chart = charts::check("two_tokens", text).expect("a chart");
     let profile = Profile { evolution: Evolution::Scan, ..Profile::default() };
     let options = Options { profile, encoding: Encoding::STrigger, ..Options::default() };
-    let program = differential::compile(&chart, &options).expect("a program");
+    let program = runs::compile(&chart, &options).expect("a program");
     let mut evaluator = Evaluator::new(&program);
     for (row, (a, situation)) in
         [(false, vec![0, 2]), (true, vec![0, 1, 2]), (true, vec![1, 2]), (true, vec![2])].into_iter().enumerate()

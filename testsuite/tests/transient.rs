@@ -12,8 +12,10 @@ use grafc_logic::Transients;
 use grafc_model::chart::{Chart, Expr, ExprKind, Tables, Type, VariableId, VariableKind};
 use grafc_model::reaction::{Flags, Profile, Response};
 use grafc_testsuite::charts;
-use grafc_testsuite::differential::{caught, evaluate, exact, first_difference, report, simulate};
+use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::runs::{caught, evaluate, simulate};
+use grafc_testsuite::ways::exact;
 
 fn transients(chart: &Chart) -> Transients {
     let mut net = grafc_net::build(chart);

@@ -7,7 +7,7 @@ use grafc_model::chart::{Chart, GrafcetId, Order, Situation, StepId};
 use grafc_model::reaction::{Evolution, Profile, Response, Stimulus};
 use grafc_model::simulate::Simulator;
 use grafc_testsuite::charts::{self, Case};
-use grafc_testsuite::differential;
+use grafc_testsuite::runs;
 use std::fmt::Write;
 
 /// Runs a check over all vectors and reports every fault at once. A vector that lacks one of its files fails.
@@ -64,7 +64,7 @@ fn the_scan_programs_agree() {
     each(|case, chart, stimuli| {
         let mut faults = String::new();
         for (way, options) in case.ways() {
-            let run = differential::caught(|| differential::evaluate(chart, &options, stimuli));
+            let run = runs::caught(|| runs::evaluate(chart, &options, stimuli));
             match run.map(|run| charts::spell(chart, stimuli, &run)) {
                 Ok(actual) if actual == case.expected => {}
                 Ok(actual) => faults.push_str(&format!("  {way}\n{}", difference(&case.expected, &actual))),

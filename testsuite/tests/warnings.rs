@@ -25,9 +25,11 @@ use grafc_model::chart::{
 };
 use grafc_model::reaction::{Evolution, Profile};
 use grafc_model::simulate::Activity;
-use grafc_testsuite::differential::{caught, first_difference, overlapping, profile, run, simulate};
+use grafc_testsuite::compare::first_difference;
 use grafc_testsuite::net_steps::same;
+use grafc_testsuite::random::profile;
 use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::runs::{caught, overlapping, run, simulate};
 use probes::{Seen, Watched, watch};
 use std::collections::{BTreeMap, BTreeSet};
 

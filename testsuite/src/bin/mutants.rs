@@ -13,6 +13,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command")]
 
 use clap::Parser;
+use grafc_testsuite::executors;
 use grafc_testsuite::mutants::run::{passes, patience, suites};
 use grafc_testsuite::mutants::workspace::{Suite, TestProgram, build, copy};
 use grafc_testsuite::mutants::{Fault, all};
@@ -72,7 +73,7 @@ impl Bench {
             }
         }
         for suite in wanted {
-            match suite.needs.and_then(|tool| tool.missing()) {
+            match suite.needs.and_then(executors::missing) {
                 Some(missing) => bench.lacking.push((suite, missing)),
                 None => bench.programs.push((build(&workshop, suite)?, Duration::MAX)),
             }

@@ -12,10 +12,10 @@
 use clap::{Parser, ValueEnum};
 use grafc_logic::Encoding;
 use grafc_model::reaction::Evolution;
+use grafc_testsuite::executors::matiec;
+use grafc_testsuite::executors::rust::Tools;
 use grafc_testsuite::rings::Rings;
-use grafc_testsuite::rust::Tools;
 use grafc_testsuite::rust_cost::{BASE, Figure, Job, Row, measure};
-use grafc_testsuite::scan_cost::Library;
 use serde_json::json;
 use std::num::NonZero;
 use std::path::PathBuf;
@@ -96,7 +96,7 @@ fn main() -> ExitCode {
 }
 
 fn run(options: Options, tools: &Tools) -> Result<(), String> {
-    let library = Library::find().map_err(|missing| eprintln!("without the SFC of MATIEC: {missing}")).ok();
+    let matiec = matiec::Tools::find().map_err(|missing| eprintln!("without the SFC of MATIEC: {missing}")).ok();
     let scratch = tempfile::tempdir().map_err(|e| e.to_string())?;
     let folder = options.folder.unwrap_or_else(|| scratch.path().to_path_buf());
     let sizes = options.sizes.iter().map(|steps| steps.get());
@@ -109,7 +109,7 @@ fn run(options: Options, tools: &Tools) -> Result<(), String> {
         repetitions: options.repetitions.get(),
         limit: Duration::from_secs(options.limit),
     };
-    let rows = measure(tools, library.as_ref(), &folder, &job, &|done| eprintln!("{done}"))?;
+    let rows = measure(tools, matiec.as_ref(), &folder, &job, &|done| eprintln!("{done}"))?;
     let rustc = tools.version();
     if options.json {
         let all = json!({ "rustc": rustc, "opt_level": 3, "repetitions": job.repetitions, "base": BASE, "rows": rows });

@@ -9,7 +9,8 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command")]
 
 use clap::Parser;
-use grafc_testsuite::scan_cost::{Figure, Job, Library, measure};
+use grafc_testsuite::executors::matiec::Tools;
+use grafc_testsuite::scan_cost::{Figure, Job, measure};
 use std::fs;
 use std::num::NonZero;
 use std::path::PathBuf;
@@ -38,14 +39,14 @@ struct Options {
 
 fn main() -> ExitCode {
     let options = Options::parse();
-    let library = match Library::find() {
-        Ok(library) => library,
+    let tools = match Tools::find() {
+        Ok(tools) => tools,
         Err(missing) => {
             eprintln!("{missing}");
             return ExitCode::from(2);
         }
     };
-    match run(options, &library) {
+    match run(options, &tools) {
         Ok(()) => ExitCode::SUCCESS,
         Err(fault) => {
             eprintln!("{fault}");
@@ -54,7 +55,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(options: Options, library: &Library) -> Result<(), String> {
+fn run(options: Options, tools: &Tools) -> Result<(), String> {
     let scratch = tempfile::tempdir().map_err(|e| e.to_string())?;
     let folder = options.folder.unwrap_or_else(|| scratch.path().to_path_buf());
     let read = |path: &String| fs::read_to_string(path).map_err(|e| format!("{path}: {e}"));
@@ -62,7 +63,7 @@ fn run(options: Options, library: &Library) -> Result<(), String> {
     let (repetitions, sfc) = (options.repetitions.get(), options.sfc);
     for steps in options.sizes.into_iter().map(|steps| steps as usize) {
         let job = Job { steps, repetitions, sfc, others: others.clone() };
-        let all = measure(library, &folder, &job)?;
+        let all = measure(tools, &folder, &job)?;
         println!("{steps} steps, ns a scan, median of {repetitions}");
         println!("{:30} {:>10} {:>7} {:>10} {:>7}  to", "", "idle", "ratio", "clearing", "ratio");
         for figures in &all {

@@ -1,8 +1,8 @@
 //! Instruction lists: IEC 61131-3, edition 2, clause 3.2.
 
 use super::{Memory, Typed, converted, operated};
-use crate::function_block::FunctionBlock;
-use crate::jobs::Job;
+use crate::executors::function_block::FunctionBlock;
+use crate::executors::jobs::Job;
 use grafc_backends::il;
 use grafc_logic::scan::Program;
 use grafc_model::chart::{Type, Value};
@@ -121,7 +121,7 @@ fn with(operator: &str, a: Typed, b: Typed, not: impl Fn(Typed) -> Result<Typed,
 mod tests {
     use super::*;
     use crate::charts::check;
-    use crate::differential::compile;
+    use crate::runs::compile;
     use grafc_backends::st;
     use grafc_logic::Options;
 

@@ -4,8 +4,8 @@
 //! variables and conversions of them.
 
 use super::{Memory, Typed, converted, operated};
-use crate::function_block::FunctionBlock;
-use crate::jobs::Job;
+use crate::executors::function_block::FunctionBlock;
+use crate::executors::jobs::Job;
 use crate::plcopen_lint::document::{Document, Id};
 use grafc_backends::plcopen::{Options, ld};
 use grafc_backends::st;
@@ -186,7 +186,7 @@ fn truth((value, _): Typed) -> Result<bool, String> {
 mod tests {
     use super::*;
     use crate::charts::check;
-    use crate::differential::compile;
+    use crate::runs::compile;
     use grafc_logic::Options;
 
     /// A ladder drawn by hand: `go` starts what runs until a timer of five seconds has run out.

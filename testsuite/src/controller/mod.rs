@@ -7,8 +7,8 @@
 pub mod instructions;
 pub mod ladder;
 
-use crate::function_block::{Activity, FunctionBlock};
-use crate::jobs::{self, Job};
+use crate::executors::function_block::{Activity, FunctionBlock};
+use crate::executors::jobs::{self, Job};
 use grafc_logic::scan::{Role, VarId};
 use grafc_model::chart::{Type, Value};
 use grafc_model::reaction::{Response, Stimulus};

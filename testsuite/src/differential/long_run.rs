@@ -4,8 +4,8 @@
 //! depend on who took which block, save the times.
 
 use super::coverage::Coverage;
-use super::profile;
 use crate::executors::{Executor, Outcome, Simulator, Task};
+use crate::random::profile;
 use crate::random::{Draw, Drawn, Kind, checked_draw, trace};
 use grafc_model::reaction::{Profile, Response, Stimulus};
 use std::collections::BTreeMap;

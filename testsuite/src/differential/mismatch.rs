@@ -1,10 +1,11 @@
 //! A mismatch made small: shrunk, shown with both runs side by side, kept as a regression chart.
 
 use super::long_run::{Draft, is_wrong};
-use super::shrink::{NamedTrace, shrink};
-use super::{caught, simulate};
+use super::shrink::shrink;
 use crate::charts;
 use crate::executors::{Executor, Outcome, Task};
+use crate::named_trace::NamedTrace;
+use crate::runs::{caught, simulate};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{Profile, Response, Stimulus};
 use std::fmt::Write as _;

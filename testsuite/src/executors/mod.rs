@@ -1,88 +1,27 @@
 //! Everything that can run a chart, behind one trait.
 //!
 //! The reference simulator says what a chart does; each other executor takes the chart through some of the compiler's
-//! stages, the last ones through tools from outside, and must do the same. Tools are looked for on PATH or where an
+//! stages, the last ones through tools from outside, and must do the same. Each tool has a folder: `tools` finds and
+//! calls it, `run` has it run programs, `executor` puts it behind the trait. Tools are looked for on PATH or where an
 //! environment variable says; an executor without its tool says so and is not run.
 
-mod awlsim;
-mod ironplc;
-mod matiec;
+pub mod awlsim;
+pub mod beremiz;
+mod c_driver;
+pub(crate) mod function_block;
+pub mod ironplc;
+pub mod jobs;
+pub mod matiec;
 mod net;
-mod plcopen;
-mod rust;
+pub mod rust;
 mod scan;
 mod simulator;
-mod strucpp;
+pub mod strucpp;
+mod task;
 
-use crate::differential::first_difference;
-use grafc_model::chart::Chart;
-use grafc_model::reaction::{Profile, Response, Stimulus};
+use crate::tools::{Tool, or_skip};
 pub use simulator::Simulator;
-
-/// A chart and what is done to it.
-#[derive(Clone, Copy)]
-pub struct Task<'a> {
-    /// The chart.
-    pub chart: &'a Chart,
-    /// How it evolves.
-    pub profile: Profile,
-    /// The calls.
-    pub stimuli: &'a [Stimulus],
-    /// An executor that knows several ways, and takes one a chart, takes this one, counted around.
-    pub turn: usize,
-}
-
-/// What came of a task.
-#[derive(Clone, PartialEq, Debug)]
-pub enum Outcome {
-    /// A response to each call.
-    Ran(Vec<Response>),
-    /// It is not for this executor, for this reason.
-    PassedOver(&'static str),
-    /// What a stage or a tool said: always a fault.
-    Failed(String),
-}
-
-impl From<Result<Vec<Response>, String>> for Outcome {
-    fn from(result: Result<Vec<Response>, String>) -> Self {
-        match result {
-            Ok(responses) => Outcome::Ran(responses),
-            Err(fault) => Outcome::Failed(fault),
-        }
-    }
-}
-
-/// Something that can run charts.
-pub trait Executor: Sync {
-    /// Its name; what stands before a `:` names a group.
-    fn name(&self) -> &str;
-
-    /// What it runs, in a few words.
-    fn about(&self) -> &str;
-
-    /// What it cannot run, in a few words.
-    fn limits(&self) -> &str {
-        "none"
-    }
-
-    /// What it lacks to be used here.
-    fn missing(&self) -> Option<&str> {
-        None
-    }
-
-    /// Whether a task costs seconds, because tools outside are called.
-    fn is_external(&self) -> bool {
-        false
-    }
-
-    /// Runs all tasks, in one go where that is cheaper.
-    fn run(&self, tasks: &[Task]) -> Vec<Outcome>;
-
-    /// The first call in which a run is not what it should be, as far as this executor can show it.
-    fn difference(&self, expected: &[Response], actual: &[Response]) -> Option<usize> {
-        first_difference(expected, actual)
-    }
-}
+pub use task::{Executor, Outcome, Task};
 
 /// All executors, the reference first.
 pub fn all() -> Vec<Box<dyn Executor>> {
@@ -94,7 +33,7 @@ pub fn all() -> Vec<Box<dyn Executor>> {
     all.push(Box::new(ironplc::Ironplc::find()));
     all.push(Box::new(strucpp::Strucpp::find()));
     all.push(Box::new(awlsim::Awlsim::find()));
-    all.extend(plcopen::executors());
+    all.extend(beremiz::executors());
     all
 }
 
@@ -124,4 +63,27 @@ pub fn select(names: &str) -> Result<Vec<Box<dyn Executor>>, String> {
         }
     }
     Ok(all.into_iter().zip(chosen).filter_map(|(executor, chosen)| chosen.then_some(executor)).collect())
+}
+
+/// The executor of a name, or nothing and a line that says what the test lacks that wants it.
+///
+/// # Panics
+/// If there is no executor of this name, or its tool is required.
+pub fn find_or_skip(name: &str) -> Option<Box<dyn Executor>> {
+    let executor = all().into_iter().find(|executor| executor.name() == name).expect("an executor of this name");
+    is_here_or_skip(executor.as_ref()).then_some(executor)
+}
+
+/// Whether an executor can be used; a line says what it lacks, if it cannot.
+///
+/// # Panics
+/// If its tool is required.
+pub fn is_here_or_skip(executor: &dyn Executor) -> bool {
+    let here = executor.missing().map_or(Ok(()), |missing| Err(missing.to_string()));
+    executor.tool().is_none_or(|tool| or_skip(tool, here).is_some())
+}
+
+/// What a tool lacks that some executor is about, if it lacks something.
+pub fn missing(tool: Tool) -> Option<String> {
+    all().iter().find(|executor| executor.tool() == Some(tool))?.missing().map(str::to_owned)
 }

@@ -3,9 +3,10 @@
 //! The pass for overlapping steps adds steps, so that there are other situations on the way; what it does is seen in
 //! the scan programs of those encodings.
 
-use super::{Executor, Outcome, Task};
-use crate::differential::{caught, first_difference};
+use super::task::{Executor, Outcome, Task};
+use crate::compare::first_difference;
 use crate::net_steps::NetSteps;
+use crate::runs::caught;
 use grafc_diagnostics::Diagnostics;
 use grafc_model::reaction::{Flags, Response};
 use grafc_net::passes::ORDER;

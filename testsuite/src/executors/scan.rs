@@ -3,8 +3,10 @@
 //! Encodings whose steps overlap promise only the stable situations, and those only where the compiler does not warn
 //! that the overlap can be seen.
 
-use super::{Executor, Outcome, Task};
-use crate::differential::{caught, evaluate, exact, first_other_situation, stable_situations};
+use super::task::{Executor, Outcome, Task};
+use crate::compare::first_other_situation;
+use crate::runs::{caught, evaluate, stable_situations};
+use crate::ways::exact;
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::{Profile, Response};
 

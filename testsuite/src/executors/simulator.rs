@@ -1,7 +1,7 @@
 //! The reference simulator.
 
-use super::{Executor, Outcome, Task};
-use crate::differential::{caught, simulate};
+use super::task::{Executor, Outcome, Task};
+use crate::runs::{caught, simulate};
 
 /// The reference: what it does is what a chart means.
 pub struct Simulator;

@@ -1,7 +1,8 @@
 //! One run of the suite, or of as much of it as a fault can touch.
 
-use super::workspace::{Suite, TestProgram, Tool};
+use super::workspace::{Suite, TestProgram};
 use super::{Fault, VARIABLE};
+use crate::tools::Tool;
 use std::fs::File;
 use std::io;
 #[cfg(unix)]

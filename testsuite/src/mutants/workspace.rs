@@ -1,7 +1,7 @@
 //! The copy of the workspace that has all faults, each behind its choice, and the test programs built from it.
 
 use super::{all, with_faults};
-use crate::{awlsim, beremiz, matiec};
+use crate::tools::Tool;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -61,28 +61,6 @@ pub struct TestProgram {
     pub program: PathBuf,
     /// The folder of its package.
     pub folder: PathBuf,
-}
-
-/// A program from outside without which tests do nothing.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Tool {
-    /// `iec2c` and a C compiler.
-    Matiec,
-    /// A Python with awlsim.
-    Awlsim,
-    /// Beremiz and MATIEC.
-    Beremiz,
-}
-
-impl Tool {
-    /// What is missing of it, if something is.
-    pub fn missing(self) -> Option<String> {
-        match self {
-            Tool::Matiec => matiec::Tools::find().err(),
-            Tool::Awlsim => awlsim::Tools::find().err(),
-            Tool::Beremiz => beremiz::Tools::find().err(),
-        }
-    }
 }
 
 /// Tests of one crate.

@@ -1,7 +1,8 @@
 //! `grafc-testsuite plants`.
 
-use super::{TURNS, Tools, Trial, plants, targets};
+use super::{Compilers, TURNS, Trial, plants, targets};
 use crate::executors::{self, Executor};
+use crate::xmi;
 use clap::Args;
 use std::io::Write as _;
 use std::process::ExitCode;
@@ -31,15 +32,15 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
             say(&format!("left out: {}: {missing}", executor.name()))?;
         }
     }
-    let (tools, missing) = Tools::find();
+    let (compilers, missing) = Compilers::find();
     for what in missing {
         say(&format!("not asked whether it takes a text: {what}"))?;
     }
     let mut faults = 0;
-    for plant in plants()?.iter().filter(|plant| plant.name.contains(&arguments.only)) {
+    for plant in plants(xmi::collection()?)?.iter().filter(|plant| plant.name.contains(&arguments.only)) {
         let (steps, transitions) = (plant.chart.steps.len(), plant.chart.transitions.len());
         say(&format!("{}: {steps} steps, {transitions} transitions", plant.name))?;
-        match targets(plant, &tools) {
+        match targets(plant, &compilers) {
             Ok(written) => say(&format!(
                 "  {} texts, taken by compilers {} times, {} drawings refused (E0503)",
                 written.texts, written.taken, written.undrawn

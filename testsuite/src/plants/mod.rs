@@ -6,15 +6,16 @@
 pub mod command;
 mod targets;
 
-use crate::differential::report;
+use crate::charts;
+use crate::compare::report;
 use crate::executors::{Executor, Outcome, Task};
 use crate::random::trace;
-use crate::{charts, xmi};
+use crate::runs::simulate;
 use grafc_diagnostics::FileId;
 use grafc_import::Options;
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{Profile, Response, Stimulus};
-pub use targets::{PRODUCTS, Tools, Written, targets};
+pub use targets::{Compilers, PRODUCTS, Written, targets};
 
 /// Turns with which an executor takes each of the exact encodings once, with shortened formulas.
 pub const TURNS: [usize; 3] = [0, 2, 4];
@@ -29,10 +30,8 @@ pub struct Plant {
     pub chart: Chart,
 }
 
-/// The charts of the collection, or what is missing.
-pub fn plants() -> Result<Vec<Plant>, String> {
-    let collection =
-        xmi::collection().ok_or("no charts of AGRAFE in ../shared/charts/agrafe, nor where AGRAFE_CHARTS says")?;
+/// The charts of the collection, imported; an error is what an import or a check said.
+pub fn plants(collection: Vec<(String, String)>) -> Result<Vec<Plant>, String> {
     let mut plants: Vec<Plant> = Vec::new();
     for (name, xml) in collection {
         for (end, delays) in [("", false), (" --delays", true)] {
@@ -60,7 +59,7 @@ impl<'p> Trial<'p> {
     /// A random trace of so many scans.
     pub fn new(plant: &'p Plant, scans: usize) -> Self {
         let stimuli = trace(7, &plant.chart, scans);
-        let expected = crate::differential::simulate(&plant.chart, Profile::default(), &stimuli);
+        let expected = simulate(&plant.chart, Profile::default(), &stimuli);
         Trial { plant, stimuli, expected }
     }
 

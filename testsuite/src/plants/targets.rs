@@ -1,7 +1,7 @@
 //! A chart in every target and every encoding, and the compilers that take the text unchanged.
 
 use super::Plant;
-use crate::{ironplc, matiec, strucpp};
+use crate::executors::{ironplc, matiec, strucpp};
 use grafc::pipeline::{self, Product};
 use grafc_backends::{Target, awl, iec61131_10, il, plcopen, rust, scl, st, tcpou};
 use grafc_diagnostics::{Code, FileId};
@@ -10,22 +10,34 @@ use grafc_model::reaction::Profile;
 
 /// The compilers that are asked; none by default.
 #[derive(Default)]
-pub struct Tools {
+pub struct Compilers {
     matiec: Option<matiec::Tools>,
     ironplc: Option<ironplc::Tools>,
     strucpp: Option<strucpp::Tools>,
 }
 
-impl Tools {
+impl Compilers {
     /// Those that are here, and what the others lack.
     pub fn find() -> (Self, Vec<String>) {
         let mut missing = Vec::new();
-        let tools = Tools {
+        let compilers = Compilers {
             matiec: matiec::Tools::find().map_err(|said| missing.push(said)).ok(),
             ironplc: ironplc::Tools::find().map_err(|said| missing.push(said)).ok(),
             strucpp: strucpp::Tools::find().map_err(|said| missing.push(said)).ok(),
         };
-        (tools, missing)
+        (compilers, missing)
+    }
+
+    /// Those that are here; a line says of each other what it lacks.
+    ///
+    /// # Panics
+    /// If one is missing that is required.
+    pub fn find_or_skip() -> Self {
+        Compilers {
+            matiec: matiec::Tools::find_or_skip(),
+            ironplc: ironplc::Tools::find_or_skip(),
+            strucpp: strucpp::Tools::find_or_skip(),
+        }
     }
 }
 
@@ -41,7 +53,7 @@ pub struct Written {
 }
 
 /// Writes a chart for every target in every encoding; an error is what grafc or a compiler said.
-pub fn targets(plant: &Plant, tools: &Tools) -> Result<Written, String> {
+pub fn targets(plant: &Plant, compilers: &Compilers) -> Result<Written, String> {
     let mut written = Written::default();
     for encoding in Encoding::ALL {
         for product in products() {
@@ -56,7 +68,7 @@ pub fn targets(plant: &Plant, tools: &Tools) -> Result<Written, String> {
                 return Err(format!("{:?}, {}: {said:#?}", options.product, encoding.name()));
             };
             written.texts += 1;
-            for (compiler, taken) in taken(tools, &options.product, &made.text) {
+            for (compiler, taken) in taken(compilers, &options.product, &made.text) {
                 taken.map_err(|said| format!("{compiler}, {}: {said}", encoding.name()))?;
                 written.taken += 1;
             }
@@ -93,14 +105,14 @@ fn is_drawing(product: &Product) -> bool {
 }
 
 /// What the compilers say that read the language.
-fn taken(tools: &Tools, product: &Product, text: &str) -> Vec<(&'static str, Result<(), String>)> {
+fn taken(compilers: &Compilers, product: &Product, text: &str) -> Vec<(&'static str, Result<(), String>)> {
     let mut said = Vec::new();
     if matches!(product, Product::Code(Target::St(_) | Target::Il(_))) {
-        said.extend(tools.matiec.iter().map(|tools| ("MATIEC", matiec::accepts(tools, text))));
+        said.extend(compilers.matiec.iter().map(|tools| ("MATIEC", matiec::accepts(tools, text))));
     }
     if matches!(product, Product::Code(Target::St(_))) {
-        said.extend(tools.ironplc.iter().map(|tools| ("IronPLC", ironplc::accepts(tools, text))));
-        said.extend(tools.strucpp.iter().map(|tools| ("STruC++", strucpp::accepts(tools, text))));
+        said.extend(compilers.ironplc.iter().map(|tools| ("IronPLC", ironplc::accepts(tools, text))));
+        said.extend(compilers.strucpp.iter().map(|tools| ("STruC++", strucpp::accepts(tools, text))));
     }
     said
 }

@@ -17,6 +17,7 @@ mod write;
 
 use grafc_diagnostics::FileId;
 use grafc_model::chart::Chart;
+use grafc_model::reaction::{Evolution, Profile};
 pub use trace::trace;
 
 /// Which part of the language a chart may use.
@@ -94,4 +95,14 @@ pub fn checked_draw(seed: u64, draw: Draw) -> Drawn {
         }
     }
     panic!("the generator writes charts with errors: {complaint}");
+}
+
+/// The profile of a seed: mostly the standard's, at times another.
+pub fn profile(seed: u64) -> Profile {
+    let mut rng = fastrand::Rng::with_seed(seed ^ 0x7072_6f66);
+    Profile {
+        evolution: if rng.f32() < 0.25 { Evolution::Scan } else { Evolution::Stable },
+        initial_actions: rng.f32() < 0.8,
+        bound: if rng.f32() < 0.1 { Some(rng.u32(1..=6)) } else { None },
+    }
 }

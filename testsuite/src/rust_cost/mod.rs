@@ -10,10 +10,11 @@ mod driver;
 mod tools;
 
 use crate::charts;
-use crate::differential::compile;
+use crate::executors::matiec;
+use crate::executors::rust::Tools;
 use crate::rings::Rings;
-use crate::rust::Tools;
-use crate::scan_cost::{Library, texts};
+use crate::runs::compile;
+use crate::scan_cost::{self, texts};
 use crate::turns::{self, Sample};
 use grafc_backends::rust;
 use grafc_logic::{Encoding, Options};
@@ -117,12 +118,12 @@ struct Timed {
     rustc: Option<f64>,
 }
 
-/// Measures all charts in all spellings; with MATIEC's library also its SFC, up to the size that its tools can take.
+/// Measures all charts in all spellings; with MATIEC also its SFC, up to the size that its tools can take.
 /// `progress` is told what is done. Texts and programs are left in the folder; what is there already and has not
 /// changed is not built again.
 pub fn measure(
     tools: &Tools,
-    library: Option<&Library>,
+    matiec: Option<&matiec::Tools>,
     folder: &Path,
     job: &Job,
     progress: &dyn Fn(&str),
@@ -131,12 +132,12 @@ pub fn measure(
     let mut all: Vec<(Rings, Spelling, Result<usize, String>)> = Vec::new();
     let mut timed: Vec<Timed> = Vec::new();
     for &rings in &job.rings {
-        for spelling in spellings(job, rings, library) {
+        for spelling in spellings(job, rings, matiec) {
             let Rings { steps, tokens, walked } = rings;
             let place = folder.join(format!("{steps}_{tokens}_{walked}_{}", spelling.name().replace(", ", "_")));
             let named = |said: String| format!("{}, {rings:?}: {said}", spelling.name());
             progress(&format!("building {}, {} steps, {} tokens", spelling.name(), rings.steps, rings.tokens));
-            let built = build(tools, library, &place, rings, spelling, job.limit).map_err(named)?;
+            let built = build(tools, matiec, &place, rings, spelling, job.limit).map_err(named)?;
             let index = match built {
                 Built::Program(program, rustc) => {
                     timed.push(Timed { rings, spelling, program, rustc });
@@ -158,20 +159,20 @@ pub fn measure(
     Ok(all.into_iter().map(row).collect())
 }
 
-fn spellings(job: &Job, rings: Rings, library: Option<&Library>) -> Vec<Spelling> {
+fn spellings(job: &Job, rings: Rings, matiec: Option<&matiec::Tools>) -> Vec<Spelling> {
     let mut spellings = Vec::new();
     for &evolution in &job.evolutions {
         spellings.push(Spelling::ByHand(evolution));
         spellings.extend(job.encodings.iter().map(|encoding| Spelling::Grafc(*encoding, evolution)));
     }
-    let sfc = library.is_some() && rings.steps <= texts::MANY_BITS && rings.walked == rings.length();
+    let sfc = matiec.is_some() && rings.steps <= texts::MANY_BITS && rings.walked == rings.length();
     spellings.extend(sfc.then_some(Spelling::Sfc));
     spellings
 }
 
 fn build(
     tools: &Tools,
-    library: Option<&Library>,
+    matiec: Option<&matiec::Tools>,
     place: &Path,
     rings: Rings,
     spelling: Spelling,
@@ -181,8 +182,9 @@ fn build(
         Spelling::ByHand(evolution) => (by_hand::write(rings, evolution), true),
         Spelling::Grafc(encoding, evolution) => (by_grafc(rings, encoding, evolution)?, false),
         Spelling::Sfc => {
-            let library = library.ok_or("no library of MATIEC")?;
-            return library.build(place, &texts::sfc(rings), rings).map(|program| Built::Program(program, None));
+            let matiec = matiec.ok_or("no MATIEC")?;
+            return scan_cost::build(matiec, place, &texts::sfc(rings), rings)
+                .map(|program| Built::Program(program, None));
         }
     };
     tools::build(tools, place, &chart, &driver::write(rings), Call { limit, more_stack })

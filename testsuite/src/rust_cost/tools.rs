@@ -4,8 +4,8 @@
 //! Both with `-C opt-level=3`, and otherwise as rustc does by default. What is written by hand gets a larger stack for
 //! rustc, which overflows on `PartialEq` for a struct of 10,000 fields: an engineer would do as its message says.
 
+use crate::executors::rust::Tools;
 use crate::programs::call;
-use crate::rust::Tools;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};

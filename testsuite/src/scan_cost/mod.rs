@@ -11,11 +11,12 @@ mod driver;
 pub(crate) mod texts;
 mod tools;
 
+use crate::executors::matiec::Tools;
 use crate::rings::Rings;
 use crate::turns::{self, Sample};
 use std::path::Path;
 use texts::Spelling;
-pub use tools::Library;
+pub(crate) use tools::build;
 
 /// The steps of MATIEC's own SFC that `gcc` takes a minute and more for.
 const MANY_STEPS_OF_SFC: usize = 100;
@@ -54,7 +55,7 @@ pub struct Figure {
 
 /// Measures one ring in all spellings. Texts, C and programs are left in the folder; what is there already and has not
 /// changed is not built again.
-pub fn measure(library: &Library, folder: &Path, job: &Job) -> Result<Vec<Figures>, String> {
+pub fn measure(tools: &Tools, folder: &Path, job: &Job) -> Result<Vec<Figures>, String> {
     let mut spellings: Vec<Spelling> = texts::all(job.steps)?;
     spellings.retain(|spelling| {
         let sfc = !spelling.is_sfc || job.sfc || job.steps <= MANY_STEPS_OF_SFC;
@@ -66,7 +67,7 @@ pub fn measure(library: &Library, folder: &Path, job: &Job) -> Result<Vec<Figure
     let mut programs = Vec::new();
     for (index, spelling) in spellings.iter().enumerate() {
         let place = folder.join(format!("{}_{index}", job.steps));
-        let built = library.build(&place, &spelling.text, rings);
+        let built = build(tools, &place, &spelling.text, rings);
         programs.push(built.map_err(|said| format!("{}, {} steps: {said}", spelling.name, job.steps))?);
     }
     let samples = turns::take(&programs, job.repetitions)?;
@@ -93,19 +94,14 @@ pub fn measure(library: &Library, folder: &Path, job: &Job) -> Result<Vec<Figure
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::matiec::Tools;
-
-    fn library_or_skip() -> Option<Library> {
-        Tools::find_or_skip().map(|_| Library::find().expect("the library of the tools"))
-    }
 
     /// The driver itself checks that the outputs follow the inputs once around the ring and more.
     #[test]
     fn every_spelling_goes_around_the_ring() {
-        let Some(library) = library_or_skip() else { return };
+        let Some(tools) = Tools::find_or_skip() else { return };
         let folder = tempfile::tempdir().expect("a folder");
         let job = Job { steps: 4, repetitions: 1, sfc: false, others: Vec::new() };
-        let figures = measure(&library, folder.path(), &job).expect("all are built and run");
+        let figures = measure(&tools, folder.path(), &job).expect("all are built and run");
         assert_eq!(figures.len(), 9);
         assert_eq!(figures[0].name, texts::CASE);
         assert!(figures[0].idle.ratio.is_none());
@@ -116,11 +112,11 @@ mod tests {
 
     #[test]
     fn a_spelling_that_stays_behind_is_refused() {
-        let Some(library) = library_or_skip() else { return };
+        let Some(tools) = Tools::find_or_skip() else { return };
         let folder = tempfile::tempdir().expect("a folder");
         // Step 0 is never left.
         let text = texts::case_by_hand(4).replace("IF x_0 THEN", "IF x_0 AND FALSE THEN");
-        let program = library.build(folder.path(), &text, Rings::one(4)).expect("it is built");
+        let program = build(&tools, folder.path(), &text, Rings::one(4)).expect("it is built");
         let said = turns::take(&[program], 1).expect_err("it does not go around the ring");
         assert!(said.contains("after 1 clearings"), "{said}");
     }

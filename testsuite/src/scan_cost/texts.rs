@@ -1,8 +1,8 @@
 //! The ring in all spellings: by hand, by grafc, and as MATIEC's own SFC.
 
 use crate::charts;
-use crate::differential::compile;
 use crate::rings::Rings;
+use crate::runs::compile;
 use grafc_backends::st;
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::{Evolution, Profile};

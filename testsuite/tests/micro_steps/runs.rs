@@ -5,7 +5,7 @@ use grafc_logic::scan::{Program, VarId};
 use grafc_model::chart::{Chart, Mode, StepId, Value, VariableId};
 use grafc_model::reaction::{Flags, Profile, Response, Stimulus};
 use grafc_model::simulate::Simulator;
-use grafc_testsuite::differential::first_difference;
+use grafc_testsuite::compare::first_difference;
 use grafc_testsuite::net_steps::same;
 
 /// What can be seen after a micro-step.

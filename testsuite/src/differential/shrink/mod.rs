@@ -5,9 +5,8 @@
 //! fault, which the caller decides. Nothing else is asked of a step, so any fault can be shrunk.
 
 mod edits;
-mod trace;
 
-pub use trace::NamedTrace;
+use crate::named_trace::NamedTrace;
 
 /// The smallest chart and trace found that still show the fault, after at most `tries` runs.
 pub fn shrink(

@@ -1,0 +1,104 @@
+//! PLCopen projects through Beremiz's generator and MATIEC.
+
+use super::run::{Source, run, variables_of};
+use super::tools::Tools;
+use crate::executors::jobs::{Job, run_some};
+use crate::executors::matiec::misreckons;
+use crate::executors::task::{Executor, Outcome, Task};
+use crate::tools::Tool;
+use grafc_backends::plcopen::Body;
+use grafc_diagnostics::Diagnostics;
+use grafc_logic::sequence::{self, Sequence};
+use grafc_model::chart::ExprKind;
+use grafc_net::passes;
+
+/// One kind of body.
+struct Plcopen {
+    body: Body,
+    tools: Result<Tools, String>,
+}
+
+/// One executor a kind of body.
+pub fn executors() -> Vec<Box<dyn Executor>> {
+    let of = |body| Box::new(Plcopen { body, tools: Tools::find() }) as Box<dyn Executor>;
+    [Body::St, Body::Il, Body::Ld, Body::Sfc].into_iter().map(of).collect()
+}
+
+impl Executor for Plcopen {
+    fn name(&self) -> &str {
+        match self.body {
+            Body::St => "plcopen:st",
+            Body::Il => "plcopen:il",
+            Body::Ld => "plcopen:ld",
+            Body::Sfc => "plcopen:sfc",
+        }
+    }
+
+    fn about(&self) -> &str {
+        match self.body {
+            Body::St => "Structured Text in a PLCopen project, through Beremiz and MATIEC, the encodings in turn",
+            Body::Il => "instruction lists in a PLCopen project, through Beremiz and MATIEC, the encodings in turn",
+            Body::Ld => "ladder diagrams in a PLCopen project, through Beremiz and MATIEC, the encodings in turn",
+            Body::Sfc => "sequential function charts in a PLCopen project, through Beremiz and MATIEC",
+        }
+    }
+
+    fn limits(&self) -> &str {
+        match self.body {
+            Body::St | Body::Il | Body::Ld => "no products or quotients of times, which MATIEC reckons wrongly",
+            Body::Sfc => "charts that can be drawn without meaning something else",
+        }
+    }
+
+    fn missing(&self) -> Option<&str> {
+        self.tools.as_ref().err().map(String::as_str)
+    }
+
+    fn tool(&self) -> Option<Tool> {
+        Some(Tool::Beremiz)
+    }
+
+    fn run(&self, tasks: &[Task]) -> Vec<Outcome> {
+        let mut sequences: Vec<Sequence> = Vec::new();
+        let jobs = tasks.iter().map(|task| {
+            if misreckons(task.chart) {
+                return Err(Outcome::PassedOver("MATIEC reckons products of times wrongly"));
+            }
+            match self.body {
+                Body::St | Body::Il | Body::Ld => Job::of(task).map_err(Outcome::Failed),
+                Body::Sfc => {
+                    let sequence = drawn(task).ok_or(Outcome::PassedOver("no sequential function chart (E0503)"))?;
+                    if loses_a_second(task) {
+                        return Err(Outcome::PassedOver("MATIEC does not carry whole seconds of a step's time"));
+                    }
+                    let program = variables_of(&sequence);
+                    sequences.push(sequence);
+                    Ok(Job { program, stimuli: task.stimuli.to_vec() })
+                }
+            }
+        });
+        let jobs: Vec<_> = jobs.collect();
+        let source = match self.body {
+            Body::St | Body::Il | Body::Ld => Source::Programs(self.body),
+            Body::Sfc => Source::Sequences(&sequences),
+        };
+        run_some(&self.tools, jobs, |tools, jobs| run(tools, &source, jobs))
+    }
+}
+
+/// Whether MATIEC might read the time of a step wrongly. It adds up what passes between calls, and 1.9 s and 0.1 s are 1 s
+/// and a thousand milliseconds to it, which is less than 2 s.
+fn loses_a_second(task: &Task) -> bool {
+    let times: Vec<i64> = task.stimuli.iter().map(|stimulus| stimulus.t_ms).collect();
+    let since = |start: usize, end: usize| (times[end] - times[start]) % 1000;
+    let full = |start: usize| (start + 1..times.len()).any(|end| since(start, end) == 0 && since(start, end - 1) != 0);
+    let reads = task.chart.exprs.iter().any(|expr| matches!(expr.kind, ExprKind::StepTime(_)));
+    reads && (0..times.len()).any(full)
+}
+
+/// The chart of a task as a sequential function chart, if it can be one.
+fn drawn(task: &Task) -> Option<Sequence> {
+    let mut net = grafc_net::build(task.chart);
+    passes::run(&mut net, false, &mut Diagnostics::new());
+    sequence::sequence(&net, task.profile).ok()
+}

@@ -1,0 +1,122 @@
+//! Programs and charts as projects, which Beremiz turns into function blocks for MATIEC.
+
+use super::tools::Tools;
+use crate::executors::function_block::{FunctionBlock, named};
+use crate::executors::jobs::{self, Job};
+use crate::executors::matiec::{RUNTIME, Unit, build_and_play};
+use grafc_backends::{il, plcopen, st};
+use grafc_logic::scan::{Program, Step, VarId};
+use grafc_logic::sequence::Sequence;
+use grafc_model::reaction::Response;
+use index_vec::IndexVec;
+
+/// What a function block holds, and from what it is made.
+pub enum Source<'s> {
+    /// The programs of the jobs, as Structured Text, instruction lists or ladders.
+    Programs(plcopen::Body),
+    /// Charts, whose programs the jobs have from [`variables_of`].
+    Sequences(&'s [Sequence]),
+}
+
+/// The variables of a sequential function chart as a program of a job.
+pub fn variables_of(sequence: &Sequence) -> Program {
+    let mut program = sequence.program.clone();
+    let steps = sequence.steps.iter().map(|step| Step {
+        label: program.variables[step.active].name.clone(),
+        comment: None,
+        active: program.pool.variable(step.active, grafc_formula::Type::Bool),
+    });
+    program.steps = steps.collect();
+    program
+}
+
+/// Runs all jobs. A job's fault is what a tool said.
+pub fn run(tools: &Tools, source: &Source, jobs: &[Job]) -> Vec<Result<Vec<Response>, String>> {
+    let written: Vec<Result<String, String>> =
+        jobs.iter().enumerate().map(|(index, job)| write(source, index, job)).collect();
+    let projects: Vec<String> = written.iter().filter_map(|project| project.clone().ok()).collect();
+    let mut texts = match tools.generate(&projects) {
+        Ok(texts) => texts.into_iter(),
+        Err(said) => return jobs.iter().map(|_| Err(said.clone())).collect(),
+    };
+    let units = written.into_iter().enumerate().map(|(index, project)| {
+        project?;
+        let text = texts.next().unwrap_or_else(|| Err("nothing generated".to_string()))?;
+        unit(source, index, &jobs[index], &text)
+    });
+    jobs::run(jobs, units.collect(), |batch, units: &[&Unit]| build_and_play(&tools.matiec, batch, units))
+}
+
+/// A job as a project.
+fn write(source: &Source, index: usize, job: &Job) -> Result<String, String> {
+    let program = named(index, &job.program);
+    let options = plcopen::Options::default();
+    let project = match source {
+        Source::Programs(plcopen::Body::St) => plcopen::emit(&program, &options),
+        Source::Programs(plcopen::Body::Il) => plcopen::emit_il(&program, &options),
+        Source::Programs(plcopen::Body::Ld) => plcopen::ld::emit(&program, &options),
+        Source::Programs(plcopen::Body::Sfc) => return Err("a program is no chart".to_string()),
+        Source::Sequences(sequences) => {
+            let sequence = Sequence { program: named(index, &sequences[index].program), ..sequences[index].clone() };
+            plcopen::sfc::emit(&sequence, &options)
+        }
+    };
+    project.map_err(|said| format!("{said:#?}"))
+}
+
+/// What is compiled of a project: its function blocks.
+fn unit(source: &Source, index: usize, job: &Job, text: &str) -> Result<Unit, String> {
+    let blocks = text.find("\nPROGRAM ").map_or(text, |at| &text[..=at]).to_string();
+    let last = blocks.lines().filter_map(|line| line.trim().strip_prefix("FUNCTION_BLOCK ")).next_back();
+    let block = last.ok_or_else(|| format!("no function block in\n{text}"))?;
+    let program = named(index, &job.program);
+    let names = match source {
+        Source::Programs(plcopen::Body::Il) => il::names(&program),
+        Source::Programs(plcopen::Body::Ld) => ladder_names(&program),
+        Source::Programs(plcopen::Body::St | plcopen::Body::Sfc) => st::names(&program),
+        Source::Sequences(sequences) => sequence_names(&sequences[index], &program, &blocks)?,
+    };
+    let block = FunctionBlock { program, names, name: block.to_string(), text: blocks.clone() };
+    let driver = RUNTIME.driver(index, &block, &job.stimuli)?;
+    Ok(Unit { text: blocks, driver })
+}
+
+/// Where the rungs are a block of their own, it holds the situation.
+fn ladder_names(program: &Program) -> IndexVec<VarId, String> {
+    let mut names = st::names(program);
+    if let Some(instance) = plcopen::ld::instance(program) {
+        for (id, variable) in program.variables.iter_enumerated() {
+            use grafc_logic::scan::Role;
+            match variable.role {
+                Role::Step | Role::State => names[id] = format!("{instance}.{}", names[id]),
+                Role::Input
+                | Role::Output
+                | Role::Internal
+                | Role::Constant
+                | Role::Flag(_)
+                | Role::Memory
+                | Role::Temporary => {}
+            }
+        }
+    }
+    names
+}
+
+/// MATIEC numbers steps in the order in which they are declared.
+fn sequence_names(sequence: &Sequence, program: &Program, blocks: &str) -> Result<IndexVec<VarId, String>, String> {
+    let mut names = st::names(program);
+    let declared = blocks.lines().filter_map(|line| {
+        let line = line.trim();
+        line.strip_prefix("STEP ").or_else(|| line.strip_prefix("INITIAL_STEP "))?.strip_suffix(':')
+    });
+    let declared: Vec<&str> = declared.collect();
+    let named = Sequence { program: program.clone(), ..sequence.clone() };
+    let instance = plcopen::sfc::instance(&named).map(|name| format!("{name}.")).unwrap_or_default();
+    for step in &sequence.steps {
+        let name = &names[step.active];
+        let place = declared.iter().position(|known| known == name);
+        let place = place.ok_or_else(|| format!("step {name} is not declared in\n{blocks}"))?;
+        names[step.active] = format!("{instance}__step_list[{place}].X");
+    }
+    Ok(names)
+}

@@ -1,0 +1,74 @@
+//! One chart as it runs: simulated by the rules, or lowered and evaluated.
+
+use crate::charts;
+use grafc_diagnostics::{Code, Diagnostics};
+use grafc_logic::Options;
+use grafc_logic::scan::Program;
+use grafc_logic::scan::evaluate::Evaluator;
+use grafc_model::chart::Chart;
+use grafc_model::reaction::{Profile, Response, Stimulus};
+use grafc_model::simulate::Simulator;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// What the reference simulator does.
+pub fn simulate(chart: &Chart, profile: Profile, stimuli: &[Stimulus]) -> Vec<Response> {
+    let mut simulator = Simulator::new(chart, profile);
+    stimuli.iter().map(|stimulus| simulator.react(stimulus)).collect()
+}
+
+/// The scan program of a chart, or the messages of the stages.
+pub fn compile(chart: &Chart, options: &Options) -> Result<Program, String> {
+    let (program, said) = lowered(chart, options);
+    match program {
+        Some(program) if !said.has_errors() => Ok(program),
+        Some(_) | None => Err(charts::render(&chart.name, "", &said)),
+    }
+}
+
+/// The scan program of a chart, and what the stages say.
+pub fn lowered(chart: &Chart, options: &Options) -> (Option<Program>, Diagnostics) {
+    let mut said = Diagnostics::new();
+    let mut net = grafc_net::build(chart);
+    grafc_net::passes::run(&mut net, options.encoding.overlaps(), &mut said);
+    let (program, more) = grafc_logic::compile(&net, options);
+    said.append(more);
+    (program, said)
+}
+
+/// What the scan program of a chart does.
+pub fn evaluate(chart: &Chart, options: &Options, stimuli: &[Stimulus]) -> Result<Vec<Response>, String> {
+    Ok(run(&compile(chart, options)?, stimuli))
+}
+
+/// What a scan program does.
+pub fn run(program: &Program, stimuli: &[Stimulus]) -> Vec<Response> {
+    let mut evaluator = Evaluator::new(program);
+    stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect()
+}
+
+/// The program in an encoding whose steps overlap, and whether the compiler warns that the overlap can be seen.
+pub fn overlapping(chart: &Chart, options: &Options) -> Result<(Program, bool), String> {
+    let (program, said) = lowered(chart, options);
+    let program = program.ok_or_else(|| charts::render(&chart.name, "", &said))?;
+    Ok((program, said.iter().any(|message| message.code == Code::W0413)))
+}
+
+/// The situations after each call in an encoding whose steps overlap, if the compiler has no warning that the overlap
+/// can be seen.
+pub fn stable_situations(
+    chart: &Chart,
+    options: &Options,
+    stimuli: &[Stimulus],
+) -> Result<Option<Vec<Response>>, String> {
+    let (program, warned) = overlapping(chart, options)?;
+    Ok((!warned).then(|| run(&program, stimuli)))
+}
+
+/// A fault as a value: a panic of the compiler is a finding like any other.
+pub fn caught<T>(run: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
+    catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|payload| {
+        let text = payload.downcast_ref::<String>().cloned();
+        let text = text.or_else(|| payload.downcast_ref::<&str>().map(|s| (*s).to_string()));
+        Err(format!("panicked: {}", text.unwrap_or_default()))
+    })
+}
