@@ -17,7 +17,7 @@ fn build() -> PathBuf {
     let test = std::env::current_exe().expect("the path of the test");
     let folder = test.ancestors().nth(2).expect("a test lies in `target/PROFILE/deps`");
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.args(["build", "--quiet", "--package", "grafc", "--bin", "grafc"]);
+    cargo.args(["build", "--quiet", "--package", "grafc-cli", "--bin", "grafc"]);
     cargo.current_dir(root());
     if folder.file_name().is_some_and(|name| name == "release") {
         cargo.arg("--release");

@@ -56,7 +56,7 @@ fn compared(chart: &Chart, recording: &str) -> Diagnostics {
 fn diagnose(code: Code, chart: &Block, trace: Option<&Block>) -> BTreeSet<Code> {
     if chart.language == "xml" {
         let options = grafc_import::Options::default();
-        return codes(&grafc::pipeline::import(FileId(0), &chart.text, options).1);
+        return codes(&grafc_import::import(FileId(0), &chart.text, options).1);
     }
     let (checked, mut said) = grafc::pipeline::check(FileId(0), &chart.text, "example");
     match trace {

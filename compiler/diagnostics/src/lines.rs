@@ -11,7 +11,8 @@
 use std::ops::Range;
 
 /// A place in a text, as messages give it.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, serde::Serialize)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct Position {
     /// From 1.
     pub line: usize,

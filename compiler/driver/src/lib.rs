@@ -1,27 +1,16 @@
-//! The grafc compiler: the [`pipeline`] through all stages, and the command line around it.
+//! The command line of grafc.
 //!
-//! Rust projects call it from their build scripts: [`Build`].
-//!
-//! This is the only crate that reads and writes files, prints, or ends a process. [`pipeline`] does none of that, and
-//! is what tests and tools call.
+//! It reads and writes files, prints, and ends with an exit code; what it does is done by the library `grafc`.
 
 mod arguments;
-mod build_script;
 mod choices;
 pub mod command_line;
 mod commands;
-pub mod fault;
-mod files;
-mod header;
-pub mod pipeline;
+mod place;
 mod report;
 
-pub use build_script::{Build, BuildError};
 use clap::CommandFactory;
 use command_line::{Command, CommandLine};
-pub use grafc_backends::rust::Runtime;
-pub use grafc_logic::Encoding;
-pub use grafc_model::reaction::Evolution;
 
 /// How a run ended; its number is the exit code of the process.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]

@@ -1,6 +1,6 @@
 //! The `grafc` binary; everything is in the library.
 
-use grafc::command_line::CommandLine;
+use grafc_cli::command_line::CommandLine;
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -13,7 +13,7 @@ fn main() -> ExitCode {
             return ExitCode::from(answer.exit_code() as u8);
         }
     };
-    match grafc::fault::guard(|| grafc::run(command_line)) {
+    match grafc::fault::guard(|| grafc_cli::run(command_line)) {
         Ok(exit) => ExitCode::from(exit as u8),
         Err(message) => {
             let _ = std::io::stderr().write_all(message.as_bytes());

@@ -1,9 +1,10 @@
 //! What a run says about charts, and where it says it.
 
 use crate::Exit;
-use crate::files::{Place, Refusal, print};
+use crate::place::Place;
 use clap::ValueEnum;
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Severity, SourceMap, Span, render};
+use grafc::files::{Refusal, print};
+use grafc_diagnostics::{Diagnostics, FileId, SourceMap, render};
 use std::fmt;
 use std::io::{IsTerminal, Write};
 
@@ -64,22 +65,8 @@ pub struct Report {
 impl Report {
     /// Reads a text; none if it is not UTF-8, which is an error at its first bad byte.
     pub fn load(&mut self, place: &Place) -> Result<Option<FileId>, Refusal> {
-        let name = place.input_name();
-        Ok(match String::from_utf8(place.read()?) {
-            Ok(text) => Some(self.sources.add(name, text)),
-            Err(error) => {
-                let at = error.utf8_error().valid_up_to();
-                let byte = error.as_bytes()[at];
-                // Up to the first bad byte, offsets in the text shown are those of the file.
-                let file = self.sources.add(name, String::from_utf8_lossy(error.as_bytes()));
-                let span = Span::new(file, at, at + char::REPLACEMENT_CHARACTER.len_utf8());
-                self.diagnostics.push(
-                    Diagnostic::new(Code::E0110, span, format!("byte 0x{byte:02X} at offset {at} is not UTF-8"))
-                        .help("save the file as UTF-8"),
-                );
-                None
-            }
-        })
+        let added = grafc::add(&mut self.sources, place.input_name(), place.read()?);
+        Ok(added.map_err(|diagnostic| self.diagnostics.push(diagnostic)).ok())
     }
 
     /// Whether one of the texts has an error.
@@ -114,23 +101,12 @@ impl Report {
         match format {
             Format::Human => {
                 let mut text = render::human(&self.sources, &self.diagnostics, colour);
-                text.push_str(&self.summary());
+                text.push_str(&render::summary(&self.diagnostics));
                 text
             }
             Format::Json => render::json(&self.sources, &self.diagnostics),
             Format::Sarif => render::sarif(&self.sources, &self.diagnostics, env!("CARGO_PKG_VERSION")),
         }
-    }
-
-    /// `2 errors, 1 warning`, or nothing if nothing was said.
-    fn summary(&self) -> String {
-        let count = |severity| self.diagnostics.iter().filter(|d| d.code.severity() == severity).count();
-        let counted: Vec<String> = [(count(Severity::Error), "error"), (count(Severity::Warning), "warning")]
-            .into_iter()
-            .filter(|(n, _)| *n > 0)
-            .map(|(n, word)| format!("{n} {word}{}", if n == 1 { "" } else { "s" }))
-            .collect();
-        if counted.is_empty() { String::new() } else { counted.join(", ") + "\n" }
     }
 }
 

@@ -2,10 +2,10 @@
 
 use super::refuse_second_standard_input;
 use crate::Exit;
-use crate::files::Place;
-use crate::pipeline;
+use crate::place::Place;
 use crate::report::{Failure, Format, Report, to_stderr};
 use clap::Args;
+use grafc::pipeline;
 
 const AFTER_HELP: &str = "\
 Example:

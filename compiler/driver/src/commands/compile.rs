@@ -4,12 +4,12 @@ use super::refuse_output_over_input;
 use crate::Exit;
 use crate::arguments::{ProfileArguments, option};
 use crate::choices::{self, Choices};
-use crate::files::Place;
-use crate::header::header;
-use crate::pipeline::{self, Options, Product};
+use crate::place::Place;
 use crate::report::{Failure, Format, Report};
 use clap::builder::PossibleValuesParser;
 use clap::{ArgGroup, Args, ValueEnum};
+use grafc::header;
+use grafc::pipeline::{self, Options, Product};
 use grafc_logic::Encoding;
 use grafc_net::passes;
 
@@ -158,7 +158,7 @@ fn product(args: &Arguments, chart: &Place, lowering: &grafc_logic::Options) -> 
     }
     let target = args.choices.target(args.target.as_ref()?)?;
     Some(target.map(|mut target| {
-        target.set_header(header(chart, lowering, &target));
+        target.set_header(header(&chart.file_name(), lowering, &target));
         Product::Code(target)
     }))
 }

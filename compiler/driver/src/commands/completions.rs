@@ -1,10 +1,10 @@
 //! `grafc completions`: scripts that let a shell complete grafc's command line.
 
 use crate::Exit;
-use crate::files::print;
 use crate::report::Failure;
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};
+use grafc::files::print;
 
 const AFTER_HELP: &str = "\
 Example:

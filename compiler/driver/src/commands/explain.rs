@@ -1,9 +1,9 @@
 //! `grafc explain`: the page on a diagnostic code.
 
 use crate::Exit;
-use crate::files::print;
 use crate::report::Failure;
 use clap::Args;
+use grafc::files::print;
 use grafc_diagnostics::{Code, Severity};
 
 const AFTER_HELP: &str = "\

@@ -2,8 +2,7 @@
 
 use super::refuse_output_over_input;
 use crate::Exit;
-use crate::files::Place;
-use crate::pipeline;
+use crate::place::Place;
 use crate::report::{Failure, Format, Report};
 use clap::Args;
 
@@ -41,7 +40,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let mut result = None;
     if let Some(file) = report.load(&args.file)? {
         let options = grafc_import::Options { delays: args.delays };
-        let (made, said) = pipeline::import(file, &report.sources.file(file).text, options);
+        let (made, said) = grafc_import::import(file, &report.sources.file(file).text, options);
         report.diagnostics.append(said);
         result = made;
     }

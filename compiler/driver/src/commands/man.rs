@@ -1,10 +1,10 @@
 //! `grafc man`: the manual page.
 
 use crate::Exit;
-use crate::files::print;
 use crate::report::Failure;
 use clap::{Args, Command};
 use clap_mangen::Man;
+use grafc::files::print;
 
 const AFTER_HELP: &str = "\
 Example:

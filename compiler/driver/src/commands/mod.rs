@@ -10,7 +10,7 @@ pub mod man;
 pub mod sim;
 pub mod stats;
 
-use crate::files::Place;
+use crate::place::Place;
 use crate::report::Failure;
 
 /// Standard input can be read once.

@@ -3,10 +3,11 @@
 use super::{refuse_output_over_input, refuse_second_standard_input};
 use crate::Exit;
 use crate::arguments::ProfileArguments;
-use crate::files::{Place, print};
-use crate::pipeline;
+use crate::place::Place;
 use crate::report::{Failure, Format, Report};
 use clap::Args;
+use grafc::files::print;
+use grafc::pipeline;
 
 const AFTER_HELP: &str = "\
 Example:

@@ -2,10 +2,11 @@
 
 use crate::Exit;
 use crate::arguments::ProfileArguments;
-use crate::files::{Place, print};
-use crate::pipeline;
+use crate::place::Place;
 use crate::report::{Failure, Format, Report};
 use clap::{Args, ValueEnum};
+use grafc::files::print;
+use grafc::pipeline;
 use grafc_backends::{awl, il, rust};
 use grafc_diagnostics::{Diagnostics, FileId, Severity};
 use grafc_logic::scan::{Measure, measure};

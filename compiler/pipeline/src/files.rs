@@ -1,86 +1,28 @@
-//! Reading and writing: files, and `-` for the standard streams.
+//! Reading and writing: files, and standard output.
 //!
 //! A file is written whole or not at all: into a temporary file beside it, which then takes its place. Who reads the
 //! file meanwhile sees the old text or the new one.
 
-use std::ffi::OsString;
 use std::fmt;
-use std::fs::{self, File, Permissions};
-use std::io::{self, ErrorKind, Read, Write};
+use std::fs::{self, File, OpenOptions, Permissions};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-/// What a file name on the command line stands for.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Place {
-    /// `-`: standard input or standard output.
-    Standard,
-    /// Any other name.
-    File(PathBuf),
+/// Everything that is in a file.
+pub fn read(path: &Path) -> Result<Vec<u8>, Refusal> {
+    fs::read(path).map_err(|error| Refusal::to_read(path.display().to_string(), error))
 }
 
-impl From<OsString> for Place {
-    fn from(name: OsString) -> Self {
-        if name == "-" { Place::Standard } else { Place::File(name.into()) }
-    }
-}
-
-impl Place {
-    /// What messages call it when it is read.
-    pub fn input_name(&self) -> String {
-        match self {
-            Place::Standard => "<stdin>".to_string(),
-            Place::File(path) => path.display().to_string(),
-        }
-    }
-
-    /// The name of a chart that does not give itself one.
-    pub fn chart_name(&self) -> String {
-        let stem = match self {
-            Place::Standard => None,
-            Place::File(path) => path.file_stem().map(|stem| stem.to_string_lossy().into_owned()),
-        };
-        stem.unwrap_or_else(|| "chart".to_string())
-    }
-
-    /// Whether both name one existing file, by whatever paths.
-    pub fn is_same_file(&self, other: &Place) -> bool {
-        match (self, other) {
-            (Place::File(a), Place::File(b)) => is_same_file(a, b),
-            (Place::Standard, _) | (_, Place::Standard) => false,
-        }
-    }
-
-    /// Everything that is there.
-    pub fn read(&self) -> Result<Vec<u8>, Refusal> {
-        let mut bytes = Vec::new();
-        let result = match self {
-            Place::Standard => io::stdin().lock().read_to_end(&mut bytes),
-            Place::File(path) => File::open(path).and_then(|mut file| file.read_to_end(&mut bytes)),
-        };
-        result.map_err(|error| Refusal { action: "read", name: self.input_name(), error })?;
-        Ok(bytes)
-    }
-
-    /// Puts a text there, whole or not at all.
-    pub fn write(&self, text: &str) -> Result<(), Refusal> {
-        match self {
-            Place::Standard => print(text),
-            Place::File(path) => write_file(path, text).map_err(|error| Refusal {
-                action: "write",
-                name: path.display().to_string(),
-                error,
-            }),
-        }
-    }
+/// Puts a text into a file, whole or not at all.
+pub fn write(path: &Path, text: &str) -> Result<(), Refusal> {
+    write_file(path, text).map_err(|error| Refusal::to_write(path.display().to_string(), error))
 }
 
 /// Prints to standard output. Whoever closed it early has read enough.
 pub fn print(text: &str) -> Result<(), Refusal> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(Refusal { action: "write", name: "<stdout>".to_string(), error })
-        }
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Refusal::to_write("<stdout>", error)),
         Ok(()) | Err(_) => Ok(()),
     }
 }
@@ -109,40 +51,59 @@ fn write_file(path: &Path, text: &str) -> io::Result<()> {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         Some(_) | None => Path::new("."),
     };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".grafc-");
-    let permissions = existing.map(|metadata| metadata.permissions());
-    let of_new_files = permissions_of_new_files();
-    if let Some(permissions) = permissions.clone().or(of_new_files) {
-        builder.permissions(permissions);
-    }
     // Asked first, because the temporary file's own name would only puzzle in a message.
     fs::metadata(directory)?;
-    let mut file = builder.tempfile_in(directory).map_err(|error| io::Error::from(error.kind()))?;
-    file.as_file_mut().write_all(text.as_bytes())?;
-    if let Some(permissions) = permissions {
-        // Said again, because the umask applied when the file was made.
-        file.as_file().set_permissions(permissions)?;
-    }
-    file.as_file().sync_all()?;
-    file.persist(path).map_err(|error| error.error)?;
-    Ok(())
+    let permissions = existing.map(|metadata| metadata.permissions());
+    let (temporary, file) = temporary_file(directory, permissions.as_ref())?;
+    let written = fill(file, text, permissions).and_then(|()| fs::rename(&temporary, path));
+    written.inspect_err(|_| {
+        // What was wrong before is what is worth saying.
+        let _ = fs::remove_file(&temporary);
+    })
 }
 
-/// What the umask leaves of reading and writing for all.
+/// A new file in a directory, that nobody can open who cannot open the one that it will replace.
+fn temporary_file(directory: &Path, permissions: Option<&Permissions>) -> io::Result<(PathBuf, File)> {
+    /// Names that are taken are left over from processes that were killed.
+    const TRIES: u32 = 1000;
+    let mut options = OpenOptions::new();
+    options.write(true).create_new(true);
+    restrict(&mut options, permissions);
+    let mut refused = io::Error::from(ErrorKind::AlreadyExists);
+    for number in 0..TRIES {
+        let path = directory.join(format!(".grafc-{}-{number}", std::process::id()));
+        match options.open(&path) {
+            Ok(file) => return Ok((path, file)),
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => refused = error,
+            Err(error) => return Err(error),
+        }
+    }
+    Err(refused)
+}
+
+fn fill(mut file: File, text: &str, permissions: Option<Permissions>) -> io::Result<()> {
+    file.write_all(text.as_bytes())?;
+    if let Some(permissions) = permissions {
+        // Said again, because the umask applied when the file was made.
+        file.set_permissions(permissions)?;
+    }
+    file.sync_all()
+}
+
 #[cfg(unix)]
-fn permissions_of_new_files() -> Option<Permissions> {
-    use std::os::unix::fs::PermissionsExt;
-    Some(Permissions::from_mode(0o666))
+fn restrict(options: &mut OpenOptions, permissions: Option<&Permissions>) {
+    use std::os::unix::fs::{OpenOptionsExt, PermissionsExt};
+    if let Some(permissions) = permissions {
+        options.mode(permissions.mode());
+    }
 }
 
 #[cfg(not(unix))]
-fn permissions_of_new_files() -> Option<Permissions> {
-    None
-}
+fn restrict(_: &mut OpenOptions, _: Option<&Permissions>) {}
 
+/// Whether both are one file that is there, by whatever paths.
 #[cfg(unix)]
-fn is_same_file(a: &Path, b: &Path) -> bool {
+pub fn is_same_file(a: &Path, b: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
     match (fs::metadata(a), fs::metadata(b)) {
         (Ok(a), Ok(b)) => a.is_file() && (a.dev(), a.ino()) == (b.dev(), b.ino()),
@@ -150,8 +111,9 @@ fn is_same_file(a: &Path, b: &Path) -> bool {
     }
 }
 
+/// Whether both are one file that is there, by whatever paths.
 #[cfg(not(unix))]
-fn is_same_file(a: &Path, b: &Path) -> bool {
+pub fn is_same_file(a: &Path, b: &Path) -> bool {
     match (fs::canonicalize(a), fs::canonicalize(b)) {
         (Ok(a), Ok(b)) => a.is_file() && a == b,
         (Err(_), _) | (_, Err(_)) => false,
@@ -183,6 +145,16 @@ fn reason(error: &io::Error) -> String {
 }
 
 impl Refusal {
+    /// What has this name could not be read.
+    pub fn to_read(name: impl Into<String>, error: io::Error) -> Self {
+        Refusal { action: "read", name: name.into(), error }
+    }
+
+    /// What has this name could not be written.
+    pub fn to_write(name: impl Into<String>, error: io::Error) -> Self {
+        Refusal { action: "write", name: name.into(), error }
+    }
+
     fn advice(&self) -> &'static str {
         match (self.error.kind(), self.action) {
             (ErrorKind::NotFound, "read") => "check the path; `-` reads standard input",

@@ -4,20 +4,20 @@
 //! cargo shows nothing else of a script that did its work, and errors on standard error, since cargo shows all of a
 //! script that did not.
 
-use crate::Exit;
 use crate::fault;
-use crate::files::{Place, print};
+use crate::files::{self, Refusal, print};
 use crate::header::header;
 use crate::pipeline::{self, Options, Product};
-use crate::report::{Failure, Format, Report, to_stderr};
+use crate::sources;
 use grafc_backends::Target;
 use grafc_backends::rust::{self, Runtime};
-use grafc_diagnostics::render;
+use grafc_diagnostics::{Diagnostics, SourceMap, render};
 use grafc_logic::Encoding;
 use grafc_model::reaction::Evolution;
 use std::fmt;
+use std::io::Write;
 use std::panic::{self, AssertUnwindSafe};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Compiles a chart to Rust, from a build script.
 ///
@@ -142,7 +142,8 @@ impl Build {
     /// exit code of the command line. Cargo then shows the messages as they are.
     pub fn compile(&self) -> PathBuf {
         self.try_compile().unwrap_or_else(|error| {
-            to_stderr(&error.text);
+            // If that fails there is nowhere left to say so.
+            let _ = std::io::stderr().lock().write_all(error.text.as_bytes());
             std::process::exit(error.exit_code)
         })
     }
@@ -165,53 +166,96 @@ impl Build {
         let mut report = Report::default();
         // Not `fault::guard`, which takes the hook of a process that is not ours here.
         let (text, exit_code) = match panic::catch_unwind(AssertUnwindSafe(|| self.run(&mut report))) {
-            Ok(Ok(Some(path))) => return Ok(path),
-            Ok(Ok(None)) => (report.render(Format::Human, false), Exit::ChartErrors as i32),
-            Ok(Err(failure)) => (report.render(Format::Human, false) + &failure.to_string(), failure.exit() as i32),
+            Ok(Ok(path)) => return Ok(path),
+            Ok(Err(Failure::Chart)) => (report.text(), 1),
+            Ok(Err(Failure::WrongUse(what, help))) => {
+                (report.text() + &format!("error: {what}\n  = help: {help}\n"), 2)
+            }
+            Ok(Err(Failure::Files(refusal))) => (report.text() + &refusal.to_string(), 3),
             Err(payload) => (fault::of_panic(payload.as_ref()), fault::EXIT_CODE.into()),
         };
         Err(BuildError { text, exit_code })
     }
 
-    /// The file that was written; none if the chart has errors.
-    fn run(&self, report: &mut Report) -> Result<Option<PathBuf>, Failure> {
-        let chart = Place::File(self.chart.clone());
+    /// The file that was written.
+    fn run(&self, report: &mut Report) -> Result<PathBuf, Failure> {
         print(&format!("cargo::rerun-if-changed={}\n", self.chart.display()))?;
-        let module = self.module.clone().unwrap_or_else(|| chart.chart_name());
-        let path = self.folder()?.join(format!("{module}.rs"));
-        let output = Place::File(path.clone());
-        if output.is_same_file(&chart) {
-            let what = format!("the output would overwrite `{}`", chart.input_name());
-            return Err(Failure::WrongUse(what, "choose another name with `module`".to_string()));
-        }
-
-        let options = rust::Options { runtime: self.runtime, module: Some(module), ..rust::Options::default() };
+        let chart_name = self.chart.file_stem().map_or("chart".into(), |stem| stem.to_string_lossy());
+        let module = self.module.clone().unwrap_or_else(|| chart_name.clone().into_owned());
+        let options = rust::Options { runtime: self.runtime, module: Some(module.clone()), ..rust::Options::default() };
         let mut target = Target::Rust(options);
-        target.set_header(header(&chart, &self.lowering, &target));
+        let path = self.folder()?.join(format!("{module}.{}", target.about().extension));
+        if files::is_same_file(&path, &self.chart) {
+            let what = format!("the output would overwrite `{}`", self.chart.display());
+            return Err(Failure::WrongUse(what, "choose another name with `module`"));
+        }
+        let source = self.chart.file_name().unwrap_or(self.chart.as_os_str()).to_string_lossy();
+        target.set_header(header(&source, &self.lowering, &target));
+
         let options = Options { lowering: self.lowering, product: Product::Code(target) };
-        let Some(file) = report.load(&chart)? else { return Ok(None) };
-        let text = &report.sources.file(file).text;
-        let (made, said) = pipeline::compile(file, text, &chart.chart_name(), &options);
-        report.diagnostics.append(said);
-        let Some(code) = made else { return Ok(None) };
-        output.write(&code.text)?;
-        print(&warnings(report))?;
-        Ok(Some(path))
+        let made = report.compile(&self.chart, &chart_name, &options)?;
+        files::write(&path, &made)?;
+        print(&report.warnings())?;
+        Ok(path)
     }
 
     fn folder(&self) -> Result<PathBuf, Failure> {
         self.out_dir.clone().or_else(|| std::env::var_os("OUT_DIR").map(PathBuf::from)).ok_or_else(|| {
             let help = "call `Build` from a build script, or name a folder with `out_dir`";
-            Failure::WrongUse("there is no `OUT_DIR` to write to".to_string(), help.to_string())
+            Failure::WrongUse("there is no `OUT_DIR` to write to".to_string(), help)
         })
     }
 }
 
-/// Everything that was said, in lines that cargo shows. It takes one line at a time.
-fn warnings(report: &mut Report) -> String {
-    report.diagnostics.sort_by_place();
-    let text = render::human(&report.sources, &report.diagnostics, false);
-    text.lines().filter(|line| !line.is_empty()).map(|line| format!("cargo::warning={line}\n")).collect()
+/// Why there is no file.
+enum Failure {
+    /// The chart has errors.
+    Chart,
+    /// It was called in a way that makes no sense: what, and what to do.
+    WrongUse(String, &'static str),
+    /// The file system said no.
+    Files(Refusal),
+}
+
+impl From<Refusal> for Failure {
+    fn from(refusal: Refusal) -> Self {
+        Failure::Files(refusal)
+    }
+}
+
+/// The text of the chart and all that was said about it.
+#[derive(Default)]
+struct Report {
+    sources: SourceMap,
+    said: Diagnostics,
+}
+
+impl Report {
+    /// The code.
+    fn compile(&mut self, chart: &Path, name: &str, options: &Options) -> Result<String, Failure> {
+        let file = match sources::add(&mut self.sources, chart.display().to_string(), files::read(chart)?) {
+            Ok(file) => file,
+            Err(diagnostic) => {
+                self.said.push(diagnostic);
+                return Err(Failure::Chart);
+            }
+        };
+        let (made, said) = pipeline::compile(file, &self.sources.file(file).text, name, options);
+        self.said = said;
+        self.said.sort_by_place();
+        made.map(|made| made.text).ok_or(Failure::Chart)
+    }
+
+    /// Everything that was said, as the command line says it.
+    fn text(&self) -> String {
+        render::human(&self.sources, &self.said, false) + &render::summary(&self.said)
+    }
+
+    /// Everything that was said, in lines that cargo shows. It takes one line at a time.
+    fn warnings(&self) -> String {
+        let text = render::human(&self.sources, &self.said, false);
+        text.lines().filter(|line| !line.is_empty()).map(|line| format!("cargo::warning={line}\n")).collect()
+    }
 }
 
 /// Why a chart was not compiled: the text that the command line would print.

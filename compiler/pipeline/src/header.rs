@@ -2,16 +2,11 @@
 //!
 //! No directories and no dates: equal charts give equal code wherever and whenever they are compiled.
 
-use crate::files::Place;
 use grafc_backends::Target;
 use grafc_model::reaction::{Evolution, Profile};
 
-/// The lines.
-pub fn header(chart: &Place, lowering: &grafc_logic::Options, target: &Target) -> Vec<String> {
-    let source = match chart {
-        Place::File(path) => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),
-        Place::Standard => "standard input".to_string(),
-    };
+/// The lines, for a chart from a source of this name.
+pub fn header(source: &str, lowering: &grafc_logic::Options, target: &Target) -> Vec<String> {
     let (name, chosen) = target.spelled();
     let encoding = lowering.encoding.name();
     let optimize = if lowering.simplify { "" } else { "--optimize 0 " };

@@ -217,11 +217,6 @@ pub fn simulate(
     (Some(Simulation { result: trace::write_trace(&chart, &stimuli, &responses), compared }), said)
 }
 
-/// Another tool's chart as a text in canonical format, if no message is an error; the others are the report.
-pub fn import(file: FileId, text: &str, options: grafc_import::Options) -> (Option<String>, Diagnostics) {
-    grafc_import::import(file, text, options)
-}
-
 /// The text in canonical format, if it can be parsed.
 pub fn format(file: FileId, text: &str) -> (Option<String>, Diagnostics) {
     let (tree, mut said) = grafc_syntax::parse(file, text);

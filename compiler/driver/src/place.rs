@@ -1,0 +1,78 @@
+//! What a file name on the command line stands for: a file, or `-` for the standard streams.
+
+use grafc::files::{self, Refusal, print};
+use std::ffi::OsString;
+use std::io::{self, Read};
+use std::path::PathBuf;
+
+/// What a file name on the command line stands for.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Place {
+    /// `-`: standard input or standard output.
+    Standard,
+    /// Any other name.
+    File(PathBuf),
+}
+
+impl From<OsString> for Place {
+    fn from(name: OsString) -> Self {
+        if name == "-" { Place::Standard } else { Place::File(name.into()) }
+    }
+}
+
+impl Place {
+    /// What messages call it when it is read.
+    pub fn input_name(&self) -> String {
+        match self {
+            Place::Standard => "<stdin>".to_string(),
+            Place::File(path) => path.display().to_string(),
+        }
+    }
+
+    /// The name without folders, for the head of what is made of it.
+    pub fn file_name(&self) -> String {
+        match self {
+            Place::File(path) => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),
+            Place::Standard => "standard input".to_string(),
+        }
+    }
+
+    /// The name of a chart that does not give itself one.
+    pub fn chart_name(&self) -> String {
+        let stem = match self {
+            Place::Standard => None,
+            Place::File(path) => path.file_stem().map(|stem| stem.to_string_lossy().into_owned()),
+        };
+        stem.unwrap_or_else(|| "chart".to_string())
+    }
+
+    /// Whether both name one existing file, by whatever paths.
+    pub fn is_same_file(&self, other: &Place) -> bool {
+        match (self, other) {
+            (Place::File(a), Place::File(b)) => files::is_same_file(a, b),
+            (Place::Standard, _) | (_, Place::Standard) => false,
+        }
+    }
+
+    /// Everything that is there.
+    pub fn read(&self) -> Result<Vec<u8>, Refusal> {
+        match self {
+            Place::File(path) => files::read(path),
+            Place::Standard => {
+                let mut bytes = Vec::new();
+                match io::stdin().lock().read_to_end(&mut bytes) {
+                    Ok(_) => Ok(bytes),
+                    Err(error) => Err(Refusal::to_read(self.input_name(), error)),
+                }
+            }
+        }
+    }
+
+    /// Puts a text there, whole or not at all.
+    pub fn write(&self, text: &str) -> Result<(), Refusal> {
+        match self {
+            Place::Standard => print(text),
+            Place::File(path) => files::write(path, text),
+        }
+    }
+}
