@@ -2,7 +2,7 @@
 
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use grafc_formula::{Formula, FormulaId, Value};
-use grafc_logic::scan::{Flag, Program, Role, Statement, VarId};
+use grafc_logic::scan::{Division, Program, Statement, VarId, is_empty};
 
 /// MATIEC takes 150 nested parentheses; a reader takes far fewer.
 const DEEPEST_FORMULA: u32 = 100;
@@ -15,12 +15,8 @@ const DEEPEST_BLOCK: u32 = 100;
 /// Checks a whole program.
 pub(crate) fn check(program: &Program) -> Result<(), Diagnostics> {
     let mut check = Check { program, sizes: sizes(program), diagnostics: Diagnostics::new() };
-    for block in [&program.first, &program.before, &program.micro_step, &program.after] {
+    for block in program.sections() {
         check.block(block, 0);
-    }
-    let has_flag = program.variables.iter().any(|variable| variable.role == Role::Flag(Flag::Livelock));
-    if program.repeat.is_some_and(|repeat| repeat.limit.is_some()) && !has_flag {
-        check.fault(None, "the stability loop has no LIVELOCK flag");
     }
     if program.repeat.is_some_and(|repeat| repeat.limit.is_none()) && is_empty(&program.micro_step) {
         check.fault(None, "the stability loop is empty");
@@ -87,7 +83,7 @@ impl Check<'_> {
             match statement {
                 Statement::Heading(_) => {}
                 Statement::Assign { target, value, remark: _ } => self.formula(Some(*target), *value),
-                Statement::Divide { target, modulo: _, dividend, divisor, flag: _ } => {
+                Statement::Divide(Division { target, modulo: _, dividend, divisor, flag: _ }) => {
                     self.formula(Some(*target), *dividend);
                     self.formula(Some(*target), *divisor);
                 }
@@ -110,9 +106,4 @@ impl Check<'_> {
             }
         }
     }
-}
-
-/// Whether a block does nothing: compilers refuse an empty one.
-pub(crate) fn is_empty(statements: &[Statement]) -> bool {
-    statements.iter().all(|statement| matches!(statement, Statement::Heading(_)))
 }

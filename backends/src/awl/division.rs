@@ -1,22 +1,12 @@
 //! Quotients and remainders.
 //!
-//! A divisor of zero gives zero and a flag; a quotient that a type cannot hold, the least number by -1, is not left to the
-//! CPU. There is no division without sign, so that of 32 bits is made of one with sign: see [`Numbers::long_division`].
+//! Which divisors the CPU must not divide by, the scan program says. There is no division without sign, so that of 32 bits is made of one with sign: see [`Numbers::long_division`].
 
 use super::AwlNames;
 use super::code::Code;
 use super::numbers::{HIGHEST_BIT, Numbers, of_width, zero};
 use grafc_formula::{FormulaId, Type, Value};
-use grafc_logic::scan::VarId;
-
-/// A guarded division: the statement of the scan program.
-pub(super) struct Division {
-    pub target: VarId,
-    pub modulo: bool,
-    pub a: FormulaId,
-    pub b: FormulaId,
-    pub flag: VarId,
-}
+use grafc_logic::scan::{ByMinusOne, Division, Guard};
 
 impl Numbers<'_> {
     /// A quotient or a remainder, where the divisor is not zero.
@@ -49,13 +39,13 @@ impl Numbers<'_> {
         }
     }
 
-    /// A quotient or a remainder; 0 and a flag if the divisor is 0.
-    pub fn divide(self, code: &mut Code, names: &mut AwlNames, division: Division) {
-        let Division { target, modulo, a, b, flag } = division;
+    /// A division under the guards that it needs.
+    pub fn divide(self, code: &mut Code, names: &mut AwlNames, division: &Division) {
+        let Division { target, modulo, dividend: a, divisor: b, flag } = *division;
         let result = self.program.variables[target].ty;
         let (target, flag) = (names.variable(target), names.variable(flag));
-        if self.program.pool.as_constant(b).is_some() {
-            // Other constants divide without a guard, inside a formula.
+        let guard = self.program.guard(division);
+        if guard == Guard::Never {
             code.number("L", zero(result));
             code.instruction("T", &target);
             code.truth(true);
@@ -70,35 +60,32 @@ impl Numbers<'_> {
         code.number("L", zero(result));
         code.jump(&store);
         code.label(go);
-        match (result, self.ty(b)) {
-            (Type::Dint, Type::Dint) => {
-                let go = code.new_label();
-                self.load(code, names, b);
-                code.number("L", "L#-1");
-                code.comparison("==D");
-                code.jump_unless(&go);
-                // The quotient is the negative, which wraps around.
-                if modulo {
-                    code.number("L", "L#0");
-                } else {
+        if let Guard::ZeroAndMinusOne { quotient, fits: _ } = guard {
+            let go = code.new_label();
+            self.load(code, names, b);
+            code.number("L", "L#-1");
+            code.comparison("==D");
+            code.jump_unless(&go);
+            match quotient {
+                ByMinusOne::Zero => code.number("L", "L#0"),
+                ByMinusOne::Dividend | ByMinusOne::Negative => {
                     self.load(code, names, a);
                     code.number("NEGD", "");
                 }
-                code.jump(&store);
-                code.label(go);
             }
+            code.jump(&store);
+            code.label(go);
+        }
+        if (result, self.ty(b)) == (Type::Time, Type::Udint) {
             // A divisor with the highest bit set is more than any time.
-            (Type::Time, Type::Udint) => {
-                let go = code.new_label();
-                self.load(code, names, b);
-                code.number("L", "L#0");
-                code.comparison("<D");
-                code.jump_unless(&go);
-                code.number("L", "L#0");
-                code.jump(&store);
-                code.label(go);
-            }
-            _ => {}
+            let go = code.new_label();
+            self.load(code, names, b);
+            code.number("L", "L#0");
+            code.comparison("<D");
+            code.jump_unless(&go);
+            code.number("L", "L#0");
+            code.jump(&store);
+            code.label(go);
         }
         self.quotient(code, names, modulo, a, b, result);
         code.label(store);

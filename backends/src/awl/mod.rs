@@ -120,7 +120,7 @@ struct AwlNames {
 impl AwlNames {
     fn new(program: &Program) -> Self {
         let Names { variables, timers, block, mut namer, .. } = Names::new(program, Family::StatementList);
-        let reads = timers::reads(program);
+        let reads = program.reads_of_timers();
         let timers = timers.into_iter_enumerated().map(|(id, name)| timers::Names::new(reads[id], name, &mut namer));
         let timers: IndexVec<TimerId, timers::Names> = timers.collect();
         let clock = (!timers.is_empty()).then(|| timers::Clock::new(&mut namer));

@@ -9,11 +9,11 @@ use super::numbers::literal;
 use super::{AwlNames, local, timers};
 use crate::iec::literals::is_zero;
 use grafc_formula::{Type, Value};
-use grafc_logic::scan::{Program, Role};
+use grafc_logic::scan::Program;
 
 /// Writes what `RESTART` does.
 pub(super) fn write(code: &mut Code, program: &Program, names: &AwlNames) {
-    let kept = program.variables.iter_enumerated().filter(|(_, v)| keeps(v.role));
+    let kept = program.variables.iter_enumerated().filter(|(_, v)| v.role.is_kept());
     let ours = names.timers.iter().flat_map(timers::Names::kept).map(|kept| {
         let zero = if kept.ty == Type::Bool { Value::Bool(false) } else { Value::Time(0) };
         (local(&kept.name), kept.ty, zero)
@@ -45,11 +45,4 @@ pub(super) fn write(code: &mut Code, program: &Program, names: &AwlNames) {
         code.instruction("T", &operand);
     }
     code.label(done);
-}
-
-fn keeps(role: Role) -> bool {
-    match role {
-        Role::Output | Role::Internal | Role::Step | Role::State | Role::Flag(_) | Role::Memory => true,
-        Role::Input | Role::Constant | Role::Temporary => false,
-    }
 }

@@ -2,12 +2,10 @@
 
 use super::code::Code;
 use super::conditions::Conditions;
-use super::division::Division;
 use super::numbers::{Numbers, literal};
 use super::{AwlNames, Mnemonics, restart, timers};
-use crate::limits::is_empty;
 use grafc_formula::{FormulaId, Type, Value};
-use grafc_logic::scan::{Arm, Flag, Program, Repeat, Role, Statement, VarId};
+use grafc_logic::scan::{Arm, Program, Repeat, Statement, VarId, is_empty};
 
 /// So many arms of a choice are tried one after the other; of more, a jump passes over half.
 const FEW_ARMS: usize = 8;
@@ -83,15 +81,11 @@ impl Body<'_, '_> {
             self.code.bit("A", &again);
             return self.code.jump_if(&start);
         };
-        // No CPU does more in one call.
-        self.compare(limit.count, "<", i64::from(limit.bound).min(i64::from(i32::MAX)));
+        self.compare(limit.count, "<", i64::from(limit.bound));
         self.code.bit("A", &again);
         self.code.jump_if(&start);
-        let flag = self.program.variables.iter_enumerated().find(|(_, v)| v.role == Role::Flag(Flag::Livelock));
-        if let Some((flag, _)) = flag {
-            self.code.bit("A", &again);
-            self.code.instruction("S", &self.names.variable(flag));
-        }
+        self.code.bit("A", &again);
+        self.code.instruction("S", &self.names.variable(limit.flag));
     }
 
     /// Statements in order. If a label is given, what comes after them is a jump to it or the label itself, so that the
@@ -106,15 +100,12 @@ impl Body<'_, '_> {
                     self.code.remark(remark.as_deref());
                     self.assign(*target, *value);
                 }
-                Statement::Divide { target, modulo, dividend, divisor, flag } => {
-                    let (target, modulo, a, b, flag) = (*target, *modulo, *dividend, *divisor, *flag);
-                    self.numbers.divide(&mut self.code, self.names, Division { target, modulo, a, b, flag });
-                }
+                Statement::Divide(division) => self.numbers.divide(&mut self.code, self.names, division),
                 Statement::CallTimer { timer, input } => {
                     let timer_of = &self.program.timers[*timer];
                     self.code.remark(timer_of.comment.as_deref());
                     self.condition(*input);
-                    timers::call(&mut self.code, self.names, *timer, timer_of.preset);
+                    timers::call(&mut self.code, self.names, *timer, timer_of.given_preset());
                 }
                 Statement::Case { of, arms } => self.case(*of, arms, after),
                 Statement::If { branches, otherwise } => self.branch(branches, otherwise, after),
@@ -228,7 +219,7 @@ impl Body<'_, '_> {
                 Some((*target, self.program.pool.as_truth(*value)?, remark.as_deref()))
             }
             Statement::Heading(_)
-            | Statement::Divide { .. }
+            | Statement::Divide(_)
             | Statement::CallTimer { .. }
             | Statement::Case { .. }
             | Statement::If { .. } => None,

@@ -9,12 +9,8 @@ use super::code::Code;
 use super::numbers::long;
 use super::{AwlNames, Local, local};
 use crate::namer::Namer;
-use grafc_formula::{Formula, Type};
-use grafc_logic::scan::{Preset, Program, TimerId};
-use index_vec::IndexVec;
-
-/// What a timer without a preset never reaches.
-const FOR_EVER_MS: i64 = i32::MAX as i64;
+use grafc_formula::Type;
+use grafc_logic::scan::{Preset, Reads, TimerId};
 
 /// The variables that measure time for all timers.
 pub(super) struct Clock {
@@ -56,28 +52,6 @@ impl Clock {
     }
 }
 
-/// What is read of a timer.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Reads {
-    /// Whether it has run out.
-    ends: bool,
-    /// For how long it has run.
-    measures: bool,
-}
-
-/// What is read of each timer.
-pub(super) fn reads(program: &Program) -> IndexVec<TimerId, Reads> {
-    let mut reads: IndexVec<TimerId, Reads> = program.timers.iter().map(|_| Reads::default()).collect();
-    for id in program.pool.ids() {
-        if let Formula::TimerDone(timer) = program.pool.get(id) {
-            reads[*timer].ends = true;
-        } else if let Formula::TimerElapsed(timer) = program.pool.get(id) {
-            reads[*timer].measures = true;
-        }
-    }
-    reads
-}
-
 /// The variables of one timer.
 pub(super) struct Names {
     /// Whether it has run out.
@@ -97,7 +71,7 @@ pub(super) struct Names {
 impl Names {
     /// The timer's name is that of what is read of it.
     pub fn new(reads: Reads, name: String, namer: &mut Namer) -> Self {
-        let Reads { ends, measures } = reads;
+        let Reads { end: ends, elapsed: measures } = reads;
         let mut further = |end: &str| namer.name(&format!("{name}_{end}"));
         let (run, start) = (further("run"), further("start"));
         let elapsed = if ends && measures { further("time") } else { name.clone() };
@@ -115,7 +89,7 @@ impl Names {
 }
 
 /// Brings a timer up to date; the result of logic operation is its input.
-pub(super) fn call(code: &mut Code, names: &AwlNames, timer: TimerId, preset: Option<Preset>) {
+pub(super) fn call(code: &mut Code, names: &AwlNames, timer: TimerId, preset: Preset) {
     let Some(clock) = names.clock.as_ref().map(|clock| local(&clock.clock)) else { return };
     let timer = &names.timers[timer];
     let (run, start) = (local(&timer.run), local(&timer.start));
@@ -133,13 +107,7 @@ pub(super) fn call(code: &mut Code, names: &AwlNames, timer: TimerId, preset: Op
         code.number("L", &clock);
         code.number("L", &start);
         code.number("-D", "");
-        code.number(
-            "L",
-            &match preset {
-                None => long(FOR_EVER_MS),
-                Some(preset) => preset.constant.map_or_else(|| long(preset.ms), |id| names.variable(id)),
-            },
-        );
+        code.number("L", &preset.constant.map_or_else(|| long(preset.ms), |constant| names.variable(constant)));
         code.comparison(">=D");
         code.bit("O", &done);
         code.bit("A", &run);

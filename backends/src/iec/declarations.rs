@@ -130,10 +130,10 @@ pub(crate) fn interface(program: &Program, names: &Names, more: Vec<Entry>) -> V
     let mut within = entries(|v| v.role == Role::Temporary);
     within.extend(more);
     let mut published = entries(|v| v.role == Role::Output);
-    published.extend(entries(|v| v.role == Role::Internal && is_published(v)));
+    published.extend(entries(|v| v.role == Role::Internal && v.is_published()));
     published.extend(entries(|v| matches!(v.role, Role::Flag(_))));
     let local = vec![
-        ("internal variables", entries(|v| v.role == Role::Internal && !is_published(v))),
+        ("internal variables", entries(|v| v.role == Role::Internal && !v.is_published())),
         ("steps", steps(program, names)),
         ("timers", timers.collect()),
         ("memory from call to call", entries(|v| v.role == Role::Memory)),
@@ -145,15 +145,6 @@ pub(crate) fn interface(program: &Program, names: &Names, more: Vec<Entry>) -> V
         Block::new(Kind::Constant, vec![("", entries(|v| v.role == Role::Constant))]),
         Block::new(Kind::Local, local),
     ]
-}
-
-/// Whether the surrounding program copies a variable out.
-pub(super) fn is_published(variable: &Variable) -> bool {
-    match variable.role {
-        Role::Output | Role::Flag(_) => true,
-        Role::Internal => variable.address.is_some(),
-        Role::Input | Role::Constant | Role::Step | Role::State | Role::Memory | Role::Temporary => false,
-    }
 }
 
 /// The declaration of a variable.

@@ -1,6 +1,6 @@
 //! What stands around the function block: a program that wires it to addresses, a configuration that runs the program.
 
-use super::declarations::{self, Block, Entry, EntryType, entry, is_published, local};
+use super::declarations::{self, Block, Entry, EntryType, entry, local};
 use super::literals::time;
 use super::names::Names;
 use super::{Options, Pou};
@@ -38,11 +38,11 @@ fn program(out: &mut Writer, program: &Program, names: &Names, body: impl FnOnce
 }
 
 fn inputs(program: &Program) -> impl Iterator<Item = (VarId, &Variable)> {
-    program.variables.iter_enumerated().filter(|(_, variable)| variable.role == Role::Input)
+    program.of_role(Role::Input)
 }
 
 fn published(program: &Program) -> impl Iterator<Item = (VarId, &Variable)> {
-    program.variables.iter_enumerated().filter(|(_, variable)| is_published(variable))
+    program.variables.iter_enumerated().filter(|(_, variable)| variable.is_published())
 }
 
 /// The names that the program wires: those of inputs, and of what is published.

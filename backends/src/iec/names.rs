@@ -1,9 +1,10 @@
 //! The names of everything in one file.
 
+use super::literals::time;
 use crate::comment::clean;
 use crate::keywords::Family;
 use crate::namer::Namer;
-use grafc_logic::scan::{Program, Role, TimerId, VarId};
+use grafc_logic::scan::{Preset, Program, Role, TimerId, VarId};
 use index_vec::IndexVec;
 
 /// All names, each unique in the whole file: readers search for them, and some tools mix up scopes.
@@ -48,6 +49,11 @@ impl Names {
 }
 
 impl Names {
+    /// How long a timer with this preset runs.
+    pub fn preset(&self, preset: Preset) -> String {
+        preset.constant.map_or_else(|| time(preset.ms), |constant| self.variables[constant].clone())
+    }
+
     /// The same names, variables and timers with a mark before them.
     pub fn marked(&self, mark: &str) -> Names {
         Names {

@@ -5,15 +5,14 @@
 
 use super::code::{Code, Known};
 use super::expressions::Expressions;
-use crate::iec::literals::{operand, time, zero};
+use crate::iec::literals::{operand, zero};
 use crate::iec::names::Names;
-use crate::limits::is_empty;
 use crate::writer::{self, Writer};
-use grafc_formula::{FormulaId, Type, Value};
-use grafc_logic::scan::{Arm, Flag, Program, Repeat, Role, Statement, TimerId, VarId};
+use grafc_formula::{FormulaId, Value};
+use grafc_logic::scan::{
+    Arm, ByMinusOne, Division, Guard, Limit, Program, Repeat, Statement, TimerId, VarId, is_empty,
+};
 
-/// What a timer without a preset is given: the longest time that all compilers take.
-const FOR_EVER_MS: i64 = i32::MAX as i64;
 /// So many arms of a choice are tried one after the other; of more, a jump passes over half.
 const FEW_ARMS: usize = 8;
 
@@ -28,8 +27,10 @@ pub(super) fn body(program: &Program, names: &mut Names) -> Code {
         None => body.block(&program.micro_step, None),
     }
     body.block(&program.after, None);
-    if body.code.count == 0 {
-        body.nothing();
+    if let Some(variable) = program.idle_variable() {
+        body.code.remark(Some("nothing ever changes"));
+        body.code.operation("LD", &body.names.variables[variable]);
+        body.store("ST", variable);
     }
     body.code
 }
@@ -59,48 +60,35 @@ impl Body<'_, '_> {
         self.names.namer.name(wanted)
     }
 
-    /// A body may not be empty.
-    fn nothing(&mut self) {
-        let writable = self.program.variables.iter_enumerated().find(|(_, v)| v.role != Role::Constant);
-        if let Some((id, _)) = writable {
-            self.code.remark(Some("nothing ever changes"));
-            self.code.operation("LD", &self.names.variables[id]);
-            self.store("ST", id);
-        }
-    }
-
     /// The stability loop; where it has a limit, the flag when it was cut off.
     fn repeat(&mut self, repeat: Repeat) {
         let start = self.new_label("micro_step");
         let again = self.name(repeat.again);
-        let limit = repeat.limit.map(|limit| (self.name(limit.count), limit.bound));
-        if let Some((count, _)) = &limit {
+        let count = repeat.limit.map(|limit| self.name(limit.count));
+        if let Some(count) = &count {
             self.code.operation("LD", "0");
             self.code.instruction("ST", count);
         }
         self.code.out.blank();
         self.code.label(&start);
-        if let Some((count, _)) = &limit {
+        if let Some(count) = &count {
             self.code.operation("LD", count);
             self.code.operation("ADD", "1");
             self.code.instruction("ST", count);
         }
         self.block(&self.program.micro_step, None);
-        let Some((count, bound)) = limit else {
+        let Some(Limit { count, bound, flag }) = repeat.limit else {
             self.code.operation("LD", &again);
             self.code.jump_if(&start);
             return self.code.out.blank();
         };
-        self.code.operation("LD", &count);
+        self.code.operation("LD", &self.name(count));
         self.code.operation("LT", &bound.to_string());
         self.code.operation("AND", &again);
         self.code.jump_if(&start);
-        let flag = self.program.variables.iter_enumerated().find(|(_, v)| v.role == Role::Flag(Flag::Livelock));
-        if let Some((flag, _)) = flag {
-            self.code.operation("LD", &again);
-            self.code.operation("OR", &self.names.variables[flag]);
-            self.store("ST", flag);
-        }
+        self.code.operation("LD", &again);
+        self.code.operation("OR", &self.names.variables[flag]);
+        self.store("ST", flag);
         self.code.out.blank();
     }
 
@@ -115,9 +103,7 @@ impl Body<'_, '_> {
                     self.code.remark(remark.as_deref());
                     self.assign(*target, *value);
                 }
-                Statement::Divide { target, modulo, dividend, divisor, flag } => {
-                    self.divide(*target, *modulo, *dividend, *divisor, *flag);
-                }
+                Statement::Divide(division) => self.divide(division),
                 Statement::CallTimer { timer, input } => self.call_timer(*timer, *input),
                 Statement::Case { of, arms } => self.case(*of, arms, after),
                 Statement::If { branches, otherwise } => self.branch(branches, otherwise, after),
@@ -148,12 +134,12 @@ impl Body<'_, '_> {
         }
     }
 
-    /// Division guarded against 0, and against the one quotient that a type cannot hold: its least value by -1.
-    fn divide(&mut self, target: VarId, modulo: bool, a: FormulaId, b: FormulaId, flag: VarId) {
-        let pool = &self.program.pool;
-        let (ty, result) = (pool.ty(b), self.program.variables[target].ty);
-        if pool.as_constant(b).is_some() {
-            // Other constants divide without a guard, inside a formula.
+    /// A division under the guards that it needs.
+    fn divide(&mut self, division: &Division) {
+        let Division { target, modulo, dividend: a, divisor: b, flag } = *division;
+        let (ty, result) = (self.program.pool.ty(b), self.program.variables[target].ty);
+        let guard = self.program.guard(division);
+        if guard == Guard::Never {
             self.code.operation("LD", &zero(result));
             self.store("ST", target);
             self.code.operation("LD", "TRUE");
@@ -167,18 +153,16 @@ impl Body<'_, '_> {
         self.code.operation("LD", &zero(result));
         self.code.instruction("JMP", &store);
         self.code.label(&divide);
-        let least = Value::Int(i64::from(i32::MIN));
-        let constant = pool.as_constant(a);
-        if result == Type::Dint && ty == Type::Dint && constant.is_none_or(|a| a == least) {
+        if let Some(quotient) = guard.by_minus_one() {
             let divide = self.new_label("divide");
             self.load(b);
             self.code.operation("EQ", &operand(Value::Int(-1), ty));
             self.code.jump_unless(&divide);
-            match (modulo, constant) {
-                (true, _) => self.code.operation("LD", "0"),
-                // It is what overflows. MATIEC computes with constants and refuses the difference.
-                (false, Some(_)) => self.load(a),
-                (false, None) => {
+            match quotient {
+                ByMinusOne::Zero => self.code.operation("LD", "0"),
+                // MATIEC computes with constants, and refuses the difference.
+                ByMinusOne::Dividend => self.load(a),
+                ByMinusOne::Negative => {
                     self.code.operation("LD", "0");
                     self.expressions.apply(&mut self.code, self.names, "SUB", a);
                 }
@@ -195,10 +179,7 @@ impl Body<'_, '_> {
     /// A timer's inputs are stored one by one.
     fn call_timer(&mut self, timer: TimerId, input: FormulaId) {
         let name = self.names.timers[timer].clone();
-        let preset = match self.program.timers[timer].preset {
-            None => time(FOR_EVER_MS),
-            Some(preset) => preset.constant.map_or_else(|| time(preset.ms), |id| self.name(id)),
-        };
+        let preset = self.names.preset(self.program.timers[timer].given_preset());
         self.load(input);
         self.code.instruction("ST", &format!("{name}.IN"));
         self.code.operation("LD", &preset);

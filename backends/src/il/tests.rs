@@ -4,7 +4,7 @@ use super::{Options, emit, instructions};
 use crate::st::tests::{Build, assign, body, case, four_steps, heading, noted, when};
 use expect_test::expect;
 use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
-use grafc_logic::scan::{Flag, Preset, Program, Repeat, Role, Statement, VarId};
+use grafc_logic::scan::{Division, Flag, Preset, Program, Repeat, Role, Statement, VarId};
 
 /// The body of the function block as one line: `LD a, ST y`. Its instructions are as many as are counted.
 fn list(program: &Program) -> String {
@@ -248,7 +248,7 @@ fn a_division_is_guarded() {
     let divide = |ty: Type, modulo: bool| {
         body(&[("n", ty), ("k", ty)], ty, |b, i, target| {
             let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
-            vec![Statement::Divide { target, modulo, dividend: i[0], divisor: i[1], flag }]
+            vec![Statement::Divide(Division { target, modulo, dividend: i[0], divisor: i[1], flag })]
         })
     };
     assert_eq!(
@@ -272,7 +272,7 @@ fn a_division_is_guarded() {
         let program = body(&[("k", Type::Dint)], Type::Dint, |b, i, target| {
             let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
             let dividend = b.pool().constant(Value::Int(value), Type::Dint);
-            vec![Statement::Divide { target, modulo, dividend, divisor: i[0], flag }]
+            vec![Statement::Divide(Division { target, modulo, dividend, divisor: i[0], flag })]
         });
         list(&program)
     };
@@ -282,7 +282,7 @@ fn a_division_is_guarded() {
     let by_nothing = body(&[("n", Type::Int)], Type::Int, |b, i, target| {
         let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
         let divisor = b.pool().constant(Value::Int(0), Type::Int);
-        vec![Statement::Divide { target, modulo: false, dividend: i[0], divisor, flag }]
+        vec![Statement::Divide(Division { target, modulo: false, dividend: i[0], divisor, flag })]
     });
     assert_eq!(list(&by_nothing), "LD 0, ST y, LD TRUE, ST DIV0");
 }

@@ -5,11 +5,11 @@ use super::literals::{literal, type_name, zero};
 use super::names::{Names, remark};
 use crate::writer::Writer;
 use grafc_formula::Type;
-use grafc_logic::scan::{Program, Role, VarId, Variable};
+use grafc_logic::scan::{Program, Role, Variable};
 
 /// Writes the constants of the chart.
 pub(super) fn constants(out: &mut Writer, program: &Program, names: &Names) {
-    for (id, variable) in of(program, Role::Constant) {
+    for (id, variable) in program.of_role(Role::Constant) {
         out.blank();
         document(out, &names.variables[id], variable);
         let value = literal(variable.initial, variable.ty);
@@ -21,11 +21,11 @@ pub(super) fn constants(out: &mut Writer, program: &Program, names: &Names) {
 pub(super) fn structs(out: &mut Writer, program: &Program, names: &Names) {
     let derived = |default: bool, role| {
         let default = if default { ", Default" } else { "" };
-        let equal = if of(program, role).count() <= MOST_COMPARED { ", PartialEq" } else { "" };
+        let equal = if program.of_role(role).count() <= MOST_COMPARED { ", PartialEq" } else { "" };
         format!("#[derive(Clone, Copy, Debug{default}{equal})]")
     };
     // Inputs may have values of their own before they are first read.
-    let plain = of(program, Role::Input).all(|(_, v)| literal(v.initial, v.ty) == zero(v.ty));
+    let plain = program.of_role(Role::Input).all(|(_, v)| literal(v.initial, v.ty) == zero(v.ty));
     let of_inputs = derived(plain, Role::Input);
     structure(out, program, names, Role::Input, "Inputs", "What is read from the plant for a scan.", &of_inputs);
     if !plain {
@@ -53,28 +53,23 @@ pub(super) fn structs(out: &mut Writer, program: &Program, names: &Names) {
 
 /// Whether the chart has internal variables that keep a value.
 pub(super) fn has_variables(program: &Program) -> bool {
-    of(program, Role::Internal).next().is_some()
-}
-
-/// The variables of a role.
-pub(super) fn of(program: &Program, role: Role) -> impl Iterator<Item = (VarId, &Variable)> {
-    program.variables.iter_enumerated().filter(move |(_, variable)| variable.role == role)
+    program.of_role(Role::Internal).next().is_some()
 }
 
 /// Each variable of a role with its value before the first scan.
 pub(super) fn values(program: &Program, names: &Names, role: Role) -> Vec<(String, String)> {
-    of(program, role).map(|(id, v)| (names.variables[id].clone(), literal(v.initial, v.ty))).collect()
+    program.of_role(role).map(|(id, v)| (names.variables[id].clone(), literal(v.initial, v.ty))).collect()
 }
 
 fn structure(out: &mut Writer, program: &Program, names: &Names, role: Role, name: &str, about: &str, derived: &str) {
     out.blank();
     out.line(&format!("/// {about}"));
     out.line(derived);
-    if of(program, role).next().is_none() {
+    if program.of_role(role).next().is_none() {
         return out.line(&format!("pub struct {name} {{}}"));
     }
     out.open(&format!("pub struct {name} {{"));
-    for (id, variable) in of(program, role) {
+    for (id, variable) in program.of_role(role) {
         document(out, &names.variables[id], variable);
         out.line(&format!("pub {}: {},", names.variables[id], type_name(variable.ty)));
     }

@@ -7,7 +7,7 @@
 
 use super::code::Code;
 use grafc_formula::{Formula, FormulaId};
-use grafc_logic::scan::{Program, Role, Statement, VarId};
+use grafc_logic::scan::{Division, Program, Role, Statement, VarId};
 use rustc_hash::FxHashMap;
 
 /// The block of the whole function.
@@ -132,7 +132,7 @@ impl Finder<'_> {
                 self.formula(block, place, *value);
                 self.uses(block, place, *target, true);
             }
-            Statement::Divide { target, dividend, divisor, .. } => {
+            Statement::Divide(Division { target, dividend, divisor, .. }) => {
                 self.formula(block, place, *dividend);
                 self.formula(block, place, *divisor);
                 self.uses(block, place, *target, true);

@@ -4,7 +4,6 @@ use crate::comment::clean;
 use crate::keywords::Family;
 use crate::namer::{MAX_LENGTH, Namer};
 use crate::transliterate::identifier;
-use grafc_formula::{Formula, Value};
 use grafc_logic::scan::{Program, Role, StepId, TimerId, VarId};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
@@ -86,25 +85,6 @@ impl Names {
 /// A name for a module.
 pub(super) fn module(wanted: &str) -> String {
     Namer::new(Family::RustValues).name(&snake(wanted))
-}
-
-/// Whether a step is held by a variable of its own.
-pub(super) fn bit_of(program: &Program, step: StepId) -> Option<VarId> {
-    match program.pool.get(program.steps[step].active) {
-        Formula::Variable(v) => Some(*v),
-        _ => None,
-    }
-}
-
-/// The state and the value that hold a step, if it has no variable of its own.
-pub(super) fn state_of(program: &Program, step: StepId) -> Option<(VarId, i64)> {
-    match program.pool.get(program.steps[step].active) {
-        Formula::Compare(_, a, b) => match (program.pool.get(*a), program.pool.get(*b)) {
-            (Formula::Variable(v), Formula::Constant(Value::Int(n))) => Some((*v, *n)),
-            _ => None,
-        },
-        _ => None,
-    }
 }
 
 /// What stands beside a declaration: the chart's name if it had to be changed, and the attached comment.

@@ -60,7 +60,7 @@ pub(super) struct Parts<'p> {
 impl<'p> Parts<'p> {
     /// Parts the program if it is large.
     pub fn new(program: &'p Program, places: &Places, longest: usize) -> Self {
-        let sections = [&program.first, &program.before, &program.micro_step, &program.after];
+        let sections = program.sections();
         let weights = Weights { sizes: limits::sizes(program) };
         let large = sections.iter().map(|section| weights.all(section)).sum::<usize>() > longest.saturating_mul(LARGE);
         let functions = vec![Function::default()];
@@ -148,7 +148,7 @@ impl Weights {
         match statement {
             Statement::Heading(_) => 0,
             Statement::Assign { value, .. } => 1 + self.formula(*value),
-            Statement::Divide { .. } => 1,
+            Statement::Divide(_) => 1,
             Statement::CallTimer { input, .. } => 1 + self.formula(*input),
             Statement::Case { arms, .. } => 1 + arms.iter().map(|arm| self.all(&arm.body)).sum::<usize>(),
             Statement::If { branches, otherwise } => {
@@ -199,7 +199,7 @@ impl<'p> Splitter<'p, '_> {
                 Statement::Case { of, arms } if weight > self.longest => out.push(self.case(*of, arms)),
                 Statement::Heading(_)
                 | Statement::Assign { .. }
-                | Statement::Divide { .. }
+                | Statement::Divide(_)
                 | Statement::CallTimer { .. }
                 | Statement::If { .. }
                 | Statement::Case { .. } => {

@@ -3,7 +3,7 @@
 use super::literals::literal;
 use super::names::{Names, StateNames};
 use grafc_formula::{Formula, FormulaId, Type, Value};
-use grafc_logic::scan::{Flag, Program, Role, StepId, TimerId, VarId};
+use grafc_logic::scan::{Flag, Held, Program, Role, StepId, TimerId, VarId};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
@@ -22,15 +22,14 @@ pub(super) struct Places<'p> {
 impl<'p> Places<'p> {
     /// Finds all places. Steps are packed where each has a bit; beside states, the few bits that are left stand alone.
     pub fn new(program: &'p Program, names: &'p Names) -> Self {
-        let mut state = FxHashMap::default();
-        for (index, held) in program.states.iter().enumerate() {
-            state.extend([held.variable].into_iter().chain(held.copies.clone()).map(|v| (v, index)));
-        }
         let mut packed = FxHashMap::default();
         if program.states.is_empty() {
-            packed.extend(program.steps.indices().filter_map(|s| Some((super::names::bit_of(program, s)?, s))));
+            packed.extend(program.steps.iter_enumerated().filter_map(|(s, step)| match step.held {
+                Held::Bit(v) => Some((v, s)),
+                Held::State(..) => None,
+            }));
         }
-        let mut places = Places { program, names, read: IndexVec::new(), state, packed };
+        let mut places = Places { program, names, read: IndexVec::new(), state: program.state_of(), packed };
         for id in program.variables.indices() {
             let text = places.spell(id);
             places.read.push(text);
@@ -94,14 +93,12 @@ impl<'p> Places<'p> {
         format!("self.{}", self.names.timers[timer])
     }
 
-    /// How long a timer runs; that of a timer without a preset is never asked.
+    /// How long a timer runs.
     pub fn preset(&self, timer: TimerId) -> String {
-        match self.program.timers[timer].preset {
-            Some(preset) => match preset.constant {
-                Some(constant) => self.read[constant].clone(),
-                None => literal(Value::Time(preset.ms), Type::Time),
-            },
-            None => "i64::MAX".to_owned(),
+        let preset = self.program.timers[timer].given_preset();
+        match preset.constant {
+            Some(constant) => self.read[constant].clone(),
+            None => literal(Value::Time(preset.ms), Type::Time),
         }
     }
 

@@ -4,7 +4,7 @@
 use super::Runtime;
 use super::names::Names;
 use crate::writer::Writer;
-use grafc_logic::scan::{Program, Statement};
+use grafc_logic::scan::Program;
 use grafc_runtime::source;
 
 /// What a chart needs beside its flags and the saving of its memory.
@@ -18,25 +18,8 @@ pub(super) struct Needs {
 impl Needs {
     /// What a program needs.
     pub fn of(program: &Program) -> Self {
-        let mut needs = Needs { timers: !program.timers.is_empty(), division: false, remainder: false };
-        let mut open: Vec<&Statement> = Vec::new();
-        for section in [&program.first, &program.before, &program.micro_step, &program.after] {
-            open.extend(section);
-        }
-        while let Some(statement) = open.pop() {
-            match statement {
-                Statement::Heading(_) | Statement::Assign { .. } | Statement::CallTimer { .. } => {}
-                Statement::Divide { modulo, .. } => {
-                    needs.division |= !modulo;
-                    needs.remainder |= modulo;
-                }
-                Statement::Case { of: _, arms } => open.extend(arms.iter().flat_map(|arm| &arm.body)),
-                Statement::If { branches, otherwise } => {
-                    open.extend(branches.iter().flat_map(|(_, body)| body).chain(otherwise));
-                }
-            }
-        }
-        needs
+        let divided = program.divided();
+        Needs { timers: !program.timers.is_empty(), division: divided.quotient, remainder: divided.remainder }
     }
 }
 

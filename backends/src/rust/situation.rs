@@ -1,14 +1,13 @@
 //! The situation: which steps are active.
 
-use super::interface::of;
 use super::items::function;
 use super::memory::{WORD, words};
-use super::names::{Names, bit_of, state_of};
+use super::names::Names;
 use super::places::Places;
 use super::steps;
 use crate::comment::clean;
 use crate::writer::Writer;
-use grafc_logic::scan::{Program, Role, StepId, VarId};
+use grafc_logic::scan::{Held, Program, StepId};
 use std::cmp::Ordering;
 
 /// Writes what asks for active steps, and what sets bits of the packed situation.
@@ -39,7 +38,7 @@ impl Situation<'_> {
         }
         out.line("/// Whether a step is active; none is before the first scan.");
         out.open("pub fn is_active(&self, step: Step) -> bool {");
-        if let Some(started) = self.started() {
+        if let Some(started) = self.program.started {
             out.open(&format!("if !{} {{", self.places.read(started)));
             out.line("return false;");
             out.close("}");
@@ -49,13 +48,13 @@ impl Situation<'_> {
         } else {
             out.open("match step {");
             for s in self.program.steps.indices() {
-                let value = match self.told(s) {
-                    Some(Told::Bit(bit)) => self.places.read(bit).to_owned(),
-                    Some(Told::State(state, value)) => {
+                let value = match self.program.steps[s].held {
+                    Held::Bit(bit) => self.places.read(bit).to_owned(),
+                    Held::State(state, value) => {
+                        let state = self.program.states[state].variable;
                         let variant = self.places.variant(state, value).unwrap_or_default();
                         format!("{} == {variant}", self.places.read(state))
                     }
-                    None => "false".to_owned(),
                 };
                 steps::arm(out, &format!("Step::{}", self.names.steps[s]), &value);
             }
@@ -68,40 +67,39 @@ impl Situation<'_> {
     /// The same of many steps. A set that excludes each other has them in the order of the chart mostly, and then an arm
     /// serves a run of them: rustc takes minutes for a `match` of a hundred thousand variants.
     fn runs_of_steps(&self, out: &mut Writer) {
-        // The first step of a run and the last, and what tells that the first is active.
-        let mut runs: Vec<(usize, usize, Told)> = Vec::new();
-        for (number, s) in self.program.steps.indices().enumerate() {
-            let Some(told) = self.told(s) else { continue };
-            match (runs.last_mut(), told) {
-                (Some((first, last, Told::State(of, at))), Told::State(state, value))
+        // The first step of a run and the last, and what holds the first.
+        let mut runs: Vec<(usize, usize, Held)> = Vec::new();
+        for (number, step) in self.program.steps.iter().enumerate() {
+            match (runs.last_mut(), step.held) {
+                (Some((first, last, Held::State(of, at))), Held::State(state, value))
                     if state == *of
                         && number == *last + 1
                         && self.place(state, value) == self.place(state, *at) + (number - *first) =>
                 {
                     *last = number;
                 }
-                _ => runs.push((number, number, told)),
+                _ => runs.push((number, number, step.held)),
             }
         }
         let label = |number: usize| clean(&self.program.steps[StepId::from(number)].label);
         out.open("match step as usize {");
-        for (first, last, told) in runs {
+        for (first, last, held) in runs {
             let one = first == last;
             out.comment(&if one {
                 format!("step {}", label(first))
             } else {
                 format!("steps {} to {}", label(first), label(last))
             });
-            let value = match told {
-                Told::Bit(bit) => self.places.read(bit).to_owned(),
-                Told::State(state, value) => {
+            let value = match held {
+                Held::Bit(bit) => self.places.read(bit).to_owned(),
+                Held::State(state, value) => {
                     let place = self.place(state, value);
                     let number = match place.cmp(&first) {
                         Ordering::Equal => "step as usize".to_owned(),
                         Ordering::Less => format!("step as usize - {}", first - place),
                         Ordering::Greater => format!("step as usize + {}", place - first),
                     };
-                    format!("{} as usize == {number}", self.places.read(state))
+                    format!("{} as usize == {number}", self.places.read(self.program.states[state].variable))
                 }
             };
             steps::arm(out, &if one { first.to_string() } else { format!("{first}..={last}") }, &value);
@@ -110,20 +108,9 @@ impl Situation<'_> {
         out.close("}");
     }
 
-    /// What tells whether a step is active; nothing where it never is.
-    fn told(&self, step: StepId) -> Option<Told> {
-        let state = || state_of(self.program, step).map(|(state, value)| Told::State(state, value));
-        bit_of(self.program, step).map(Told::Bit).or_else(state)
-    }
-
     /// At which place of the variants of a state a value is.
-    fn place(&self, state: VarId, value: i64) -> usize {
-        self.places.state(state).map_or(0, |names| names.place(value))
-    }
-
-    /// The mark of the first scan.
-    fn started(&self) -> Option<VarId> {
-        of(self.program, Role::Memory).find(|(id, _)| self.program.variables[*id].name == "started").map(|(id, _)| id)
+    fn place(&self, state: usize, value: i64) -> usize {
+        self.names.states[state].place(value)
     }
 
     fn set(&self, out: &mut Writer) {
@@ -142,13 +129,4 @@ impl Situation<'_> {
         out.close("}");
         out.blank();
     }
-}
-
-/// What tells whether a step is active.
-#[derive(Clone, Copy)]
-enum Told {
-    /// A bit of its own.
-    Bit(VarId),
-    /// A state with this value.
-    State(VarId, i64),
 }

@@ -3,7 +3,7 @@
 use super::code::{Code, Needs};
 use super::places::Places;
 use grafc_formula::{Formula, FormulaId};
-use grafc_logic::scan::{Program, Role, Statement, VarId};
+use grafc_logic::scan::{Division, Program, Role, Statement, VarId};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// What a function uses itself.
@@ -70,7 +70,7 @@ impl<'p> Uses<'p> {
                 self.variable(*target);
                 self.formula(*value);
             }
-            Statement::Divide { target, dividend, divisor, .. } => {
+            Statement::Divide(Division { target, dividend, divisor, .. }) => {
                 self.variable(*target);
                 self.formula(*dividend);
                 self.formula(*divisor);

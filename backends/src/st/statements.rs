@@ -2,15 +2,11 @@
 
 use super::expressions::Expressions;
 use crate::comment::clean;
-use crate::iec::literals::{literal, time, zero};
+use crate::iec::literals::{literal, zero};
 use crate::iec::names::Names;
-use crate::limits::is_empty;
 use crate::writer::Writer;
-use grafc_formula::{Formula, FormulaId, Type, Value};
-use grafc_logic::scan::{Arm, Flag, Program, Repeat, Role, Statement, TimerId, VarId};
-
-/// What a timer without a preset is given: the longest time that all compilers take.
-const FOR_EVER_MS: i64 = i32::MAX as i64;
+use grafc_formula::{Formula, FormulaId, Value};
+use grafc_logic::scan::{Arm, ByMinusOne, Division, Guard, Program, Repeat, Statement, TimerId, VarId, is_empty};
 
 /// Writes the statements of one call.
 pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, expressions: &Expressions) {
@@ -23,9 +19,9 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, expressi
         None => body.block(out, &program.micro_step),
     }
     body.block(out, &program.after);
-    let all = [&program.first, &program.before, &program.micro_step, &program.after];
-    if program.repeat.is_none() && all.iter().all(|block| is_empty(block)) {
-        body.nothing(out);
+    if let Some(variable) = program.idle_variable() {
+        out.comment("nothing ever changes");
+        out.line(&format!("{0} := {0};", body.name(variable)));
     }
 }
 
@@ -47,15 +43,6 @@ impl Body<'_> {
         &self.names.variables[id]
     }
 
-    /// A body may not be empty.
-    fn nothing(&self, out: &mut Writer) {
-        let writable = self.program.variables.iter_enumerated().find(|(_, v)| v.role != Role::Constant);
-        if let Some((id, _)) = writable {
-            out.comment("nothing ever changes");
-            out.line(&format!("{0} := {0};", self.name(id)));
-        }
-    }
-
     /// The stability loop; where it has a limit, the flag when it was cut off.
     fn repeat(&self, out: &mut Writer, repeat: Repeat) {
         let again = self.name(repeat.again);
@@ -75,10 +62,9 @@ impl Body<'_> {
             None => format!("UNTIL NOT {again}"),
         });
         out.line("END_REPEAT;");
-        let flag = self.program.variables.iter_enumerated().find(|(_, v)| v.role == Role::Flag(Flag::Livelock));
-        if let Some((flag, _)) = flag.filter(|_| limit.is_some()) {
+        if let Some(limit) = repeat.limit {
             out.open(&format!("IF {again} THEN"));
-            out.line(&format!("{} := TRUE;", self.name(flag)));
+            out.line(&format!("{} := TRUE;", self.name(limit.flag)));
             out.close("END_IF;");
         }
         out.blank();
@@ -99,9 +85,7 @@ impl Body<'_> {
                     }
                     self.assign(out, *target, *value, remark.as_deref(), column);
                 }
-                Statement::Divide { target, modulo, dividend, divisor, flag } => {
-                    self.divide(out, *target, *modulo, *dividend, *divisor, *flag);
-                }
+                Statement::Divide(division) => self.divide(out, division),
                 Statement::CallTimer { timer, input } => self.call_timer(out, *timer, *input),
                 Statement::Case { of, arms } => self.case(out, *of, arms),
                 Statement::If { branches, otherwise } => self.branch(out, branches, otherwise),
@@ -153,51 +137,39 @@ impl Body<'_> {
         out.end();
     }
 
-    /// Division guarded against 0, and against the one quotient that a type cannot hold: its least value by -1.
-    fn divide(&self, out: &mut Writer, target: VarId, modulo: bool, a: FormulaId, b: FormulaId, flag: VarId) {
-        let ty = self.program.pool.ty(b);
-        let result = self.program.variables[target].ty;
-        let least = Value::Int(i64::from(i32::MIN));
-        let constant = self.program.pool.as_constant(a);
-        let overflows = result == Type::Dint && ty == Type::Dint && constant.is_none_or(|a| a == least);
-        let quotient = |out: &mut Writer| {
-            self.calculate(out, target, |out| {
-                self.operand(out, a);
-                out.text(if modulo { " MOD " } else { " / " });
-                self.operand(out, b);
-            });
-        };
-        let by_zero = |out: &mut Writer| {
-            self.calculate(out, target, |out| out.text(&zero(result)));
-            self.calculate(out, flag, |out| out.text("TRUE"));
-        };
-        let by_minus_one = |out: &mut Writer| {
-            self.calculate(out, target, |out| {
-                match (modulo, constant) {
-                    (true, _) => out.text("0"),
-                    // It is what overflows. MATIEC computes with constants and refuses the difference.
-                    (false, Some(_)) => self.operand(out, a),
-                    (false, None) => {
-                        out.text("0 - ");
-                        self.operand(out, a);
-                    }
-                }
-            });
-        };
-        if self.program.pool.as_constant(b).is_some() {
-            // Other constants divide without a guard, inside a formula.
-            return by_zero(out);
+    /// A division under the guards that it needs.
+    fn divide(&self, out: &mut Writer, division: &Division) {
+        let Division { target, modulo, dividend: a, divisor: b, flag } = *division;
+        let (ty, result) = (self.program.pool.ty(b), self.program.variables[target].ty);
+        let guard = self.program.guard(division);
+        if guard != Guard::Never {
+            self.compare(out, "IF", b, &zero(ty));
         }
-        self.compare(out, "IF", b, &zero(ty));
-        by_zero(out);
-        if overflows {
+        self.calculate(out, target, |out| out.text(&zero(result)));
+        self.calculate(out, flag, |out| out.text("TRUE"));
+        if guard == Guard::Never {
+            return;
+        }
+        if let Some(quotient) = guard.by_minus_one() {
             out.leave();
             self.compare(out, "ELSIF", b, &literal(Value::Int(-1), ty));
-            by_minus_one(out);
+            self.calculate(out, target, |out| match quotient {
+                ByMinusOne::Zero => out.text("0"),
+                // MATIEC computes with constants, and refuses the difference.
+                ByMinusOne::Dividend => self.operand(out, a),
+                ByMinusOne::Negative => {
+                    out.text("0 - ");
+                    self.operand(out, a);
+                }
+            });
         }
         out.leave();
         out.open("ELSE");
-        quotient(out);
+        self.calculate(out, target, |out| {
+            self.operand(out, a);
+            out.text(if modulo { " MOD " } else { " / " });
+            self.operand(out, b);
+        });
         out.close("END_IF;");
     }
 
@@ -235,10 +207,7 @@ impl Body<'_> {
 
     fn call_timer(&self, out: &mut Writer, timer: TimerId, input: FormulaId) {
         let name = &self.names.timers[timer];
-        let preset = match self.program.timers[timer].preset {
-            None => time(FOR_EVER_MS),
-            Some(preset) => preset.constant.map_or_else(|| time(preset.ms), |id| self.name(id).to_owned()),
-        };
+        let preset = self.names.preset(self.program.timers[timer].given_preset());
         let length = out.indent() + name.len() + "(IN := , PT := );".len() + preset.len();
         if length.saturating_add(self.expressions.value_width(input)) <= out.width() {
             out.start();

@@ -67,8 +67,7 @@ pub fn compile(net: &Net, options: &Options) -> (Option<Program>, Diagnostics) {
         let limit = (!ends).then(|| {
             let wide_enough = if bound <= i16::MAX as u32 { Type::Int } else { Type::Dint };
             let count = lowering.symbols.fresh(Role::Temporary, "micro_steps", wide_enough, None);
-            lowering.symbols.flag(Flag::Livelock);
-            Limit { count, bound }
+            Limit { count, bound, flag: lowering.symbols.flag(Flag::Livelock) }
         });
         Repeat { again, limit }
     });
@@ -94,7 +93,7 @@ pub fn compile(net: &Net, options: &Options) -> (Option<Program>, Diagnostics) {
         micro_step.extend(input_event.over(&mut lowering));
     }
 
-    let first = first_call(&mut lowering, options.profile, followers.as_ref(), &input_event);
+    let (first, started) = first_call(&mut lowering, options.profile, followers.as_ref(), &input_event);
     let mut before = lowering.call_step_timers();
     before.extend(input_event.found(&mut lowering));
 
@@ -107,6 +106,7 @@ pub fn compile(net: &Net, options: &Options) -> (Option<Program>, Diagnostics) {
         timers: lowering.timers,
         pool: lowering.pool,
         first,
+        started,
         before,
         micro_step,
         repeat,

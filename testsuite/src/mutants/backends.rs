@@ -13,6 +13,7 @@ const RUST_STATEMENTS: &str = "backends/src/rust/scan/statements.rs";
 const RUST_EXPRESSIONS: &str = "backends/src/rust/expressions.rs";
 const RUST_PARTS: &str = "backends/src/rust/parts.rs";
 const RUST_USES: &str = "backends/src/rust/uses.rs";
+const SCAN_VARIABLES: &str = "compiler/logic/src/scan/variable.rs";
 
 pub(super) const FAULTS: &[Fault] = &[
     Fault {
@@ -59,10 +60,10 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "st-durations-stop",
-        file: ST_STATEMENTS,
+        file: SCAN_VARIABLES,
         breaks: "the duration of a step stops after a second (X5)",
-        text: "time(FOR_EVER_MS)",
-        instead: "time(1000)",
+        text: "i32::MAX as i64",
+        instead: "1000",
     },
     Fault {
         name: "st-otherwise-lost",
@@ -89,7 +90,7 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "rust-no-livelock-flag",
         file: RUST_SCAN,
         breaks: "a reaction that is cut off raises no LIVELOCK (R9)",
-        text: "out.line(&format!(\"{} = true;\", self.places.read(flag)));",
+        text: "out.line(&format!(\"{} = true;\", self.places.read(limit.flag)));",
         instead: "",
     },
     Fault {
@@ -110,7 +111,7 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "rust-otherwise-lost",
         file: RUST_STATEMENTS,
         breaks: "what is done if no branch applies is not written",
-        text: "crate::limits::is_empty(otherwise)",
+        text: "is_empty(otherwise)",
         instead: "true",
     },
     Fault {

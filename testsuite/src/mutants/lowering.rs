@@ -89,8 +89,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "no-livelock-flag",
         file: COMPILE,
         breaks: "a reaction that is cut off raises no LIVELOCK (R9)",
-        text: "lowering.symbols.flag(Flag::Livelock);",
-        instead: "",
+        text: "lowering.symbols.flag(Flag::Livelock)",
+        instead: "lowering.symbols.flag(Flag::Div0)",
     },
     Fault {
         name: "input-event-lasts",

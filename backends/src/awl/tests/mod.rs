@@ -100,14 +100,14 @@ fn the_loop_has_a_bound() {
         let mut b = Build::new("Loop");
         let (again, count) = (b.bit(Role::Temporary, "again"), b.var(Role::Temporary, "micro_steps", ty));
         let go = b.bit(Role::Input, "go");
-        b.bit(Role::Flag(Flag::Livelock), "LIVELOCK");
+        let flag = b.bit(Role::Flag(Flag::Livelock), "LIVELOCK");
         let go = b.read(go);
         b.program.micro_step = vec![noted(again, go, "on and on")];
-        b.program.repeat = Some(Repeat { again, limit: Some(Limit { count, bound }) });
+        b.program.repeat = Some(Repeat { again, limit: Some(Limit { count, bound, flag }) });
         list(&b.program)
     };
     assert_eq!(
-        counted(Type::Udint, 4_000_000_000),
+        counted(Type::Dint, 2_147_483_647),
         "L 0, T #micro_steps, M002: L #micro_steps, L L#1, +D, T #micro_steps, A #go, = #again, \
          L #micro_steps, L L#2147483647, <D, A #again, JC M002, A #again, S #LIVELOCK"
     );

@@ -13,9 +13,8 @@
 use super::circuit::{Factor, Ladder};
 use super::rung::{Coil, Contact, End, Storage};
 use crate::iec::literals::literal;
-use crate::limits::is_empty;
 use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Value};
-use grafc_logic::scan::{Arm, Program, Statement, VarId};
+use grafc_logic::scan::{Arm, Program, Statement, VarId, is_empty};
 use rustc_hash::FxHashSet;
 
 /// So many contacts of branches that were not taken stand in a row.
@@ -116,10 +115,9 @@ impl Ladder<'_> {
                     }
                 }
                 Statement::Heading(_) => {}
-                Statement::Divide { .. }
-                | Statement::CallTimer { .. }
-                | Statement::Case { .. }
-                | Statement::If { .. } => return None,
+                Statement::Divide(_) | Statement::CallTimer { .. } | Statement::Case { .. } | Statement::If { .. } => {
+                    return None;
+                }
             }
         }
         coils.extend(last);
@@ -137,7 +135,7 @@ impl Ladder<'_> {
 /// The timers that are called under conditions.
 pub(super) fn enabled(program: &Program) -> FxHashSet<TimerId> {
     let mut written = Written::default();
-    for statement in [&program.first, &program.before, &program.micro_step, &program.after].into_iter().flatten() {
+    for statement in program.sections().into_iter().flatten() {
         if !matches!(statement, Statement::CallTimer { .. }) {
             written.add(std::slice::from_ref(statement));
         }
@@ -163,7 +161,7 @@ impl Written {
                 Statement::Assign { target, .. } => {
                     self.variables.insert(*target);
                 }
-                Statement::Divide { target, flag, .. } => self.variables.extend([*target, *flag]),
+                Statement::Divide(division) => self.variables.extend([division.target, division.flag]),
                 Statement::Case { of: _, arms } => arms.iter().for_each(|arm| self.add(&arm.body)),
                 Statement::If { branches, otherwise } => {
                     branches.iter().for_each(|(_, body)| self.add(body));

@@ -12,7 +12,7 @@ use super::circuit::{Factor, Ladder};
 use super::rung::{Block, Contact, End, Sink, Storage};
 use crate::iec::literals::{literal, operand, zero};
 use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
-use grafc_logic::scan::VarId;
+use grafc_logic::scan::{ByMinusOne, Division, Guard, VarId};
 
 impl Ladder<'_> {
     /// Stores what a formula of numbers gives, behind some contacts. An operator is a function, and its operands texts:
@@ -72,22 +72,15 @@ impl Ladder<'_> {
         self.rung(items, End::Block(Block { kind, instance: None, power: "EN", inputs, outputs }));
     }
 
-    /// Division guarded against 0, and against the one quotient that a type cannot hold: its least value by -1.
-    pub fn divide(
-        &mut self,
-        target: VarId,
-        modulo: bool,
-        [a, b]: [FormulaId; 2],
-        flag: VarId,
-        guard: Option<&Contact>,
-    ) {
-        let pool = &self.program.pool;
-        let (ty, result) = (pool.ty(b), self.program.variables[target].ty);
+    /// A division under the guards that it needs.
+    pub fn divide(&mut self, division: &Division, guard: Option<&Contact>) {
+        let Division { target, modulo, dividend: a, divisor: b, flag } = *division;
+        let (ty, result) = (self.program.pool.ty(b), self.program.variables[target].ty);
+        let needed = self.program.guard(division);
         let behind =
             |more: &[&Contact]| -> Vec<Contact> { guard.into_iter().chain(more.iter().copied()).cloned().collect() };
         let [dividend, divisor] = [a, b].map(|id| self.text(id));
-        if pool.as_constant(b).is_some() {
-            // Other constants divide without a guard, inside a formula.
+        if needed == Guard::Never {
             self.move_to(target, zero(result), behind(&[]));
             let items = self.items(behind(&[]).into_iter().map(Factor::Contact).collect());
             return self.coil(items, &self.name(flag), Storage::Set);
@@ -95,21 +88,20 @@ impl Ladder<'_> {
         let by_zero = self.comparison(Comparison::Equal, [divisor.clone(), zero(ty)]);
         let items = self.items(behind(&[&by_zero]).into_iter().map(Factor::Contact).collect());
         self.coil(items, &self.name(flag), Storage::Set);
-        let least = Value::Int(i64::from(i32::MIN));
-        let constant = pool.as_constant(a);
-        let overflows = result == Type::Dint && ty == Type::Dint && constant.is_none_or(|a| a == least);
-        let by_minus_one =
-            overflows.then(|| self.comparison(Comparison::Equal, [divisor.clone(), literal(Value::Int(-1), ty)]));
+        let by_minus_one = needed.by_minus_one().map(|quotient| {
+            let divisor = [divisor.clone(), literal(Value::Int(-1), ty)];
+            (self.comparison(Comparison::Equal, divisor), quotient)
+        });
         // Each of the quotients is stored behind contacts that exclude the others, and were found before.
         self.move_to(target, zero(result), behind(&[&by_zero]));
         let mut others = vec![by_zero.inverse()];
-        if let Some(by_minus_one) = by_minus_one {
+        if let Some((by_minus_one, quotient)) = by_minus_one {
             let behind = behind(&[&by_minus_one]);
-            match (modulo, constant) {
-                (true, _) => self.move_to(target, zero(result), behind),
-                // It is what overflows. MATIEC computes with constants and refuses the difference.
-                (false, Some(_)) => self.move_to(target, dividend.clone(), behind),
-                (false, None) => {
+            match quotient {
+                ByMinusOne::Zero => self.move_to(target, zero(result), behind),
+                // MATIEC computes with constants, and refuses the difference.
+                ByMinusOne::Dividend => self.move_to(target, dividend.clone(), behind),
+                ByMinusOne::Negative => {
                     let operands = vec![("IN1", zero(result)), ("IN2", dividend.clone())];
                     self.function("SUB", operands, target, behind);
                 }

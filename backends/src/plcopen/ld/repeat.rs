@@ -25,7 +25,7 @@ use crate::iec::names::Names;
 use crate::st;
 use crate::writer::{self, Writer};
 use grafc_formula::Type;
-use grafc_logic::scan::{Flag, Program, Repeat, Role, Statement, VarId};
+use grafc_logic::scan::{Program, Repeat, Statement, VarId};
 
 /// Whether a statement brings a timer up to date.
 pub(super) fn is_call(statement: &Statement) -> bool {
@@ -53,7 +53,7 @@ struct Limit {
     bound: u32,
     count: String,
     ty: Type,
-    flag: Option<String>,
+    flag: String,
 }
 
 impl Repeated {
@@ -61,13 +61,13 @@ impl Repeated {
     pub fn new(program: &Program, names: &mut Names, repeat: Repeat) -> Self {
         let name = |id: VarId| names.variables[id].clone();
         let again = name(repeat.again);
-        let flag = program.variables.iter_enumerated().find(|(_, v)| v.role == Role::Flag(Flag::Livelock));
-        let flag = flag.map(|(id, _)| name(id));
-        let limit = repeat.limit.map(|limit| {
-            let ty = program.variables[limit.count].ty;
-            Limit { bound: limit.bound, count: name(limit.count), ty, flag }
+        let limit = repeat.limit.map(|limit| Limit {
+            bound: limit.bound,
+            count: name(limit.count),
+            ty: program.variables[limit.count].ty,
+            flag: name(limit.flag),
         });
-        let waits = program.after.iter().any(|statement| matches!(statement, Statement::Divide { .. }));
+        let waits = program.after.iter().any(|statement| matches!(statement, Statement::Divide(_)));
         Repeated {
             block: names.namer.name(&format!("{}_rungs", names.block)),
             instance: names.namer.name("rungs"),
@@ -101,7 +101,7 @@ impl Repeated {
     /// The variables of the rungs, from those of the chart.
     pub fn inner(&self, mut blocks: Vec<Block>) -> Vec<Block> {
         let limit = self.limit.as_ref();
-        let flag = limit.and_then(|limit| limit.flag.as_deref());
+        let flag = limit.map(|limit| limit.flag.as_str());
         let count = limit.map(|limit| limit.count.as_str());
         let bit = || EntryType::Elementary(Type::Bool);
         for block in &mut blocks {
@@ -143,7 +143,7 @@ impl Repeated {
         let (mut inputs, mut published) = frame::wired(program, names);
         inputs.extend(self.asks_further.then_some(self.further.as_str()));
         inputs.extend(self.last.as_deref());
-        let flag = self.limit.as_ref().and_then(|limit| limit.flag.as_deref());
+        let flag = self.limit.as_ref().map(|limit| limit.flag.as_str());
         published.retain(|name| Some(*name) != flag);
         out.line(&format!("{} := FALSE;", self.further));
         if let Some(limit) = &self.limit {

@@ -13,14 +13,10 @@
 use super::circuit::{Factor, Ladder};
 use super::rung::{Block, Coil, Contact, End, Item, Sink, Storage};
 use crate::comment::clean;
-use crate::iec::literals::time;
 use crate::iec::names::remark;
 use grafc_formula::{Formula, FormulaId, Type};
 use grafc_logic::scan::{Role, Statement, TimerId, VarId};
 use rustc_hash::FxHashSet;
-
-/// What a timer without a preset is given: the longest time that all compilers take.
-const FOR_EVER_MS: i64 = i32::MAX as i64;
 
 /// Something negated or not.
 type Literal = (FormulaId, bool);
@@ -62,9 +58,7 @@ impl Ladder<'_> {
                         }
                     }
                 }
-                Statement::Divide { target, modulo, dividend, divisor, flag } => {
-                    self.divide(*target, *modulo, [*dividend, *divisor], *flag, guard);
-                }
+                Statement::Divide(division) => self.divide(division, guard),
                 Statement::CallTimer { timer, input } => self.call_timer(*timer, *input, guard),
                 Statement::Case { of, arms } => self.case(*of, arms, guard),
                 Statement::If { branches, otherwise } => self.branch(branches, otherwise, guard),
@@ -198,12 +192,11 @@ impl Ladder<'_> {
     fn call_timer(&mut self, timer: TimerId, input: FormulaId, guard: Option<&Contact>) {
         let name = self.names.timers[timer].clone();
         let output = self.timer_outputs[timer].clone();
-        let (preset, end) = match self.program.timers[timer].preset {
-            None => (time(FOR_EVER_MS), [("Q", Sink::Rail), ("ET", Sink::Variable(output))]),
-            Some(preset) => {
-                let text = preset.constant.map_or_else(|| time(preset.ms), |id| self.name(id));
-                (text, [("Q", Sink::Coil(output)), ("ET", Sink::Open)])
-            }
+        let timer_of = &self.program.timers[timer];
+        let preset = self.names.preset(timer_of.given_preset());
+        let end = match timer_of.preset {
+            None => [("Q", Sink::Rail), ("ET", Sink::Variable(output))],
+            Some(_) => [("Q", Sink::Coil(output)), ("ET", Sink::Open)],
         };
         let block = |power, inputs, outputs| {
             End::Block(Block { kind: "TON", instance: Some(name.clone()), power, inputs, outputs })

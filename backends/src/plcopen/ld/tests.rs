@@ -6,7 +6,7 @@ use crate::keywords::Family;
 use crate::plcopen::Options;
 use crate::st::tests::{Build, assign, body, case, four_steps, noted, when};
 use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
-use grafc_logic::scan::{Flag, Preset, Program, Role, Statement, VarId};
+use grafc_logic::scan::{Division, Flag, Preset, Program, Role, Statement, VarId};
 
 fn rungs(program: &Program) -> Vec<Rung> {
     let mut names = Names::new(program, Family::Iec);
@@ -331,7 +331,7 @@ fn comparisons_have_rungs_of_their_own() {
 fn a_division_is_guarded() {
     let program = body(&[("n", Type::Dint), ("k", Type::Dint)], Type::Dint, |b, i, target| {
         let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
-        vec![Statement::Divide { target, modulo: false, dividend: i[0], divisor: i[1], flag }]
+        vec![Statement::Divide(Division { target, modulo: false, dividend: i[0], divisor: i[1], flag })]
     });
     assert_eq!(
         lines(&program),
@@ -347,7 +347,7 @@ fn a_division_is_guarded() {
     let by_nothing = body(&[("n", Type::Int)], Type::Int, |b, i, target| {
         let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
         let divisor = b.pool().constant(Value::Int(0), Type::Int);
-        vec![Statement::Divide { target, modulo: false, dividend: i[0], divisor, flag }]
+        vec![Statement::Divide(Division { target, modulo: false, dividend: i[0], divisor, flag })]
     });
     assert_eq!(lines(&by_nothing), ["-> MOVE(EN, IN = 0) OUT -> y", "-> S DIV0"]);
 }
@@ -434,7 +434,7 @@ fn the_loop_calls_the_rungs() {
     let target = program.variables.push(variable(Role::Output, "n", Type::Int));
     let flag = program.variables.push(variable(Role::Flag(Flag::Div0), "DIV0", Type::Bool));
     let dividend = program.pool.variable(target, Type::Int);
-    let divide = Statement::Divide { target, modulo: false, dividend, divisor: dividend, flag };
+    let divide = Statement::Divide(Division { target, modulo: false, dividend, divisor: dividend, flag });
     program.after.push(divide);
     let all = lines(&program);
     let called = "high -> TON stirred(IN, PT = stir_time) Q -> stirred_Q";

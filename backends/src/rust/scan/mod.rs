@@ -14,7 +14,7 @@ use super::steps::list;
 use crate::comment::clean;
 use crate::writer::Writer;
 use grafc_formula::{Type, Value};
-use grafc_logic::scan::{Flag, Program, Role, VarId};
+use grafc_logic::scan::{Program, VarId};
 use std::cell::Cell;
 use std::iter;
 
@@ -193,11 +193,7 @@ impl Body<'_> {
                 out.open(&format!("{again} {{"));
                 out.line(&format!("{count} += 1;"));
                 out.open(&format!("if {count} >= {bound} {{"));
-                for (flag, v) in self.program.variables.iter_enumerated() {
-                    if v.role == Role::Flag(Flag::Livelock) {
-                        out.line(&format!("{} = true;", self.places.read(flag)));
-                    }
-                }
+                out.line(&format!("{} = true;", self.places.read(limit.flag)));
                 out.line("break;");
                 out.close("}");
                 out.close("}");

@@ -6,7 +6,7 @@ use crate::rust::expressions::{SMALL, WIDTH};
 use crate::rust::literals::type_name;
 use crate::writer::Writer;
 use grafc_formula::{Arithmetic, Formula, FormulaId, Type};
-use grafc_logic::scan::{Arm, Statement, TimerId, VarId};
+use grafc_logic::scan::{Arm, Division, Statement, TimerId, VarId, is_empty};
 
 impl Body<'_> {
     /// A block of statements, in a block of the text.
@@ -29,9 +29,8 @@ impl Body<'_> {
                 let declares = self.locals.with(block, place, *target);
                 self.assign(out, declares, *target, *value);
             }
-            Statement::Divide { target, modulo, dividend, divisor, flag } => {
-                let declares = self.locals.with(block, place, *target);
-                self.divide(out, declares, *target, *modulo, [*dividend, *divisor], *flag);
+            Statement::Divide(division) => {
+                self.divide(out, self.locals.with(block, place, division.target), division);
             }
             Statement::CallTimer { timer, input } => self.call_timer(out, *timer, *input),
             Statement::Case { of, arms } => {
@@ -91,15 +90,9 @@ impl Body<'_> {
         self.expressions.statement(out, &self.target(declares, target, false), value);
     }
 
-    fn divide(
-        &self,
-        out: &mut Writer,
-        declares: Option<bool>,
-        target: VarId,
-        modulo: bool,
-        [a, b]: [FormulaId; 2],
-        flag: VarId,
-    ) {
+    /// A division; the functions of the run-time support have the guards.
+    fn divide(&self, out: &mut Writer, declares: Option<bool>, division: &Division) {
+        let Division { target, modulo, dividend, divisor, flag } = *division;
         let pool = &self.program.pool;
         let ty = self.program.variables[target].ty;
         let function = if modulo { "remainder" } else { "divide" };
@@ -113,7 +106,7 @@ impl Body<'_> {
             }
         };
         let flag = format!("&mut {}", self.places.read(flag));
-        let arguments = [operand(a), operand(b), flag];
+        let arguments = [operand(dividend), operand(divisor), flag];
         let head = format!("{} = {function}(", self.target(declares, target, true));
         let flat = arguments.join(", ");
         if flat.len() <= SMALL && out.indent() + head.len() + flat.len() + 2 <= WIDTH {
@@ -173,7 +166,7 @@ impl Body<'_> {
             out.leave();
             head = "} else if";
         }
-        if crate::limits::is_empty(otherwise) {
+        if is_empty(otherwise) {
             self.block();
         } else {
             out.open("} else {");

@@ -9,7 +9,7 @@ use crate::iec::{Options, Pou};
 use crate::{il, st};
 use grafc_diagnostics::Diagnostics;
 use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
-use grafc_logic::scan::{Flag, Preset, Program, Role, Statement, VarId};
+use grafc_logic::scan::{Division, Flag, Preset, Program, Role, Statement, VarId};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -247,7 +247,8 @@ fn all_forms() {
             let compared = p.compare(op, value, constant);
             out.push(assign(truth, compared));
         }
-        let divide = |modulo, dividend, divisor| Statement::Divide { target: result, modulo, dividend, divisor, flag };
+        let divide =
+            |modulo, dividend, divisor| Statement::Divide(Division { target: result, modulo, dividend, divisor, flag });
         match ty {
             Type::Time => out.extend(variables[..4].iter().map(|(_, number)| divide(false, value, *number))),
             Type::Real | Type::Lreal => {
@@ -280,7 +281,7 @@ fn all_forms() {
         out.extend([assign(truth, both), assign(truth, differ), assign(variables[6].0, elapsed)]);
     }
     let zero = b.pool().constant(Value::Int(0), Type::Int);
-    out.push(Statement::Divide { target: result_int, modulo: true, dividend: int, divisor: zero, flag });
+    out.push(Statement::Divide(Division { target: result_int, modulo: true, dividend: int, divisor: zero, flag }));
     b.program.after.extend(out);
     taken(&b.program);
 }
@@ -377,7 +378,7 @@ fn the_least_number_is_divided() {
         let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
         let rest = b.var(Role::Output, "rest", Type::Dint);
         let dividend = b.pool().constant(Value::Int(-2_147_483_648), Type::Dint);
-        let divide = |target, modulo| Statement::Divide { target, modulo, dividend, divisor: i[0], flag };
+        let divide = |target, modulo| Statement::Divide(Division { target, modulo, dividend, divisor: i[0], flag });
         vec![divide(y, false), divide(rest, true)]
     });
     let name = program.name.to_uppercase();

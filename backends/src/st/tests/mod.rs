@@ -5,7 +5,7 @@ mod writer;
 
 use grafc_formula::{Arithmetic, Comparison, FormulaId, Pool, Type, Value};
 use grafc_logic::scan::{
-    Arm, Flag, Limit, Preset, Program, Repeat, Role, State, Statement, Step, Timer, TimerId, VarId, Variable,
+    Arm, Flag, Held, Limit, Preset, Program, Repeat, Role, State, Statement, Step, Timer, TimerId, VarId, Variable,
 };
 use index_vec::IndexVec;
 
@@ -25,6 +25,7 @@ impl Build {
             steps: IndexVec::new(),
             states: Vec::new(),
             first: Vec::new(),
+            started: None,
             before: Vec::new(),
             micro_step: Vec::new(),
             repeat: None,
@@ -64,7 +65,8 @@ impl Build {
         let mut held = Vec::new();
         for value in values {
             let active = self.is(variable, *value);
-            let step = Step { label: value.to_string(), comment: None, active };
+            let label = value.to_string();
+            let step = Step { label, comment: None, held: Held::State(self.program.states.len(), *value), active };
             held.push((self.program.steps.push(step), *value));
         }
         self.program.states.push(State { variable, idle, values: held, copies: vec![next] });
@@ -136,6 +138,7 @@ pub(crate) fn four_steps() -> Program {
     let livelock = b.bit(Role::Flag(Flag::Livelock), "LIVELOCK");
     b.about(livelock, "the situation did not become stable");
     let started = b.bit(Role::Memory, "started");
+    b.program.started = Some(started);
     let old_start = b.bit(Role::Memory, "old_start");
     let clear: Vec<VarId> = (1..=4).map(|n| b.bit(Role::Temporary, &format!("clear_{n}"))).collect();
     let next: Vec<VarId> = (1..=4).map(|n| b.bit(Role::Temporary, &format!("next_{n}"))).collect();
@@ -186,7 +189,7 @@ pub(crate) fn four_steps() -> Program {
     body.extend((0..4).map(|i| assign(steps[i], n[i])));
     body.push(assign(old_start, cs));
     b.program.micro_step = body;
-    b.program.repeat = Some(Repeat { again, limit: Some(Limit { count, bound: 200 }) });
+    b.program.repeat = Some(Repeat { again, limit: Some(Limit { count, bound: 200, flag: livelock }) });
     b.program.after =
         vec![heading("outputs"), assign(inlet, x[1]), assign(stirrer, x[2]), noted(outlet, x[3], "until empty")];
     b.program
@@ -200,6 +203,7 @@ pub(crate) fn nested() -> Program {
     let (at_g, next_g) = b.state("G", None, &[-1, 2]);
     let (at_h, next_h) = b.state("H", Some(0), &[21, 22]);
     let started = b.bit(Role::Memory, "started");
+    b.program.started = Some(started);
     let moved = b.bit(Role::Temporary, "moved");
 
     let (a, on) = (b.read(in_a), b.read(in_b));

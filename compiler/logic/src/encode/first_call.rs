@@ -5,18 +5,18 @@ use super::input_event::InputEvent;
 use super::outputs::Followers;
 use super::switch;
 use crate::lower::{Context, Lowering, Moment};
-use crate::scan::{Flag, Role, Statement};
+use crate::scan::{Flag, Role, Statement, VarId};
 use grafc_formula::Type;
 use grafc_model::chart::{Event, Mode, VariableKind};
 use grafc_model::reaction::Profile;
 
-/// The initial reaction up to its first micro-step (R10), guarded from later calls.
+/// The initial reaction up to its first micro-step (R10), guarded from later calls by the mark of the first one.
 pub(crate) fn first_call(
     lowering: &mut Lowering,
     profile: Profile,
     followers: Option<&Followers>,
     input_event: &InputEvent,
-) -> Vec<Statement> {
+) -> (Vec<Statement>, Option<VarId>) {
     let net = lowering.net;
     let mut cx = Context::new(Moment::First);
     let yes = lowering.pool.truth(true);
@@ -68,12 +68,12 @@ pub(crate) fn first_call(
     }
     body.extend(input_event.start(lowering));
     if body.is_empty() {
-        return body;
+        return (body, None);
     }
     let started =
         lowering.symbols.fresh(Role::Memory, "started", Type::Bool, Some("false until the first call".into()));
     let is_started = lowering.symbols.read(&mut lowering.pool, started);
     let at_first = lowering.pool.not(is_started);
     body.insert(0, Statement::Assign { target: started, value: yes, remark: None });
-    vec![Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() }]
+    (vec![Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() }], Some(started))
 }

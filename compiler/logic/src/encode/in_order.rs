@@ -40,7 +40,7 @@ impl Block {
         };
         for statement in statements {
             match statement {
-                Statement::Heading(_) | Statement::Divide { .. } => {}
+                Statement::Heading(_) | Statement::Divide(_) => {}
                 Statement::Assign { target, value, .. } => {
                     reads(self, *value);
                     if of_interest(*target) {
@@ -144,7 +144,7 @@ fn redirect(
 ) {
     for statement in statements {
         match statement {
-            Statement::Heading(_) | Statement::Divide { .. } => {}
+            Statement::Heading(_) | Statement::Divide(_) => {}
             Statement::Assign { value, .. } => *value = lowering.pool.substitute(*value, by),
             Statement::CallTimer { input, .. } => *input = lowering.pool.substitute(*input, by),
             Statement::Case { of, arms } => {

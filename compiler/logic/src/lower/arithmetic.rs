@@ -4,7 +4,7 @@
 //! result is stored in a variable of its type, and every division is guarded.
 
 use super::{Context, Lowering};
-use crate::scan::{Flag, Role, Statement, VarId};
+use crate::scan::{Division, Flag, Role, Statement, VarId};
 use grafc_formula::number::is_zero;
 use grafc_formula::{Arithmetic, Formula, FormulaId, Type, Value};
 
@@ -55,7 +55,7 @@ impl Lowering<'_> {
         let target = self.intermediate(ty);
         let (dividend, divisor) = (self.operand(cx, a), self.operand(cx, b));
         let flag = self.symbols.flag(Flag::Div0);
-        cx.statements.push(Statement::Divide { target, modulo, dividend, divisor, flag });
+        cx.statements.push(Statement::Divide(Division { target, modulo, dividend, divisor, flag }));
         cx.divided.insert((modulo, a, b), target);
         cx.divided_in_order.push((modulo, a, b));
         self.symbols.read(&mut self.pool, target)

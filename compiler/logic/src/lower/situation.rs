@@ -2,7 +2,7 @@
 
 use super::cover::Cover;
 use super::symbols::Symbols;
-use crate::scan::{Role, State, Step, VarId, Variable};
+use crate::scan::{Held, Role, State, Step, VarId, Variable};
 use grafc_formula::{Comparison, FormulaId, Pool, Type, Value};
 use grafc_model::chart::{GrafcetId, StepId};
 use grafc_net::Net;
@@ -152,6 +152,10 @@ impl Situation {
         own.map(|(s, place)| Step {
             label: place.label.clone(),
             comment: place.comment.clone(),
+            held: match self.holder[s] {
+                Holder::Bit(v) => Held::Bit(v),
+                Holder::State { set, value } => Held::State(set, value),
+            },
             active: self.active[s],
         })
         .collect()

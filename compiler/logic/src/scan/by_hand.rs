@@ -15,6 +15,7 @@ pub(crate) fn empty() -> Program {
         steps: IndexVec::new(),
         states: Vec::new(),
         first: Vec::new(),
+        started: None,
         before: Vec::new(),
         micro_step: Vec::new(),
         repeat: None,

@@ -3,7 +3,7 @@
 //!
 //! Variables go by the names that the program wishes for them; a further one of the same name gets a number.
 
-use crate::scan::{Program, Role, State, Statement, TimerId, VarId, Variable};
+use crate::scan::{Division, Program, Role, State, Statement, TimerId, VarId, Variable};
 use grafc_formula::number::zero;
 use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_model::dump::{arithmetic, comment, comparison, list, literal, name, section, type_name, value};
@@ -143,7 +143,7 @@ impl<'p> Dump<'p> {
                         Style::Equations => format!("{indent}{target} = {value}"),
                     });
                 }
-                Statement::Divide { target, modulo, dividend, divisor, flag } => {
+                Statement::Divide(Division { target, modulo, dividend, divisor, flag }) => {
                     let (target, flag) = (&self.variables[*target], &self.variables[*flag]);
                     let op = if *modulo { "MOD" } else { "/" };
                     let value = format!("{} {op} {}", self.operand(*dividend), self.operand(*divisor));
@@ -297,7 +297,7 @@ fn remarked(remark: &Option<String>) -> String {
 mod tests {
     use super::{dump, equations};
     use crate::scan::by_hand::{self, empty};
-    use crate::scan::{Arm, Flag, Preset, Program, Role, Statement, Timer, VarId};
+    use crate::scan::{Arm, Division, Flag, Preset, Program, Role, Statement, Timer, VarId};
     use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
 
     fn variable(program: &mut Program, role: Role, name: &str, ty: Type) -> VarId {
@@ -337,7 +337,7 @@ mod tests {
             Statement::CallTimer { timer, input: a },
             Statement::If { branches: vec![(all, vec![assign(q, sum)]), (a, vec![assign(q, n_)])], otherwise },
             Statement::Case { of: n, arms: vec![arm] },
-            Statement::Divide { target: q, modulo: false, dividend: n_, divisor: n_, flag },
+            Statement::Divide(Division { target: q, modulo: false, dividend: n_, divisor: n_, flag }),
         ];
         let after = |text: &str| {
             text.lines()

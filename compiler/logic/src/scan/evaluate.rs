@@ -3,7 +3,7 @@
 //! Shares nothing with the reference simulator. Formulas are walked with a stack of our own, each shared part once, so
 //! that no evaluation recurses and a scan costs what the program holds.
 
-use crate::scan::{Flag, Program, Role, Statement, TimerId, VarId};
+use crate::scan::{Division, Flag, Program, Role, Statement, TimerId, VarId};
 use grafc_formula::number::{arithmetic, compare, divide, negate};
 use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_model::chart::StepId;
@@ -34,9 +34,7 @@ struct Timer {
 impl<'p> Evaluator<'p> {
     /// A program before its first call.
     pub fn new(program: &'p Program) -> Self {
-        let of = |wanted: Role| {
-            program.variables.iter_enumerated().filter(move |(_, v)| v.role == wanted).map(|(id, _)| id).collect()
-        };
+        let of = |role: Role| program.of_role(role).map(|(id, _)| id).collect();
         Evaluator {
             program,
             values: program.variables.iter().map(|v| v.initial).collect(),
@@ -79,8 +77,8 @@ impl<'p> Evaluator<'p> {
                     observe(self);
                     again = self.values[repeat.again] == Value::Bool(true);
                 }
-                if again {
-                    self.raise(Flag::Livelock);
+                if let Some(limit) = repeat.limit.filter(|_| again) {
+                    self.values[limit.flag] = Value::Bool(true);
                 }
             }
         }
@@ -126,13 +124,6 @@ impl<'p> Evaluator<'p> {
         flags
     }
 
-    fn raise(&mut self, flag: Flag) {
-        let found = self.program.variables.iter_enumerated().find(|(_, v)| v.role == Role::Flag(flag));
-        if let Some((id, _)) = found {
-            self.values[id] = Value::Bool(true);
-        }
-    }
-
     /// Statements nest no deeper than lowering nests them, whatever the chart.
     fn run(&mut self, statements: &[Statement]) {
         for statement in statements {
@@ -142,7 +133,7 @@ impl<'p> Evaluator<'p> {
                     let value = self.value(*value);
                     self.values[*target] = value;
                 }
-                Statement::Divide { target, modulo, dividend, divisor, flag } => {
+                Statement::Divide(Division { target, modulo, dividend, divisor, flag }) => {
                     let (a, b) = (self.value(*dividend), self.value(*divisor));
                     let ty = self.program.variables[*target].ty;
                     let quotient = divide(ty, *modulo, a, b);

@@ -11,7 +11,7 @@
 //!
 //! All rules stand in `docs/statistics.md`; who changes one here changes it there.
 
-use crate::scan::{Program, Role, Statement, VarId};
+use crate::scan::{Division, Program, Role, Statement, VarId};
 use grafc_formula::{Formula, FormulaId, Pool, Type};
 use index_vec::IndexVec;
 
@@ -127,7 +127,7 @@ impl Tally<'_> {
                     if branch_taken && is_move(&self.program.pool, statement) { 1 } else { load.saturating_add(1) }
                 }
                 // IF divisor = 0 THEN flag := TRUE; target := 0; ELSE target := dividend / divisor; END_IF
-                Statement::Divide { target, dividend, divisor, flag, .. } => {
+                Statement::Divide(Division { target, dividend, divisor, flag, .. }) => {
                     self.used[*target] = true;
                     self.used[*flag] = true;
                     self.load(*dividend);
@@ -182,7 +182,7 @@ fn is_move(pool: &Pool, statement: &Statement) -> bool {
     match statement {
         Statement::Heading(_) => true,
         Statement::Assign { value, .. } => pool.as_constant(*value).is_some(),
-        Statement::Divide { .. } | Statement::CallTimer { .. } | Statement::Case { .. } | Statement::If { .. } => false,
+        Statement::Divide(_) | Statement::CallTimer { .. } | Statement::Case { .. } | Statement::If { .. } => false,
     }
 }
 
@@ -332,7 +332,7 @@ mod tests {
         );
         let n = program.pool.variable(n, Type::Int);
         // LD n, EQ 0, S flag, MOVE 0 target, JMPC end, LD n, DIV n, ST target
-        let divide = Statement::Divide { target, modulo: false, dividend: n, divisor: n, flag };
+        let divide = Statement::Divide(Division { target, modulo: false, dividend: n, divisor: n, flag });
         assert_eq!(counts(&mut program, vec![divide]), (1, 8));
         assert_eq!((measure(&program).auxiliary_bits, measure(&program).auxiliary_numbers), (0, 1), "no flags");
     }

@@ -115,7 +115,7 @@ pub fn sequence(net: &Net, profile: Profile) -> Result<Sequence, Diagnostics> {
     for (step, marker) in &expressions.markers {
         steps[*step].marker = Some(*marker);
     }
-    let first = expressions.first_call();
+    let (first, started) = expressions.first_call();
     variables.extend(expressions.more);
     let prepared = expressions.prepared;
 
@@ -128,6 +128,7 @@ pub fn sequence(net: &Net, profile: Profile) -> Result<Sequence, Diagnostics> {
         steps: IndexVec::new(),
         states: Vec::new(),
         first,
+        started,
         before: [prepared.before, prepared.last].concat(),
         micro_step: Vec::new(),
         repeat: None,

@@ -169,9 +169,9 @@ impl Expressions<'_> {
     }
 
     /// The mark of the first call, if something waits for it.
-    pub fn first_call(&mut self) -> Vec<Statement> {
+    pub fn first_call(&mut self) -> (Vec<Statement>, Option<VarId>) {
         if self.prepared.first.is_empty() {
-            return Vec::new();
+            return (Vec::new(), None);
         }
         let started = self.fresh(Role::Memory, "started".to_string());
         self.prepared.memory.push(started);
@@ -179,6 +179,6 @@ impl Expressions<'_> {
         let at_first = self.pool.not(is_started);
         let mut body = vec![Statement::Assign { target: started, value: yes, remark: None }];
         body.append(&mut self.prepared.first);
-        vec![Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() }]
+        (vec![Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() }], Some(started))
     }
 }

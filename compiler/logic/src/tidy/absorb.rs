@@ -90,7 +90,7 @@ pub(crate) fn absorb(program: &mut Program) {
 fn absorb_in(pool: &mut Pool, memo: &mut FxHashMap<FormulaId, FormulaId>, statements: &mut [Statement]) {
     for statement in statements {
         match statement {
-            Statement::Heading(_) | Statement::Divide { .. } => {}
+            Statement::Heading(_) | Statement::Divide(_) => {}
             Statement::Assign { value, .. } => *value = absorbed(pool, memo, *value),
             Statement::CallTimer { input, .. } => *input = absorbed(pool, memo, *input),
             Statement::Case { arms, .. } => arms.iter_mut().for_each(|arm| absorb_in(pool, memo, &mut arm.body)),

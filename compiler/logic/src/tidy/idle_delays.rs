@@ -81,7 +81,7 @@ pub(crate) fn rest(program: &mut Program) {
 fn count(statement: &Statement, calls: &mut FxHashMap<TimerId, usize>) {
     match statement {
         Statement::CallTimer { timer, .. } => *calls.entry(*timer).or_default() += 1,
-        Statement::Heading(_) | Statement::Assign { .. } | Statement::Divide { .. } => {}
+        Statement::Heading(_) | Statement::Assign { .. } | Statement::Divide(_) => {}
         Statement::Case { arms, .. } => arms.iter().flat_map(|arm| &arm.body).for_each(|s| count(s, calls)),
         Statement::If { branches, otherwise } => {
             let bodies = branches.iter().flat_map(|(_, body)| body).chain(otherwise);
@@ -124,7 +124,7 @@ fn groups(pool: &Pool, of_state: &FxHashMap<VarId, usize>, section: &[Statement]
                 written.insert(*target);
                 timers_read(pool, *value, &mut seen, &mut read);
             }
-            Statement::Divide { .. } | Statement::Case { .. } | Statement::If { .. } => {
+            Statement::Divide(_) | Statement::Case { .. } | Statement::If { .. } => {
                 done.extend(std::mem::take(&mut open).into_values());
                 written.clear();
                 read.clear();

@@ -65,7 +65,7 @@ impl Cutter<'_> {
         for mut statement in statements {
             match &mut statement {
                 // Operands of a division have no operators.
-                Statement::Heading(_) | Statement::Divide { .. } => {}
+                Statement::Heading(_) | Statement::Divide(_) => {}
                 Statement::Assign { value, .. } => *value = self.formula(*value, &mut out),
                 Statement::CallTimer { input, .. } => *input = self.formula(*input, &mut out),
                 Statement::Case { arms, .. } => {

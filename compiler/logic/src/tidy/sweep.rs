@@ -5,7 +5,7 @@
 //! frozen, an edge in a condition that another formula makes superfluous. What is read later is found backwards from the
 //! end of the call; the loop is gone through until nothing new is found.
 
-use crate::scan::{Program, Role, Statement, VarId};
+use crate::scan::{Division, Held, Program, Role, Statement, VarId};
 use grafc_formula::{Formula, FormulaId, Pool};
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -105,7 +105,7 @@ impl Needed {
                     self.reads(pool, *value);
                 }
                 // It may raise a flag, so it stays.
-                Statement::Divide { target, dividend, divisor, .. } => {
+                Statement::Divide(Division { target, dividend, divisor, .. }) => {
                     self.set(*target, false);
                     self.reads(pool, *dividend);
                     self.reads(pool, *divisor);
@@ -182,7 +182,7 @@ fn used(program: &Program) -> IndexVec<VarId, bool> {
         used[repeat.again] = true;
         repeat.limit.iter().for_each(|limit| used[limit.count] = true);
     }
-    for section in [&program.first, &program.before, &program.micro_step, &program.after] {
+    for section in program.sections() {
         collect(section, &mut roots, &mut used);
     }
     let mut seen = vec![false; program.pool.len()];
@@ -204,7 +204,7 @@ fn collect(statements: &[Statement], roots: &mut Vec<FormulaId>, used: &mut Inde
         match statement {
             Statement::Heading(_) => {}
             Statement::Assign { value, .. } => roots.push(*value),
-            Statement::Divide { target, dividend, divisor, .. } => {
+            Statement::Divide(Division { target, dividend, divisor, .. }) => {
                 used[*target] = true;
                 roots.extend([*dividend, *divisor]);
             }
@@ -268,6 +268,13 @@ fn renumber(program: &mut Program, dead: &IndexVec<VarId, bool>) {
         repeat.again = new[repeat.again];
         if let Some(limit) = &mut repeat.limit {
             limit.count = new[limit.count];
+            limit.flag = new[limit.flag];
+        }
+    }
+    program.started = program.started.map(|v| new[v]);
+    for step in &mut program.steps {
+        if let Held::Bit(v) = &mut step.held {
+            *v = new[*v];
         }
     }
     let mut roots: Vec<FormulaId> = program.steps.iter().map(|step| step.active).collect();
@@ -293,7 +300,7 @@ fn visit(statements: &mut [Statement], variable: &mut dyn FnMut(&mut VarId), for
                 variable(target);
                 formula(value);
             }
-            Statement::Divide { target, dividend, divisor, flag, .. } => {
+            Statement::Divide(Division { target, dividend, divisor, flag, .. }) => {
                 variable(target);
                 variable(flag);
                 formula(dividend);

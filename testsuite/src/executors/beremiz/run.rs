@@ -5,7 +5,7 @@ use crate::executors::function_block::{FunctionBlock, named};
 use crate::executors::jobs::{self, Job};
 use crate::executors::matiec::{RUNTIME, Unit, build_and_play};
 use grafc_backends::{il, plcopen, st};
-use grafc_logic::scan::{Program, Step, VarId};
+use grafc_logic::scan::{Held, Program, Step, VarId};
 use grafc_logic::sequence::Sequence;
 use grafc_model::reaction::Response;
 use index_vec::IndexVec;
@@ -24,6 +24,7 @@ pub fn variables_of(sequence: &Sequence) -> Program {
     let steps = sequence.steps.iter().map(|step| Step {
         label: program.variables[step.active].name.clone(),
         comment: None,
+        held: Held::Bit(step.active),
         active: program.pool.variable(step.active, grafc_formula::Type::Bool),
     });
     program.steps = steps.collect();

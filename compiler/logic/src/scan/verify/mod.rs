@@ -1,29 +1,28 @@
 //! Checks the invariants of [`super`]. A violation is a fault of grafc, never of the chart.
 
-use super::{Program, Role, State, Statement, VarId};
+mod tables;
+
+use super::{Division, Flag, Program, Role, State, Statement, VarId, is_empty};
+use grafc_formula::number::is_zero;
 use grafc_formula::{Formula, FormulaId, Type, Value};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Says which invariant of the program does not hold, if one does not.
 pub fn verify(program: &Program) -> Result<(), String> {
     operands(program)?;
+    tables::verify(program)?;
     let (set, checked) = (FxHashSet::default(), FxHashSet::default());
-    let mut walk = Walk { program, set, checked, state_of: states(program), values: state_values(program) };
+    let mut walk = Walk { program, set, checked, state_of: program.state_of(), values: state_values(program) };
     walk.statements(&program.first)?;
     walk.statements(&program.before)?;
     walk.statements(&program.micro_step)?;
     if let Some(repeat) = program.repeat {
         walk.reads_variable(repeat.again)?;
+        if repeat.limit.is_none() && is_empty(&program.micro_step) {
+            return Err("the stability loop is empty".to_owned());
+        }
     }
     walk.statements(&program.after)
-}
-
-/// The state that each state variable and each copy of one belongs to.
-fn states(program: &Program) -> FxHashMap<VarId, usize> {
-    let of = |(index, state): (usize, &State)| {
-        [state.variable].into_iter().chain(state.copies.clone()).map(move |v| (v, index)).collect::<Vec<_>>()
-    };
-    program.states.iter().enumerate().flat_map(of).collect()
 }
 
 /// The values of each state.
@@ -92,11 +91,7 @@ impl Walk<'_> {
                     self.keeps_to_its_state(*target, *value)?;
                     self.set.insert(*target);
                 }
-                Statement::Divide { target, dividend, divisor, .. } => {
-                    self.reads(*dividend)?;
-                    self.reads(*divisor)?;
-                    self.set.insert(*target);
-                }
+                Statement::Divide(division) => self.divides(division)?,
                 Statement::CallTimer { input, .. } => self.reads(*input)?,
                 Statement::Case { of, arms } => {
                     self.reads_variable(*of)?;
@@ -121,6 +116,26 @@ impl Walk<'_> {
                 }
             }
         }
+        Ok(())
+    }
+
+    /// A division has operands without operators, divides by no constant but 0, and raises DIV0.
+    fn divides(&mut self, division: &Division) -> Result<(), String> {
+        let Division { target, dividend, divisor, flag, .. } = *division;
+        self.reads(dividend)?;
+        self.reads(divisor)?;
+        let pool = &self.program.pool;
+        let simple = |id: FormulaId| match pool.get(id) {
+            Formula::Widen(a) => pool.is_leaf(*a),
+            _ => pool.is_leaf(id),
+        };
+        if !simple(dividend) || !simple(divisor) || pool.as_constant(divisor).is_some_and(|value| !is_zero(value)) {
+            return Err(format!("{target} is given a division of {dividend} by {divisor}, which stands in no formula"));
+        }
+        if self.program.variables[flag].role != Role::Flag(Flag::Div0) {
+            return Err(format!("the division for {target} raises {flag}"));
+        }
+        self.set.insert(target);
         Ok(())
     }
 

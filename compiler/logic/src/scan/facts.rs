@@ -1,0 +1,94 @@
+//! What backends ask of a program as a whole.
+
+use super::{Program, Role, Statement, TimerId, VarId, Variable, is_empty};
+use grafc_formula::Formula;
+use index_vec::IndexVec;
+use rustc_hash::FxHashMap;
+
+/// Which guarded divisions a program has.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Divided {
+    /// For a quotient.
+    pub quotient: bool,
+    /// For a remainder.
+    pub remainder: bool,
+}
+
+/// What is read of a timer.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Reads {
+    /// Whether it has run out.
+    pub end: bool,
+    /// For how long it has run.
+    pub elapsed: bool,
+}
+
+impl Program {
+    /// The sections, in the order in which a call runs them.
+    pub fn sections(&self) -> [&[Statement]; 4] {
+        [&self.first, &self.before, &self.micro_step, &self.after]
+    }
+
+    /// All statements, a statement before those within it.
+    pub fn statements(&self) -> impl Iterator<Item = &Statement> {
+        let mut open: Vec<std::slice::Iter<Statement>> = self.sections().into_iter().rev().map(<[_]>::iter).collect();
+        std::iter::from_fn(move || {
+            loop {
+                let Some(statement) = open.last_mut()?.next() else {
+                    open.pop();
+                    continue;
+                };
+                let at = open.len();
+                open.extend(statement.bodies().map(<[_]>::iter));
+                open[at..].reverse();
+                return Some(statement);
+            }
+        })
+    }
+
+    /// The variables of a role, in order.
+    pub fn of_role(&self, role: Role) -> impl Iterator<Item = (VarId, &Variable)> {
+        self.variables.iter_enumerated().filter(move |(_, variable)| variable.role == role)
+    }
+
+    /// For each variable that takes its values from a state, the place of that among the states: the state itself, and its
+    /// copies.
+    pub fn state_of(&self) -> FxHashMap<VarId, usize> {
+        let states = self.states.iter().enumerate();
+        states.flat_map(|(place, state)| state.variables().map(move |v| (v, place))).collect()
+    }
+
+    /// What is read of each timer.
+    pub fn reads_of_timers(&self) -> IndexVec<TimerId, Reads> {
+        let mut reads: IndexVec<TimerId, Reads> = self.timers.iter().map(|_| Reads::default()).collect();
+        for id in self.pool.ids() {
+            if let Formula::TimerDone(timer) = self.pool.get(id) {
+                reads[*timer].end = true;
+            } else if let Formula::TimerElapsed(timer) = self.pool.get(id) {
+                reads[*timer].elapsed = true;
+            }
+        }
+        reads
+    }
+
+    /// Which guarded divisions there are.
+    pub fn divided(&self) -> Divided {
+        let mut divided = Divided::default();
+        for statement in self.statements() {
+            if let Statement::Divide(division) = statement {
+                divided.quotient |= !division.modulo;
+                divided.remainder |= division.modulo;
+            }
+        }
+        divided
+    }
+
+    /// A variable to write where a call does nothing at all, for no compiler takes an empty body; none if a call does
+    /// something, or if there are only constants.
+    pub fn idle_variable(&self) -> Option<VarId> {
+        if self.repeat.is_some() || !self.sections().into_iter().all(is_empty) {
+            return None;
+        }
+        self.variables.iter_enumerated().find(|(_, v)| v.role != Role::Constant).map(|(id, _)| id)
+    }
+}

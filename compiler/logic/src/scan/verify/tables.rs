@@ -1,0 +1,87 @@
+//! What the tables of a program say, and what its statements have to fit.
+
+use crate::scan::{Flag, Held, Limit, Program, Repeat, Role, Statement, Step, VarId};
+use grafc_formula::{Comparison, Formula, Type, Value};
+
+/// Checks steps, timers, the initial reaction and the stability loop.
+pub(super) fn verify(program: &Program) -> Result<(), String> {
+    for step in &program.steps {
+        holds(program, step)?;
+    }
+    for timer in &program.timers {
+        if timer.preset.is_some_and(|preset| preset.ms <= 0) {
+            return Err(format!("the timer `{}` has a preset that is over at once", timer.name));
+        }
+    }
+    starts(program)?;
+    program.repeat.map_or(Ok(()), |repeat| ends(program, repeat))
+}
+
+/// What holds a step is what its formula reads.
+fn holds(program: &Program, step: &Step) -> Result<(), String> {
+    let pool = &program.pool;
+    let read = |variable: VarId, id| *pool.get(id) == Formula::Variable(variable);
+    let fits = match (step.held, pool.get(step.active)) {
+        (Held::Bit(v), Formula::Variable(read)) => v == *read && program.variables[v].role == Role::Step,
+        (Held::State(place, value), Formula::Compare(Comparison::Equal, a, b)) => {
+            let state = program.states.get(place);
+            state.is_some_and(|state| read(state.variable, *a) && state.values.iter().any(|(_, n)| *n == value))
+                && pool.as_constant(*b) == Some(Value::Int(value))
+        }
+        (Held::Bit(_) | Held::State(..), _) => false,
+    };
+    if fits {
+        Ok(())
+    } else {
+        Err(format!("step {} is held by {:?} and read by {}", step.label, step.held, step.active))
+    }
+}
+
+/// The initial reaction is guarded by the mark of the first call, and sets it.
+fn starts(program: &Program) -> Result<(), String> {
+    let Some(started) = program.started else {
+        return if program.first.is_empty() { Ok(()) } else { Err("nothing guards the initial reaction".to_owned()) };
+    };
+    let is_mark = |id| *program.pool.get(id) == Formula::Variable(started);
+    let guarded = program.first.iter().all(|statement| match statement {
+        Statement::If { branches, otherwise } => {
+            let [(when, body)] = branches.as_slice() else { return false };
+            let sets = |statement: &Statement| match statement {
+                Statement::Assign { target, value, .. } => {
+                    *target == started && program.pool.as_truth(*value) == Some(true)
+                }
+                _ => false,
+            };
+            let at_first = matches!(program.pool.get(*when), Formula::Not(mark) if is_mark(*mark));
+            otherwise.is_empty() && at_first && body.iter().any(sets)
+        }
+        _ => false,
+    });
+    let kept = program.variables[started].role == Role::Memory && program.variables[started].ty == Type::Bool;
+    if guarded && kept && program.first.len() == 1 {
+        return Ok(());
+    }
+    Err(format!("{started} does not guard the initial reaction"))
+}
+
+/// The stability loop asks a bit, and counts to its bound in a variable that holds it.
+fn ends(program: &Program, repeat: Repeat) -> Result<(), String> {
+    let ty = |v: VarId| program.variables[v].ty;
+    if ty(repeat.again) != Type::Bool {
+        return Err(format!("{} cannot ask for another micro-step", repeat.again));
+    }
+    let Some(Limit { count, bound, flag }) = repeat.limit else { return Ok(()) };
+    let most = match ty(count) {
+        Type::Int => i16::MAX as u32,
+        Type::Uint => u32::from(u16::MAX),
+        Type::Dint | Type::Udint => i32::MAX as u32,
+        Type::Bool | Type::Real | Type::Lreal | Type::Time => 0,
+    };
+    if bound == 0 || bound > most {
+        return Err(format!("{count} cannot count to {bound}"));
+    }
+    if program.variables[flag].role != Role::Flag(Flag::Livelock) {
+        return Err(format!("{flag} is raised where no situation is stable"));
+    }
+    Ok(())
+}
