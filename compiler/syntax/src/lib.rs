@@ -15,10 +15,12 @@ mod lexer;
 mod numeral;
 mod same;
 
-lalrpop_util::lalrpop_mod!(
-    #[allow(clippy::all, missing_docs, unused)]
-    grammar
-);
+/// The parser's tables, made by LALRPOP of `grammar.lalrpop`. They are kept, and not made in each build, so that who
+/// compiles grafc does not compile LALRPOP; `tests/grammar.rs` sees to it that they are up to date.
+#[allow(clippy::all, missing_docs, unused)]
+mod grammar {
+    include!("../generated/grammar.rs");
+}
 
 pub use dump::dump;
 pub use format::format;
