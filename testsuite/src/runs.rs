@@ -2,7 +2,7 @@
 
 use crate::charts;
 use grafc_diagnostics::{Code, Diagnostics};
-use grafc_logic::Options;
+use grafc_logic::{Analysis, Options};
 use grafc_logic::scan::Program;
 use grafc_logic::scan::evaluate::Evaluator;
 use grafc_model::chart::Chart;
@@ -19,18 +19,15 @@ pub fn simulate(chart: &Chart, profile: Profile, stimuli: &[Stimulus]) -> Vec<Re
 /// The scan program of a chart, or the messages of the stages.
 pub fn compile(chart: &Chart, options: &Options) -> Result<Program, String> {
     let (program, said) = lowered(chart, options);
-    match program {
-        Some(program) if !said.has_errors() => Ok(program),
-        Some(_) | None => Err(charts::render(&chart.name, "", &said)),
-    }
+    if said.has_errors() { Err(charts::render(&chart.name, "", &said)) } else { Ok(program) }
 }
 
 /// The scan program of a chart, and what the stages say.
-pub fn lowered(chart: &Chart, options: &Options) -> (Option<Program>, Diagnostics) {
+pub fn lowered(chart: &Chart, options: &Options) -> (Program, Diagnostics) {
     let mut said = Diagnostics::new();
     let mut net = grafc_net::build(chart);
     grafc_net::passes::run(&mut net, options.encoding.overlaps(), &mut said);
-    let (program, more) = grafc_logic::compile(&net, options);
+    let (program, more) = grafc_logic::compile(Analysis::new(net), options);
     said.append(more);
     (program, said)
 }
@@ -49,7 +46,9 @@ pub fn run(program: &Program, stimuli: &[Stimulus]) -> Vec<Response> {
 /// The program in an encoding whose steps overlap, and whether the compiler warns that the overlap can be seen.
 pub fn overlapping(chart: &Chart, options: &Options) -> Result<(Program, bool), String> {
     let (program, said) = lowered(chart, options);
-    let program = program.ok_or_else(|| charts::render(&chart.name, "", &said))?;
+    if said.has_errors() {
+        return Err(charts::render(&chart.name, "", &said));
+    }
     Ok((program, said.iter().any(|message| message.code == Code::W0413)))
 }
 

@@ -5,7 +5,7 @@
 use grafc_backends::{awl, il, st};
 use grafc_diagnostics::{Code, Diagnostics, FileId};
 use grafc_logic::scan::Program;
-use grafc_logic::{Encoding, Options};
+use grafc_logic::{Analysis, Encoding, Options};
 use grafc_testsuite::charts::{cases, charts_folder};
 use grafc_testsuite::executors::awlsim;
 use grafc_testsuite::executors::matiec::{Tools, accepts};
@@ -35,12 +35,11 @@ fn compile(text: &str, encoding: Encoding) -> Result<Codes, Diagnostics> {
     if said.has_errors() {
         return Err(said);
     }
-    let (program, more) = grafc_logic::compile(&net, &Options { encoding, ..Options::default() });
+    let (program, more) = grafc_logic::compile(Analysis::new(net), &Options { encoding, ..Options::default() });
     said.append(more);
-    let Some(program) = program.filter(|_| !said.has_errors()) else {
-        assert!(said.has_errors(), "no program, and no reason given");
+    if said.has_errors() {
         return Err(said);
-    };
+    }
     let text = st::emit(&program, &st::Options::default())?;
     let awl = match awl::emit(&program, &awl::Options::default()) {
         Ok(text) => Some(text),

@@ -20,7 +20,7 @@ use grafc_testsuite::ways::exact;
 fn transients(chart: &Chart) -> Transients {
     let mut net = grafc_net::build(chart);
     grafc_net::passes::run(&mut net, false, &mut Diagnostics::new());
-    grafc_logic::analyse(&net).transients
+    grafc_logic::Analysis::new(net).transients().clone()
 }
 
 /// The tiny charts of some seeds.

@@ -38,7 +38,7 @@ fn warnings(chart: &Chart) -> Diagnostics {
     let mut said = Diagnostics::new();
     let mut net = grafc_net::build(chart);
     grafc_net::passes::run(&mut net, false, &mut said);
-    said.append(grafc_logic::warn(&net));
+    said.append(grafc_logic::warn(&grafc_logic::Analysis::new(net)));
     said
 }
 

@@ -29,8 +29,9 @@ pub mod sequence;
 mod tidy;
 mod warn;
 
+pub use analysis::Analysis;
 pub use analysis::transients::Transients;
 pub use compile::compile;
 pub use options::{Encoding, Options};
-pub use report::{Report, analyse, arrow};
+pub use report::{arrow, bits};
 pub use warn::warn;

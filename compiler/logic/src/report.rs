@@ -1,31 +1,13 @@
-//! What has been proved of a net, for people.
+//! What has been found out about a net, in words.
 
-use crate::analysis::components::{self, Reason};
-use crate::analysis::transients::{self, Known, Transients};
-use crate::lower::{Context, Lowering, Moment};
+use crate::analysis::Analysis;
+use crate::analysis::components::Reason;
 use grafc_model::chart::{StepId, TransitionId};
 use grafc_net::Net;
-use index_vec::IndexVec;
 
-/// What is known of a flat net.
-#[derive(Clone, Debug)]
-pub struct Report {
-    /// How many micro-steps a reaction can need.
-    pub transients: Transients,
-    /// The steps that share a state with none, and why.
-    pub bits: Vec<(StepId, String)>,
-}
-
-/// Analyses a flat net.
-pub fn analyse(net: &Net) -> Report {
-    let mut lowering = Lowering::new(net, None);
-    let mut cx = Context::new(Moment::MicroStep);
-    let conditions: IndexVec<TransitionId, _> =
-        net.transitions.iter().map(|t| lowering.expr(&mut cx, t.condition)).collect();
-    let analysed = components::analyse(net, &lowering.pool, &lowering.edges, &conditions);
-    let transients = transients::analyse(net, &Known::new(&lowering, &conditions, &analysed.components));
-    let bits = analysed.reasons.iter().map(|(s, reason)| (*s, because(net, *reason))).collect();
-    Report { transients, bits }
+/// The steps that share a state with none, and why.
+pub fn bits(analysis: &Analysis) -> impl Iterator<Item = (StepId, String)> + '_ {
+    analysis.reasons.iter().map(|(s, reason)| (*s, because(analysis.net(), *reason)))
 }
 
 /// Of more steps on one side of a transition, only the first ones are named.

@@ -4,22 +4,21 @@
 use grafc_diagnostics::{Diagnostics, FileId};
 use grafc_formula::Type;
 use grafc_logic::scan::{Program, Role, Statement, VarId, verify};
-use grafc_logic::{Options, compile};
+use grafc_logic::{Analysis, Options, compile};
 use grafc_model::reaction::{Evolution, Profile};
 
-fn compiled(text: &str, profile: Profile) -> (Option<Program>, Diagnostics) {
+fn compiled(text: &str, profile: Profile) -> Program {
     let (tree, said) = grafc_syntax::parse(FileId::default(), text);
     assert!(!said.has_errors(), "{said:?}");
     let (chart, said) = grafc_model::check(&tree, "chart");
     let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{said:?}")));
     let mut said = Diagnostics::new();
     grafc_net::passes::run(&mut net, false, &mut said);
-    compile(&net, &Options { profile, ..Options::default() })
+    compile(Analysis::new(net), &Options { profile, ..Options::default() }).0
 }
 
 fn program(text: &str) -> Program {
-    let (program, said) = compiled(text, Profile::default());
-    program.unwrap_or_else(|| panic!("{said:?}"))
+    compiled(text, Profile::default())
 }
 
 /// The names of the variables of ours.
@@ -64,7 +63,7 @@ fn the_counter_of_micro_steps_holds_the_bound() {
     // Where both inputs are true it never rests, so there has to be a bound.
     let text = "input a, b : bool  initial step 1  step 2  transition 1 -> 2 : a  transition 2 -> 1 : b";
     let of = |bound| {
-        let program = compiled(text, Profile { bound: Some(bound), ..Profile::default() }).0.expect("a program");
+        let program = compiled(text, Profile { bound: Some(bound), ..Profile::default() });
         let repeat = program.repeat.expect("a loop");
         {
             let limit = repeat.limit.expect("no bound is proved");
@@ -91,8 +90,7 @@ fn what_is_proved_to_end_is_not_counted() {
 #[test]
 fn one_evolution_a_scan_has_no_loop() {
     let text = "input a : bool  initial step 1  step 2  transition 1 -> 2 : a";
-    let (program, _) = compiled(text, Profile { evolution: Evolution::Scan, ..Profile::default() });
-    let program = program.expect("a program");
+    let program = compiled(text, Profile { evolution: Evolution::Scan, ..Profile::default() });
     assert!(program.repeat.is_none());
     assert_eq!(ours(&program), ["clr_1", "started"]);
 }

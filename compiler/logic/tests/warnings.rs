@@ -10,7 +10,7 @@ fn said(text: &str) -> Diagnostics {
     let mut said = Diagnostics::new();
     grafc_net::passes::run(&mut net, false, &mut said);
     assert!(said.is_empty(), "{said:?}");
-    grafc_logic::warn(&net)
+    grafc_logic::warn(&grafc_logic::Analysis::new(net))
 }
 
 fn codes(text: &str) -> Vec<&'static str> {

@@ -7,12 +7,14 @@
 //! [`build()`] translates and decides nothing; each pass removes one construct and says so with a [`Fact`];
 //! [`verify()`] checks the invariants of [`net`] and every fact, after each pass in tests and debug builds.
 
+mod arcs;
 mod build;
 mod dump;
 pub mod net;
 pub mod passes;
 mod verify;
 
+pub use arcs::Arcs;
 pub use build::build;
 pub use dump::dump;
 pub use net::{Fact, Net};

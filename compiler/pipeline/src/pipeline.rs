@@ -10,9 +10,9 @@
 
 use grafc_backends::{Output, Source, Target};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
-use grafc_logic::Encoding;
 use grafc_logic::scan::{self, Program};
 use grafc_logic::sequence::{Sequence, sequence};
+use grafc_logic::{Analysis, Encoding};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::Profile;
 use grafc_model::simulate::Simulator;
@@ -102,7 +102,7 @@ pub fn check(file: FileId, text: &str, default_name: &str) -> (Option<Chart>, Di
     if let Some(chart) = &chart {
         let mut net = grafc_net::build(chart);
         grafc_net::passes::run(&mut net, false, &mut said);
-        said.append(grafc_logic::warn(&net));
+        said.append(grafc_logic::warn(&Analysis::new(net)));
         said.sort_by_place();
     }
     (chart, said)
@@ -132,9 +132,9 @@ fn lower(
 ) -> (Option<Program>, Diagnostics) {
     let (net, mut said) = flatten(file, text, default_name, options.encoding, |_, _| ());
     let Some(net) = net else { return (None, said) };
-    let (program, found) = grafc_logic::compile(&net, options);
+    let (program, found) = grafc_logic::compile(Analysis::new(net), options);
     said.append(found);
-    (program.filter(|_| !said.has_errors()), said)
+    (Some(program).filter(|_| !said.has_errors()), said)
 }
 
 /// As far as code.
@@ -147,7 +147,8 @@ fn emit(
 ) -> (Option<Output>, Diagnostics) {
     let (net, mut said) = flatten(file, text, default_name, options.encoding, |_, _| ());
     let Some(net) = net else { return (None, said) };
-    let stages = LastStages { net: &net, options, program: OnceCell::new(), sequence: OnceCell::new() };
+    let stages =
+        LastStages { analysis: Analysis::new(net), options, program: OnceCell::new(), sequence: OnceCell::new() };
     let made = target.emit(&stages);
     if let Some((_, found)) = stages.program.into_inner() {
         said.append(found);
@@ -165,21 +166,22 @@ fn emit(
 }
 
 /// The stages after the flat net, of which a target asks for the one that it writes.
-struct LastStages<'n> {
-    net: &'n Net,
-    options: &'n grafc_logic::Options,
-    program: OnceCell<(Option<Program>, Diagnostics)>,
+struct LastStages<'o> {
+    analysis: Analysis,
+    options: &'o grafc_logic::Options,
+    program: OnceCell<(Program, Diagnostics)>,
     sequence: OnceCell<Result<Sequence, Diagnostics>>,
 }
 
 impl Source for LastStages<'_> {
     fn program(&self) -> Result<&Program, Diagnostics> {
-        let (program, said) = self.program.get_or_init(|| grafc_logic::compile(self.net, self.options));
-        program.as_ref().filter(|_| !said.has_errors()).ok_or_else(|| said.clone())
+        let compile = || grafc_logic::compile(self.analysis.clone(), self.options);
+        let (program, said) = self.program.get_or_init(compile);
+        if said.has_errors() { Err(said.clone()) } else { Ok(program) }
     }
 
     fn sequence(&self) -> Result<&Sequence, Diagnostics> {
-        let drawn = self.sequence.get_or_init(|| sequence(self.net, self.options.profile));
+        let drawn = self.sequence.get_or_init(|| sequence(&self.analysis, self.options.profile));
         drawn.as_ref().map_err(Diagnostics::clone)
     }
 }

@@ -2,6 +2,8 @@
 
 use super::Fault;
 
+const ANALYSIS: &str = "compiler/logic/src/analysis/mod.rs";
+const FIRST_CALL: &str = "compiler/logic/src/encode/first_call.rs";
 const COMPILE: &str = "compiler/logic/src/compile.rs";
 const LOWER: &str = "compiler/logic/src/lower/mod.rs";
 const EDGES: &str = "compiler/logic/src/lower/edges.rs";
@@ -31,7 +33,7 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "edge-not-known-at-start",
-        file: COMPILE,
+        file: FIRST_CALL,
         breaks: "what is true at the start is a rising edge afterwards (R10)",
         text: "body.push(Statement::Assign { target: old, value, remark: None });",
         instead: "",
@@ -52,28 +54,28 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "delay-of-an-output-waits",
-        file: COMPILE,
+        file: ANALYSIS,
         breaks: "a delay that only an output reads does not run (X6)",
-        text: "lowering.prepare(cx, condition, false);",
+        text: "lowering.prepare(&mut cx, condition, false);",
         instead: "",
     },
     Fault {
         name: "duration-called-too-early",
         file: COMPILE,
         breaks: "timers of durations are called before the situation is settled, and not after (X5)",
-        text: "micro_step.extend(step_timer_statements(&mut lowering));",
+        text: "micro_step.extend(lowering.call_step_timers());",
         instead: "",
     },
     Fault {
         name: "initial-actions-of-all-steps",
-        file: COMPILE,
+        file: FIRST_CALL,
         breaks: "actions on activation of all steps are done at the start (R10)",
         text: "net.places[s].initial",
         instead: "true",
     },
     Fault {
         name: "initial-actions-always",
-        file: COMPILE,
+        file: FIRST_CALL,
         breaks: "initial actions are done although the profile says otherwise (R10)",
         text: "profile.initial_actions",
         instead: "true",
@@ -82,8 +84,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "bound-one-early",
         file: COMPILE,
         breaks: "the stability loop ends one micro-step early (R9)",
-        text: "options.profile.bound_for(steps, transitions)",
-        instead: "options.profile.bound_for(steps, transitions) - 1",
+        text: "profile.bound_for(steps, transitions)",
+        instead: "profile.bound_for(steps, transitions) - 1",
     },
     Fault {
         name: "no-livelock-flag",
@@ -180,8 +182,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "set-and-reset-swapped",
         file: EVENTS,
         breaks: "what clears into a step resets it, what clears out of it sets it (R4)",
-        text: "Some(Place { active: lowering.active(s), set, reset })",
-        instead: "Some(Place { active: lowering.active(s), set: reset, reset: set })",
+        text: "Some(SetReset { active: lowering.active(s), set, reset })",
+        instead: "Some(SetReset { active: lowering.active(s), set: reset, reset: set })",
     },
     Fault {
         name: "deactivated-though-set",
@@ -293,7 +295,7 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "events-along-a-transition-exclude-each-other",
         file: ALLOCATE,
         breaks: "an event at a step and the activation of its successor are not done both (R7)",
-        text: "!tokens.flow.leads(net, &before, *s)",
+        text: "!leads(net, tokens.arcs, &before, *s)",
         instead: "true",
     },
     Fault {

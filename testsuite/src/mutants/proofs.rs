@@ -80,8 +80,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "exclusion-edge-upside-down",
         file: EXCLUSION,
         breaks: "a rising edge is taken to mean that its operand is false",
-        text: "self.edges.get(v).map(|edge| (edge.now, edge.rising))",
-        instead: "self.edges.get(v).map(|edge| (edge.now, !edge.rising))",
+        text: "self.edge(*v).map(|edge| (edge.now, edge.rising))",
+        instead: "self.edge(*v).map(|edge| (edge.now, !edge.rising))",
     },
     Fault {
         name: "exclusion-of-the-same",
@@ -108,14 +108,14 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "exclusion-everything-keeps",
         file: PROOF,
         breaks: "conditions are compared over micro-steps as if every variable kept its value",
-        text: "stable(*v) && !self.facts.edges.contains_key(v)",
-        instead: "!self.facts.edges.contains_key(v)",
+        text: "stable(*v) && self.facts.edge(*v).is_none()",
+        instead: "self.facts.edge(*v).is_none()",
     },
     Fault {
         name: "tokens-always-marked",
         file: COVER,
         breaks: "a set is taken to have an active step always although transitions take it away",
-        text: "component.own.iter().all(|s| around.leaving[*s].iter().all(keeps))",
+        text: "component.own.iter().all(|s| around.leaving(*s).iter().all(keeps))",
         instead: "{ let _ = keeps; true }",
     },
     Fault {

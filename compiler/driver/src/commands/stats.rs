@@ -11,7 +11,7 @@ use grafc_backends::{awl, il, rust};
 use grafc_diagnostics::{Diagnostics, FileId, Severity};
 use grafc_logic::scan::{Measure, measure};
 use grafc_logic::scan::{Program, State};
-use grafc_logic::{Encoding, Options, arrow, compile};
+use grafc_logic::{Analysis, Encoding, Options, arrow, bits, compile};
 use grafc_model::chart::{Chart, StepId, TransitionId};
 use grafc_model::reaction::{Evolution, Profile};
 use serde::Serialize;
@@ -164,17 +164,21 @@ fn figures(file: FileId, text: &str, default_name: &str, profile: Profile) -> (O
     };
     let mut net = grafc_net::build(&chart);
     grafc_net::passes::run(&mut net, false, &mut said);
-    let proved = grafc_logic::analyse(&net);
-    let arrows = |list: &[TransitionId]| list.iter().map(|t| arrow(&net, *t)).collect();
+    let analysis = Analysis::new(net);
+    let proved = analysis.transients();
+    let arrows = |list: &[TransitionId]| list.iter().map(|t| arrow(analysis.net(), *t)).collect();
     figures.transients = Transients {
-        longest: proved.transients.longest,
-        single: proved.transients.single,
-        chain: arrows(&proved.transients.chain),
-        cycle: arrows(&proved.transients.cycle),
+        longest: proved.longest,
+        single: proved.single,
+        chain: arrows(&proved.chain),
+        cycle: arrows(&proved.cycle),
     };
     for encoding in Encoding::ALL {
         let mut found = Diagnostics::new();
-        let program = program(&chart, &Options { profile, encoding, ..Options::default() }, &mut found);
+        // Charts are drawn otherwise where steps overlap.
+        let of_encoding = if encoding.overlaps() { flattened(&chart, &mut found) } else { Some(analysis.clone()) };
+        let options = Options { profile, encoding, ..Options::default() };
+        let program = of_encoding.and_then(|analysis| program(analysis, &options, &mut found));
         let row =
             program.as_ref().and_then(|program| Row::new(encoding, program).map_err(|fault| found.append(fault)).ok());
         let (Some(program), Some(row)) = (program, row) else {
@@ -184,23 +188,25 @@ fn figures(file: FileId, text: &str, default_name: &str, profile: Profile) -> (O
         };
         figures.encodings.push(row);
         match encoding {
-            Encoding::Switch => figures.switch = Decomposition::new(&chart, &program, &proved),
+            Encoding::Switch => figures.switch = Decomposition::new(&chart, &program, &analysis),
             Encoding::SinglePhase | Encoding::RTrigger | Encoding::STrigger | Encoding::Sequent => {}
         }
     }
     (Some(figures), said)
 }
 
-/// The scan program of a checked chart, unless a message is an error.
-fn program(chart: &Chart, options: &Options, said: &mut Diagnostics) -> Option<Program> {
+/// A chart for an encoding in which steps overlap, unless a message is an error.
+fn flattened(chart: &Chart, said: &mut Diagnostics) -> Option<Analysis> {
     let mut net = grafc_net::build(chart);
-    grafc_net::passes::run(&mut net, options.encoding.overlaps(), said);
-    if said.has_errors() {
-        return None;
-    }
-    let (program, found) = compile(&net, options);
+    grafc_net::passes::run(&mut net, true, said);
+    (!said.has_errors()).then(|| Analysis::new(net))
+}
+
+/// The scan program under an encoding, unless a message is an error.
+fn program(analysis: Analysis, options: &Options, said: &mut Diagnostics) -> Option<Program> {
+    let (program, found) = compile(analysis, options);
     said.append(found);
-    program.filter(|_| !said.has_errors())
+    Some(program).filter(|_| !said.has_errors())
 }
 
 impl Row {
@@ -226,17 +232,17 @@ impl Row {
 }
 
 impl Decomposition {
-    fn new(chart: &Chart, program: &Program, proved: &grafc_logic::Report) -> Decomposition {
+    fn new(chart: &Chart, program: &Program, analysis: &Analysis) -> Decomposition {
         let label = |s: &StepId| chart.steps.get(*s).map(|step| step.label.clone());
         let held = |state: &State| Held {
             name: program.variables[state.variable].name.clone(),
             idle: state.idle.is_some(),
             steps: state.values.iter().filter_map(|(s, _)| label(s)).collect(),
         };
-        let bit = |(s, because): &(StepId, String)| Some(Bit { step: label(s)?, because: because.clone() });
+        let bit = |(s, because): (StepId, String)| Some(Bit { step: label(&s)?, because });
         Decomposition {
             states: program.states.iter().map(held).collect(),
-            bits: proved.bits.iter().filter_map(bit).collect(),
+            bits: bits(analysis).filter_map(bit).collect(),
         }
     }
 }

@@ -1,10 +1,12 @@
 //! Pairs of conditions, each with a valuation under which both hold or the reason why there is none.
 
-use crate::lower::{Context, Lowering, Moment};
+use super::Analysis;
+use crate::lower::Lowering;
 use crate::scan::{Role, VarId};
 use grafc_diagnostics::{Diagnostics, FileId};
 use grafc_formula::exclusion::EdgeFacts;
 use grafc_formula::{Comparison, Formula, FormulaId, Pool, Type, Value};
+use grafc_model::chart::TransitionId;
 
 const VARIABLES: &str = "input a, b, c, d : bool  input n, m : dint  input r, q : real  input s : lreal
     var k : dint  var w : bool  const limit : dint := 7";
@@ -21,11 +23,9 @@ fn ask(x: &str, y: &str, question: impl Fn(&EdgeFacts, &Lowering, FormulaId, For
     let (chart, said) = grafc_model::check(&tree, "chart");
     let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{text}\n{said:?}")));
     grafc_net::passes::run(&mut net, false, &mut Diagnostics::new());
-    let mut lowering = Lowering::new(&net, None);
-    let mut cx = Context::new(Moment::MicroStep);
-    let conditions: Vec<FormulaId> = net.transitions.iter().map(|t| lowering.expr(&mut cx, t.condition)).collect();
-    let facts = EdgeFacts::new(&lowering.edges);
-    question(&facts, &lowering, conditions[0], conditions[1])
+    let Analysis { conditions, facts, .. } = Analysis::new(net);
+    let (first, second) = (TransitionId::from_usize(0), TransitionId::from_usize(1));
+    question(&facts, &conditions.lowering, conditions.of_transition[first], conditions.of_transition[second])
 }
 
 fn exclude(x: &str, y: &str) -> bool {

@@ -1,6 +1,111 @@
-//! What is proved of a flat net.
+//! What is proved of a flat net, found once and used by all that follows: the lowering and the encodings shorten formulas
+//! by it, warnings and the report put it into words, a sequential function chart is refused by it.
+//!
+//! | room | what |
+//! | --- | --- |
+//! | `components/` | sets of steps of which at most one is active at any time, and which of them share a variable |
+//! | `exclusive` | steps that are never active together, conditions that never hold together |
+//! | `together/` | transitions, assignments and orders that are not proved never to meet |
+//! | `transients/` | how many micro-steps a reaction can need |
 
 pub(crate) mod components;
 #[cfg(test)]
 mod exclusion_tests;
+mod exclusive;
+pub(crate) mod together;
 pub(crate) mod transients;
+
+use crate::lower::cover::Cover;
+use crate::lower::{Context, Lowering, Moment};
+use components::{Components, Found, Reason};
+use grafc_formula::FormulaId;
+use grafc_formula::exclusion::EdgeFacts;
+use grafc_model::chart::{Event, StepId, TransitionId};
+use grafc_net::{Arcs, Net};
+use index_vec::IndexVec;
+use rustc_hash::FxHashMap;
+use std::sync::{Arc, OnceLock};
+use together::Together;
+use transients::Transients;
+
+/// A flat net and what is proved of it. What not everybody asks for is found when somebody does.
+///
+/// What is said of how things go on in a micro-step holds where steps do not overlap; see
+/// [`Encoding::overlaps`](crate::Encoding::overlaps).
+#[derive(Clone)]
+pub struct Analysis {
+    pub(crate) net: Arc<Net>,
+    pub(crate) arcs: Arcs,
+    /// The conditions of a micro-step as formulas, with a bit for each step.
+    pub(crate) conditions: Conditions,
+    pub(crate) facts: EdgeFacts,
+    pub(crate) components: Components,
+    pub(crate) cover: Cover,
+    /// Why each step that the cover leaves out stays a bit.
+    pub(crate) reasons: Vec<(StepId, Reason)>,
+    transients: OnceLock<Transients>,
+    together: OnceLock<Together>,
+}
+
+impl Analysis {
+    /// Of a flat net, that is, after all passes.
+    pub fn new(net: impl Into<Arc<Net>>) -> Analysis {
+        let net = net.into();
+        let arcs = Arcs::of(&net, |_| true);
+        let conditions = Conditions::new(Lowering::new(net.clone(), None));
+        let facts = EdgeFacts::new(&conditions.lowering.edges);
+        let Found { components, cover, reasons } =
+            components::find(&net, &arcs, &facts, &conditions.lowering.pool, &conditions.of_transition);
+        let (transients, together) = (OnceLock::new(), OnceLock::new());
+        Analysis { net, arcs, conditions, facts, components, cover, reasons, transients, together }
+    }
+
+    /// The net.
+    pub fn net(&self) -> &Net {
+        &self.net
+    }
+
+    /// How many micro-steps a reaction can need.
+    pub fn transients(&self) -> &Transients {
+        self.transients.get_or_init(|| transients::find(self))
+    }
+
+    /// What may meet in one micro-step.
+    pub(crate) fn together(&self) -> &Together {
+        self.together.get_or_init(|| together::find(self))
+    }
+}
+
+/// What a micro-step evaluates: every condition has to be known before its first statement, because the operands of all
+/// edges are compared at once.
+#[derive(Clone)]
+pub(crate) struct Conditions {
+    pub(crate) lowering: Lowering,
+    pub(crate) cx: Context,
+    /// The condition of each transition.
+    pub(crate) of_transition: IndexVec<TransitionId, FormulaId>,
+    /// Expressions of stored actions on an event, by the number of the action.
+    pub(crate) of_event: FxHashMap<usize, FormulaId>,
+}
+
+impl Conditions {
+    /// Lowers them all.
+    pub(crate) fn new(mut lowering: Lowering) -> Conditions {
+        let net = &*lowering.net.clone();
+        let mut cx = Context::new(Moment::MicroStep);
+        let of_transition = net.transitions.iter().map(|t| lowering.expr(&mut cx, t.condition)).collect();
+        let mut of_event = FxHashMap::default();
+        for (index, action) in net.stored.iter().enumerate() {
+            if let Event::Event(_, e) = action.event {
+                of_event.insert(index, lowering.expr(&mut cx, e));
+            }
+            lowering.prepare(&mut cx, action.value, true);
+        }
+        for action in &net.continuous {
+            if let Some(condition) = action.condition {
+                lowering.prepare(&mut cx, condition, false);
+            }
+        }
+        Conditions { lowering, cx, of_transition, of_event }
+    }
+}

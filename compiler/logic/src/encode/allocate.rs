@@ -5,13 +5,12 @@
 //! round in a circle, one variable is copied first and the others read the copy.
 
 use crate::analysis::components::Components;
-use crate::encode::clearings::Flow;
 use crate::lower::{Context, Lowering};
 use crate::scan::{Flag, Role, Statement, VarId};
 use grafc_formula::{Formula, FormulaId, Type};
 use grafc_model::chart::{ExprId, ExprKind, Mode, StepId, TransitionId, VariableId};
-use grafc_net::Net;
 use grafc_net::net::Forced;
+use grafc_net::{Arcs, Net};
 use rustc_hash::FxHashSet;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -43,7 +42,7 @@ pub(crate) enum Position {
 #[derive(Clone, Copy)]
 pub(crate) struct Tokens<'a> {
     pub(crate) components: &'a Components,
-    pub(crate) flow: &'a Flow,
+    pub(crate) arcs: &'a Arcs,
 }
 
 /// The assignments of a moment, by variable; of each variable in the order of R7.
@@ -114,7 +113,7 @@ fn order(lowering: &Lowering, triggers: &Triggers) -> Vec<(VariableId, bool)> {
 
 /// The stored variables that a right side reads at the moment of writing; wires, edges and delays were fixed before.
 fn stored_reads(lowering: &Lowering, root: ExprId) -> Vec<VariableId> {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let mut found = Vec::new();
     let mut stack = vec![root];
     while let Some(e) = stack.pop() {
@@ -159,7 +158,7 @@ fn one_variable(
     if triggers.is_empty() {
         return;
     }
-    let exclusive = triggers.len() == 1 || tokens.is_some_and(|t| exclusive(lowering.net, t, triggers));
+    let exclusive = triggers.len() == 1 || tokens.is_some_and(|t| exclusive(&lowering.net, t, triggers));
     let literals: Option<Vec<FormulaId>> = triggers.iter().map(|t| literal(lowering, t.value)).collect();
     match literals {
         Some(literals) if exclusive || distinct(&literals) <= 2 => {
@@ -206,7 +205,12 @@ fn exclusive(net: &Net, tokens: Tokens, triggers: &[Trigger]) -> bool {
         }
     }
     let before: BTreeSet<StepId> = before.into_keys().collect();
-    after.iter().all(|s| !tokens.flow.leads(net, &before, *s) && (before.is_empty() || !forced(net, *s)))
+    after.iter().all(|s| !leads(net, tokens.arcs, &before, *s) && (before.is_empty() || !forced(net, *s)))
+}
+
+/// Whether a transition leads from one of the steps of `from` to `to`, another step.
+fn leads(net: &Net, arcs: &Arcs, from: &BTreeSet<StepId>, to: StepId) -> bool {
+    arcs.into_step(to).iter().any(|t| net.transitions[*t].pre.iter().any(|s| from.contains(s)))
 }
 
 /// Whether an order may bring the token of a component here from wherever it is.

@@ -33,7 +33,7 @@ pub(super) fn micro_step(
     let overlaps = task.encoding.overlaps();
     let (frozen, mut transitions) = settle::frozen(lowering);
     // The textbook's triggers write conditions out; elsewhere each clearing is named and latched.
-    let (mut clearings, latched) = Clearings::new(lowering, task.conditions, &frozen, !overlaps, task.simplify);
+    let (mut clearings, latched) = Clearings::new(lowering, task, &frozen, !overlaps);
     transitions.extend(latched);
     stored::heading(&mut out, "transitions that clear", transitions);
 
@@ -75,7 +75,7 @@ pub(super) fn micro_step(
 /// Steps whose next activity is computed before it is written: because others need it or act on it, or because every
 /// step reads its neighbours.
 fn ahead(lowering: &Lowering, task: &Task) -> IndexVec<StepId, bool> {
-    let mut ahead = settle::acted_on(lowering.net);
+    let mut ahead = settle::acted_on(&lowering.net);
     let all = match task.encoding {
         Encoding::RTrigger | Encoding::STrigger => true,
         // On copies, or not at all.
@@ -95,7 +95,7 @@ fn next_situation(
     clearings: &mut Clearings,
     ahead: &IndexVec<StepId, bool>,
 ) -> Vec<Statement> {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let mut statements = Vec::new();
     if !ahead.iter().any(|needed| *needed) {
         return statements;

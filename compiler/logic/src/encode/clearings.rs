@@ -8,48 +8,9 @@ use crate::lower::Lowering;
 use crate::scan::{Role, Statement, VarId};
 use grafc_formula::{Formula, FormulaId};
 use grafc_model::chart::{StepId, TransitionId, Type};
-use grafc_net::Net;
+use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
-use std::collections::BTreeSet;
-
-/// The transitions around each step.
-pub(crate) struct Flow {
-    /// Transitions that lead into a step, self-loops left out.
-    pub(crate) into: IndexVec<StepId, Vec<TransitionId>>,
-    /// Transitions that lead out of a step, self-loops left out.
-    pub(crate) out_of: IndexVec<StepId, Vec<TransitionId>>,
-    /// Transitions that lead out of a step and back into it at once.
-    pub(crate) loops: IndexVec<StepId, Vec<TransitionId>>,
-}
-
-impl Flow {
-    /// Looks at each arc once.
-    pub(crate) fn new(net: &Net) -> Self {
-        let none = || -> IndexVec<StepId, Vec<TransitionId>> { net.places.iter().map(|_| Vec::new()).collect() };
-        let mut flow = Flow { into: none(), out_of: none(), loops: none() };
-        // The last transition that touched a step, to tell self-loops in one pass.
-        let mut before: IndexVec<StepId, Option<TransitionId>> = net.places.iter().map(|_| None).collect();
-        let mut after = before.clone();
-        for (t, transition) in net.transitions.iter_enumerated() {
-            transition.pre.iter().for_each(|s| before[*s] = Some(t));
-            transition.post.iter().for_each(|s| after[*s] = Some(t));
-            for s in &transition.pre {
-                let table = if after[*s] == Some(t) { &mut flow.loops } else { &mut flow.out_of };
-                table[*s].push(t);
-            }
-            for s in transition.post.iter().filter(|s| before[**s] != Some(t)) {
-                flow.into[*s].push(t);
-            }
-        }
-        flow
-    }
-
-    /// Whether a transition leads from one of the steps of `from` to `to`, another step.
-    pub(crate) fn leads(&self, net: &Net, from: &BTreeSet<StepId>, to: StepId) -> bool {
-        self.into[to].iter().any(|t| net.transitions[*t].pre.iter().any(|s| from.contains(s)))
-    }
-}
 
 /// Whether a transition clears, as the factors of a conjunction (R3): its steps are active, what encloses it is, nothing
 /// freezes it, and its condition holds. A step within another is never active without that, so the factor is needed
@@ -72,9 +33,9 @@ pub(crate) fn clears(
 }
 
 /// What a micro-step does to each step, as formulas.
-pub(crate) struct Clearings {
+pub(crate) struct Clearings<'a> {
     /// The transitions around each step.
-    pub(crate) flow: Flow,
+    pub(crate) arcs: &'a Arcs,
     /// Whether each transition clears.
     pub(crate) cleared: IndexVec<TransitionId, FormulaId>,
     /// The next activity of steps for which it has been computed, because others need it or enclosures and orders act
@@ -82,21 +43,20 @@ pub(crate) struct Clearings {
     pub(crate) next: IndexVec<StepId, Option<FormulaId>>,
 }
 
-impl Clearings {
+impl<'a> Clearings<'a> {
     /// With the clearing of each transition latched in a variable before anything is written, if `latch`; else written
     /// out wherever it is needed.
     pub(crate) fn new(
         lowering: &mut Lowering,
-        conditions: &IndexVec<TransitionId, FormulaId>,
+        task: &Task<'a>,
         frozen: &Frozen,
         latch: bool,
-        simplify: bool,
     ) -> (Self, Vec<Statement>) {
-        let net = lowering.net;
+        let net = &*lowering.net.clone();
         let mut statements = Vec::new();
         let mut cleared = IndexVec::with_capacity(net.transitions.len());
         for t in net.transitions.indices() {
-            let factors = clears(lowering, t, conditions[t], frozen, simplify);
+            let factors = clears(lowering, t, task.conditions[t], frozen, task.simplify);
             let value = lowering.pool.and(factors);
             if !latch {
                 cleared.push(value);
@@ -108,7 +68,7 @@ impl Clearings {
             cleared.push(lowering.symbols.read(&mut lowering.pool, target));
         }
         let next = net.places.iter().map(|_| None).collect();
-        (Clearings { flow: Flow::new(net), cleared, next }, statements)
+        (Clearings { arcs: task.arcs, cleared, next }, statements)
     }
 
     fn any(&self, lowering: &mut Lowering, transitions: impl IntoIterator<Item = TransitionId>) -> FormulaId {
@@ -118,15 +78,15 @@ impl Clearings {
 
     /// What decides on the next activity of a step; none if no transition touches it.
     pub(crate) fn set_and_reset(&self, lowering: &mut Lowering, s: StepId, overlaps: bool) -> Option<SetReset> {
-        if self.flow.into[s].is_empty() && self.flow.out_of[s].is_empty() {
+        if self.arcs.into_step(s).is_empty() && self.arcs.out_of_step(s).is_empty() {
             // A self-loop alone neither activates nor deactivates: set dominates.
             return None;
         }
-        let set = self.any(lowering, self.flow.into[s].iter().chain(&self.flow.loops[s]).copied());
+        let set = self.any(lowering, self.arcs.into_step(s).iter().chain(self.arcs.loops(s)).copied());
         let reset = if overlaps {
             self.followed(lowering, s)
         } else {
-            self.any(lowering, self.flow.out_of[s].iter().chain(&self.flow.loops[s]).copied())
+            self.any(lowering, self.arcs.out_of_step(s).iter().chain(self.arcs.loops(s)).copied())
         };
         Some(SetReset { active: lowering.active(s), set, reset })
     }
@@ -134,7 +94,7 @@ impl Clearings {
     /// A successor of `s` is active; a transition that nothing follows resets by its clearing.
     fn followed(&self, lowering: &mut Lowering, s: StepId) -> FormulaId {
         let mut terms = Vec::new();
-        for t in &self.flow.out_of[s] {
+        for t in self.arcs.out_of_step(s) {
             // A step that the transition leads back to was active before.
             let transition = &lowering.net.transitions[*t];
             let fresh = transition.post.iter().filter(|after| !transition.pre.contains(after));
@@ -153,7 +113,7 @@ impl Clearings {
             let inactive = lowering.pool.not(lowering.active(s));
             return lowering.pool.and([next, inactive]);
         }
-        let into = self.flow.into[s].iter().copied();
+        let into = self.arcs.into_step(s).iter().copied();
         if components.covers(s) {
             // The step that the token of a component comes to was inactive.
             return self.any(lowering, into);
@@ -179,7 +139,7 @@ impl Clearings {
             let gone = lowering.pool.not(next);
             return lowering.pool.and([lowering.active(s), gone]);
         }
-        let out_of = self.flow.out_of[s].iter().copied();
+        let out_of = self.arcs.out_of_step(s).iter().copied();
         if components.covers(s) {
             return self.any(lowering, out_of);
         }
@@ -194,7 +154,7 @@ impl Clearings {
         transitions: impl IntoIterator<Item = TransitionId>,
     ) -> FormulaId {
         let reset = self.any(lowering, transitions);
-        let set = self.any(lowering, self.flow.into[s].iter().chain(&self.flow.loops[s]).copied());
+        let set = self.any(lowering, self.arcs.into_step(s).iter().chain(self.arcs.loops(s)).copied());
         let not_set = lowering.pool.not(set);
         lowering.pool.and([reset, not_set])
     }
@@ -209,7 +169,7 @@ impl Clearings {
         task: &Task,
         told: impl Fn(TransitionId) -> bool,
     ) -> Vec<FormulaId> {
-        let net = lowering.net;
+        let net = &*lowering.net.clone();
         let edges: FxHashSet<VarId> = lowering.edges.iter().flat_map(|e| [e.rise, e.fall]).flatten().collect();
         let is_edge = |f: &FormulaId| matches!(lowering.pool.get(*f), Formula::Variable(v) if edges.contains(v));
         let quiet: IndexVec<TransitionId, bool> = task
@@ -220,14 +180,14 @@ impl Clearings {
         let bits: Vec<StepId> = net.places.indices().filter(|s| lowering.situation.bit(*s).is_some()).collect();
         let mut moves: IndexVec<TransitionId, bool> = net.transitions.iter().map(|_| false).collect();
         for s in bits.iter().filter(|s| task.components.covers(**s)) {
-            self.flow.out_of[*s].iter().for_each(|t| moves[*t] = true);
+            self.arcs.out_of_step(*s).iter().for_each(|t| moves[*t] = true);
         }
         let moving = net.transitions.indices().filter(|t| moves[*t] && !quiet[*t]);
         let mut terms: Vec<FormulaId> = moving.map(|t| self.cleared[t]).collect();
         for s in bits {
             let others =
                 |list: &[TransitionId]| list.iter().copied().filter(|t| !moves[*t] && !quiet[*t]).collect::<Vec<_>>();
-            let (into, out_of) = (others(&self.flow.into[s]), others(&self.flow.out_of[s]));
+            let (into, out_of) = (others(self.arcs.into_step(s)), others(self.arcs.out_of_step(s)));
             if !into.is_empty() {
                 terms.push(self.activated_by(lowering, s, into));
             }
@@ -251,7 +211,7 @@ impl StepEvents {
     /// Counts what the stored actions wait for.
     pub(crate) fn new(lowering: &mut Lowering, clearings: &Clearings, components: &Components) -> Self {
         use grafc_model::chart::Event;
-        let net = lowering.net;
+        let net = &*lowering.net.clone();
         let mut uses: FxHashMap<(StepId, bool), usize> = FxHashMap::default();
         for action in &net.stored {
             match action.event {

@@ -17,7 +17,7 @@ pub(crate) fn first_call(
     followers: Option<&Followers>,
     input_event: &InputEvent,
 ) -> (Vec<Statement>, Option<VarId>) {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let mut cx = Context::new(Moment::First);
     let yes = lowering.pool.truth(true);
     let mut body = Vec::new();

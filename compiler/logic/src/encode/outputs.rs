@@ -26,7 +26,7 @@ pub(crate) struct Followers {
 
 /// Finds wires that can follow a state, and tells the lowering that their variables hold their values.
 pub(crate) fn followers(lowering: &mut Lowering) -> Followers {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let mut followers = Followers {
         of_set: lowering.situation.sets.iter().map(|_| Vec::new()).collect(),
         conditional: FxHashSet::default(),
@@ -88,7 +88,7 @@ impl Followers {
 
 /// All that is computed after the evolution.
 pub(crate) fn statements(lowering: &mut Lowering, followers: Option<&Followers>) -> Vec<Statement> {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let mut cx = Context::new(Moment::After);
     for (v, variable) in net.variables.iter_enumerated() {
         if variable.mode == Mode::Wire && variable.kind == VariableKind::Output {

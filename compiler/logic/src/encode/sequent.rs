@@ -23,8 +23,8 @@ pub(super) fn moves(
     clearings: &Clearings,
     target: impl Fn(&Lowering, StepId) -> Option<VarId>,
 ) -> Vec<Statement> {
-    let net = lowering.net;
-    let entered = |s: &StepId| !clearings.flow.into[*s].is_empty() || !clearings.flow.loops[*s].is_empty();
+    let net = &*lowering.net.clone();
+    let entered = |s: &StepId| !task.arcs.entering(*s).is_empty();
     let both_at_once = |s: &StepId| entered(s) && !task.components.covers(*s);
     let (mut resets, mut sets) = (Vec::new(), Vec::new());
     for (t, transition) in net.transitions.iter_enumerated() {
@@ -54,7 +54,7 @@ pub(super) fn moves(
 
 /// Transitions as one chain of `IF`s without anything latched; none if something else has to know what clears.
 pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Option<Vec<Statement>> {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let covered = net.places.indices().all(|s| task.components.covers(s));
     let alone = net.stored.is_empty() && !settle::acted_on(net).iter().any(|acted_on| *acted_on);
     if !covered || !alone {
@@ -107,7 +107,7 @@ fn moved(lowering: &mut Lowering, task: &Task, t: TransitionId) -> Vec<Statement
         body.push(Statement::Assign { target, value: lowering.pool.truth(true), remark: None });
     }
     if let Some(Statement::Assign { remark, .. }) = body.first_mut() {
-        *remark = Some(drawn(lowering.net, t));
+        *remark = Some(drawn(&lowering.net, t));
     }
     body
 }

@@ -27,7 +27,7 @@ pub(crate) type Frozen = IndexVec<GrafcetId, Option<FormulaId>>;
 
 /// Freezing in the old situation, with the statements that find it.
 pub(crate) fn frozen(lowering: &mut Lowering) -> (Frozen, Vec<Statement>) {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let mut statements = Vec::new();
     let mut frozen: Frozen = net.grafcets.iter().map(|_| None).collect();
     for g in &net.hierarchy {
@@ -84,7 +84,7 @@ pub(crate) fn orders(
     next: &mut dyn FnMut(&mut Lowering, StepId) -> FormulaId,
     statements: &mut Vec<Statement>,
 ) -> Option<InForce> {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let grafcet = &net.grafcets[g];
     let forcing: Vec<FormulaId> = grafcet.orders.iter().map(|order| next(lowering, order.step)).collect();
     let exclusive = exclude_each_other(components, net, g);
@@ -206,7 +206,7 @@ pub(crate) fn settled(
     within: Option<FormulaId>,
     in_force: Option<&InForce>,
 ) -> FormulaId {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let place = &net.places[s];
     let mut value = own;
     if let Some(e) = place.within.filter(|_| place.activated) {

@@ -28,7 +28,7 @@ pub(crate) fn actions(
     step_events: StepEvents,
     input_event: &mut InputEvent,
 ) -> Vec<Statement> {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let mut statements = Vec::new();
     let no_edges = without_edges(lowering, !task.events.is_empty(), &mut statements);
     let mut triggers = Triggers::new();
@@ -60,7 +60,7 @@ pub(crate) fn actions(
         }
     }
     statements.extend(step_events.statements);
-    let tokens = Tokens { components: task.components, flow: &clearings.flow };
+    let tokens = Tokens { components: task.components, arcs: task.arcs };
     statements.extend(allocate::statements(lowering, cx, &triggers, Some(tokens), task.again));
     statements
 }

@@ -6,6 +6,7 @@ use crate::options::Encoding;
 use crate::scan::VarId;
 use grafc_formula::FormulaId;
 use grafc_model::chart::TransitionId;
+use grafc_net::Arcs;
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
@@ -15,6 +16,8 @@ pub(crate) struct Task<'a> {
     pub(crate) encoding: Encoding,
     /// Whether formulas are shortened by what has been proved.
     pub(crate) simplify: bool,
+    /// The transitions around each step.
+    pub(crate) arcs: &'a Arcs,
     /// The condition of each transition.
     pub(crate) conditions: &'a IndexVec<TransitionId, FormulaId>,
     /// The expression of each stored action on an event, by the number of the action.

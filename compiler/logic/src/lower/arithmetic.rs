@@ -8,7 +8,7 @@ use crate::scan::{Division, Flag, Role, Statement, VarId};
 use grafc_formula::number::is_zero;
 use grafc_formula::{Arithmetic, Formula, FormulaId, Type, Value};
 
-impl Lowering<'_> {
+impl Lowering {
     /// The value itself if it is a variable or a constant, else a variable that holds it.
     pub(super) fn latch(&mut self, cx: &mut Context, value: FormulaId) -> FormulaId {
         if !matches!(self.pool.get(value), Formula::Arithmetic(..) | Formula::Negate(_)) {

@@ -8,7 +8,7 @@ use crate::scan::{Preset, Role, Statement, Timer, TimerId};
 use grafc_formula::{FormulaId, Type, Value};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, StepId};
 
-impl Lowering<'_> {
+impl Lowering {
     /// Brings the timers of step durations up to date with the situation.
     pub(crate) fn call_step_timers(&self) -> Vec<Statement> {
         let call = |(s, t): (&StepId, &TimerId)| Statement::CallTimer { timer: *t, input: self.active(*s) };

@@ -9,7 +9,7 @@ use grafc_formula::exclusion::EdgeOperand;
 use grafc_formula::{FormulaId, Type};
 use grafc_model::chart::ExprId;
 
-impl Lowering<'_> {
+impl Lowering {
     pub(super) fn edge(&mut self, cx: &mut Context, operand: ExprId, rising: bool) -> FormulaId {
         match cx.moment {
             // No edge is true at the start (R10), and the checks allow none in continuous actions.

@@ -22,6 +22,7 @@ use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
 use situation::Situation;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use symbols::Symbols;
 
 /// The moments at which conditions are evaluated.
@@ -36,6 +37,7 @@ pub(crate) enum Moment {
 }
 
 /// What has been lowered at one moment.
+#[derive(Clone)]
 pub(crate) struct Context {
     moment: Moment,
     /// The definitions, in the order in which they must be done.
@@ -78,8 +80,9 @@ impl Context {
 }
 
 /// Everything that lowering shares between moments.
-pub(crate) struct Lowering<'n> {
-    pub(crate) net: &'n Net,
+#[derive(Clone)]
+pub(crate) struct Lowering {
+    pub(crate) net: Arc<Net>,
     pub(crate) symbols: Symbols,
     pub(crate) situation: Situation,
     pub(crate) pool: Pool,
@@ -117,11 +120,11 @@ enum Need {
     Grafcet(GrafcetId),
 }
 
-impl<'n> Lowering<'n> {
+impl Lowering {
     /// With a cover, steps that exclude each other share a state.
-    pub(crate) fn new(net: &'n Net, cover: Option<&Cover>) -> Self {
-        let (mut symbols, mut pool) = (Symbols::new(net), Pool::default());
-        let situation = Situation::new(net, cover, &mut symbols, &mut pool);
+    pub(crate) fn new(net: Arc<Net>, cover: Option<&Cover>) -> Self {
+        let (mut symbols, mut pool) = (Symbols::new(&net), Pool::default());
+        let situation = Situation::new(&net, cover, &mut symbols, &mut pool);
         let mut continuous_of: FxHashMap<VariableId, Vec<usize>> = FxHashMap::default();
         for (index, action) in net.continuous.iter().enumerate() {
             continuous_of.entry(action.target).or_default().push(index);
@@ -246,14 +249,16 @@ impl<'n> Lowering<'n> {
         match need {
             Need::Wire(v) => self.build_wire(cx, v),
             Need::Macro(m) => {
-                let table = &self.net.macro_steps[m];
+                let net = &*self.net.clone();
+                let table = &net.macro_steps[m];
                 let inner: Vec<FormulaId> = table.inner.iter().map(|i| cx.macros[i]).collect();
                 let activity = self.any_active(&table.places, &inner);
                 let activity = self.named_activity(cx, &table.label, activity);
                 cx.macros.insert(m, activity);
             }
             Need::Grafcet(g) => {
-                let grafcet = &self.net.grafcets[g];
+                let net = &*self.net.clone();
+                let grafcet = &net.grafcets[g];
                 let activity = self.any_active(&grafcet.steps, &[]);
                 let activity = self.named_activity(cx, &grafcet.name, activity);
                 cx.grafcets.insert(g, activity);
@@ -294,7 +299,7 @@ impl<'n> Lowering<'n> {
 
     /// A wire is true while one of its actions applies; the name itself carries the value (B4).
     fn build_wire(&mut self, cx: &mut Context, wire: VariableId) {
-        let net = self.net;
+        let net = &*self.net.clone();
         let mut terms = Vec::new();
         for index in self.continuous_of.get(&wire).map_or(&[][..], Vec::as_slice).to_vec() {
             let action = &net.continuous[index];
@@ -312,7 +317,8 @@ impl<'n> Lowering<'n> {
     }
 
     fn build_expr(&mut self, cx: &mut Context, e: ExprId) -> FormulaId {
-        let expr = &self.net.exprs[e];
+        let net = &*self.net.clone();
+        let expr = &net.exprs[e];
         match &expr.kind {
             ExprKind::Literal(value) => self.pool.constant(*value, expr.ty),
             ExprKind::Variable(v) => {

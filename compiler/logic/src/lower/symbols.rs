@@ -10,6 +10,7 @@ use index_vec::IndexVec;
 use std::collections::BTreeMap;
 
 /// The table of variables: the chart's first, in its order, then ours as they are needed.
+#[derive(Clone)]
 pub(crate) struct Symbols {
     pub(crate) table: IndexVec<VarId, Variable>,
     declared: IndexVec<VariableId, VarId>,

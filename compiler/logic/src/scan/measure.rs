@@ -191,7 +191,7 @@ mod tests {
     use super::*;
     use crate::scan::by_hand::{assign, empty, variable};
     use crate::scan::{Arm, Flag, State, Timer};
-    use crate::{Encoding, Options, compile};
+    use crate::{Analysis, Encoding, Options, compile};
     use grafc_diagnostics::{Diagnostics, FileId};
     use grafc_formula::{Arithmetic, Comparison, Value};
     use grafc_model::chart::StepId;
@@ -363,7 +363,7 @@ mod tests {
         grafc_net::passes::run(&mut net, false, &mut said);
         let profile = Profile { evolution, ..Profile::default() };
         let options = Options { profile, encoding: Encoding::SinglePhase, ..Options::default() };
-        compile(&net, &options).0.expect("a program")
+        compile(Analysis::new(net), &options).0
     }
 
     #[test]

@@ -14,6 +14,7 @@ mod fit;
 mod prepare;
 mod prepared;
 
+use crate::analysis::Analysis;
 use crate::scan::{Program, Role, VarId, Variable};
 use expressions::Expressions;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
@@ -97,9 +98,10 @@ pub struct Wire {
 }
 
 /// The chart as a sequential function chart, or all reasons why it is none.
-pub fn sequence(net: &Net, profile: Profile) -> Result<Sequence, Diagnostics> {
+pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagnostics> {
+    let net = analysis.net();
     let mut reasons = Reasons::default();
-    fit::check(net, profile, &mut reasons);
+    fit::check(analysis, profile, &mut reasons);
 
     let mut variables = declared(net);
     let steps: IndexVec<StepId, SequenceStep> = net.places.iter().map(|place| step(place, &mut variables)).collect();

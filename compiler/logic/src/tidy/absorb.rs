@@ -27,7 +27,7 @@ pub(crate) fn restrict(
     components: &Components,
     conditions: &mut IndexVec<TransitionId, FormulaId>,
 ) {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let step_of: FxHashMap<FormulaId, StepId> = net.places.indices().map(|s| (lowering.active(s), s)).collect();
     for (t, transition) in net.transitions.iter_enumerated() {
         let mut known: FxHashMap<FormulaId, FormulaId> = FxHashMap::default();

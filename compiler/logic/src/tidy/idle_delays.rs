@@ -223,7 +223,7 @@ fn calls_by_state(
 #[cfg(test)]
 mod tests {
     use crate::scan::{Program, Statement};
-    use crate::{Encoding, Options, compile};
+    use crate::{Analysis, Encoding, Options, compile};
     use grafc_diagnostics::{Diagnostics, FileId};
 
     fn program(text: &str) -> Program {
@@ -233,7 +233,7 @@ mod tests {
         let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{said:?}")));
         grafc_net::passes::run(&mut net, false, &mut Diagnostics::new());
         let options = Options { encoding: Encoding::Switch, ..Options::default() };
-        compile(&net, &options).0.unwrap_or_else(|| panic!("no program"))
+        compile(Analysis::new(net), &options).0
     }
 
     /// A ring of steps, each left after a second.

@@ -6,19 +6,15 @@
 //! Warned of: `force G3{}` in step 1 of G1 and `force G3{31}` in step 2 of G2
 //! Not warned of: both in steps of one sequence, or if the step of G1 also forces G2 away from the step of G2
 
-use super::known::Known;
-use super::pairs;
+use crate::analysis::Analysis;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 
 /// Applies the rule: one warning a forced grafcet.
-pub(super) fn check(known: &mut Known, diagnostics: &mut Diagnostics) {
-    let net = known.net;
-    for grafcet in &net.grafcets {
-        let orders = &grafcet.orders;
-        let found = pairs::first(orders.len(), |a, b| {
-            orders[a].forced != orders[b].forced && !known.never_together(orders[a].step, orders[b].step)
-        });
-        let Some((winner, loser)) = found.map(|(a, b)| (&orders[a], &orders[b])) else { continue };
+pub(super) fn check(analysis: &Analysis, diagnostics: &mut Diagnostics) {
+    let net = analysis.net();
+    for found in &analysis.together().orders {
+        let grafcet = &net.grafcets[found.grafcet];
+        let (winner, loser) = (&grafcet.orders[found.winner], &grafcet.orders[found.loser]);
         let [high, low] = [winner, loser].map(|order| &net.places[order.step].label);
         let message = if winner.step == loser.step {
             format!("step `{high}` forces `{}` into two situations", grafcet.name)

@@ -12,17 +12,16 @@
 //! Stored actions on deactivation or clearing see the overlap even then: they are done later, or more than once. So do
 //! those whose event or value depends on activities, or on variables that other stored actions write.
 
-use crate::analysis::components::Components;
+use crate::analysis::Analysis;
 use crate::options::Options;
 use grafc_diagnostics::{Code, Diagnostic, Span};
-use grafc_model::chart::{Event, ExprId, ExprKind, Mode, StepId, VariableId};
+use grafc_model::chart::{Event, ExprId, ExprKind, Mode, VariableId};
 use grafc_model::reaction::Evolution;
 use grafc_net::Net;
-use index_vec::IndexVec;
 
 /// One warning if the overlap can be seen, with the first place that shows it.
-pub(crate) fn check(net: &Net, options: &Options, components: &Components) -> Option<Diagnostic> {
-    let (place, why) = seen(net, options, components)?;
+pub(crate) fn check(analysis: &Analysis, options: &Options) -> Option<Diagnostic> {
+    let (place, why) = seen(analysis, options)?;
     let encoding = options.encoding.name();
     Some(
         Diagnostic::new(Code::W0413, place, format!("the overlap of `{encoding}` can be seen in this chart"))
@@ -33,7 +32,8 @@ pub(crate) fn check(net: &Net, options: &Options, components: &Components) -> Op
     )
 }
 
-fn seen(net: &Net, options: &Options, components: &Components) -> Option<(Span, String)> {
+fn seen(analysis: &Analysis, options: &Options) -> Option<(Span, String)> {
+    let (net, components) = (analysis.net(), &analysis.components);
     let start = net.places.first().map(|p| p.span)?;
     if options.profile.evolution == Evolution::Scan {
         return Some((start, "with `--evolution scan` it is there at the end of a call".to_owned()));
@@ -61,10 +61,8 @@ fn seen(net: &Net, options: &Options, components: &Components) -> Option<(Span, 
             return Some((place, why.to_owned()));
         }
     }
-    let mut leaving: IndexVec<StepId, u32> = net.places.iter().map(|_| 0).collect();
-    net.transitions.iter().flat_map(|t| &t.pre).for_each(|s| leaving[*s] += 1);
     for transition in &net.transitions {
-        let several = transition.pre.iter().any(|s| leaving[*s] > 1);
+        let several = transition.pre.iter().any(|s| analysis.arcs.leaving(*s).len() > 1);
         if let Some((place, why)) = read(net, transition.condition, several, None) {
             return Some((place, why.to_owned()));
         }

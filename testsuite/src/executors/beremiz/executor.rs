@@ -8,6 +8,7 @@ use crate::executors::task::{Executor, Outcome, Task};
 use crate::tools::Tool;
 use grafc_backends::plcopen::Body;
 use grafc_diagnostics::Diagnostics;
+use grafc_logic::Analysis;
 use grafc_logic::sequence::{self, Sequence};
 use grafc_model::chart::ExprKind;
 use grafc_net::passes;
@@ -100,5 +101,5 @@ fn loses_a_second(task: &Task) -> bool {
 fn drawn(task: &Task) -> Option<Sequence> {
     let mut net = grafc_net::build(task.chart);
     passes::run(&mut net, false, &mut Diagnostics::new());
-    sequence::sequence(&net, task.profile).ok()
+    sequence::sequence(&Analysis::new(net), task.profile).ok()
 }

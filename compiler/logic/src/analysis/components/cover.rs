@@ -61,7 +61,7 @@ fn always_marked(net: &Net, around: &Surroundings, component: &Component) -> boo
     component.initial.is_some()
         && place.within.is_none()
         && forced(&net.grafcets[place.grafcet]).count() == component.forced.len()
-        && component.own.iter().all(|s| around.leaving[*s].iter().all(keeps))
+        && component.own.iter().all(|s| around.leaving(*s).iter().all(keeps))
 }
 
 impl Arranged {
@@ -85,7 +85,7 @@ impl Arranged {
 
 /// Components whose own steps share a set.
 struct Groups<'f> {
-    around: &'f Surroundings,
+    around: &'f Surroundings<'f>,
     members: Vec<Vec<usize>>,
     /// The groups of each base.
     of_base: FxHashMap<usize, Vec<usize>>,
@@ -108,7 +108,7 @@ struct Brings {
 }
 
 impl<'f> Groups<'f> {
-    fn new(net: &Net, around: &'f Surroundings, family: &'f Family) -> Self {
+    fn new(net: &Net, around: &'f Surroundings<'f>, family: &'f Family) -> Self {
         let mut groups = Groups {
             around,
             members: Vec::new(),
@@ -143,7 +143,7 @@ impl<'f> Groups<'f> {
     }
 
     fn around<'a>(&'a self, component: &'a Component) -> impl Iterator<Item = TransitionId> + 'a {
-        component.own.iter().flat_map(|s| self.around.leaving[*s].iter().chain(&self.around.entering[*s])).copied()
+        component.own.iter().flat_map(|s| self.around.leaving(*s).iter().chain(self.around.entering(*s))).copied()
     }
 
     fn fits(&self, net: &Net, group: usize, component: &Component, crossing: &[usize]) -> bool {

@@ -145,7 +145,7 @@ impl Family {
         let number = self.components.len();
         for s in &component.own {
             self.owner[*s] = Some(number);
-            let sides = [(&around.leaving[*s], Side::Before), (&around.entering[*s], Side::After)];
+            let sides = [(around.leaving(*s), Side::Before), (around.entering(*s), Side::After)];
             for (transitions, side) in sides {
                 for t in transitions {
                     self.at.insert((*t, side, number), *s);

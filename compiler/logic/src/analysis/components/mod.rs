@@ -36,11 +36,10 @@ use crate::lower::cover::Cover;
 
 use cover::Arranged;
 use grafc_formula::exclusion::EdgeFacts;
-use grafc_formula::exclusion::EdgeOperand;
 use grafc_formula::{FormulaId, Pool};
 use grafc_model::chart::{StepId, TransitionId};
-use grafc_net::Net;
 use grafc_net::net::{Forced, Grafcet};
+use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
 use search::Search;
 
@@ -55,6 +54,7 @@ const REMEMBERED: usize = 8;
 const WRITTEN: usize = 32;
 
 /// The components that were found.
+#[derive(Clone)]
 pub(crate) struct Components {
     of_step: IndexVec<StepId, Vec<usize>>,
 }
@@ -77,7 +77,7 @@ impl Components {
 }
 
 /// What has been found.
-pub(crate) struct Analysis {
+pub(crate) struct Found {
     pub(crate) components: Components,
     pub(crate) cover: Cover,
     /// Why each step that the cover leaves out stays a bit.
@@ -85,34 +85,40 @@ pub(crate) struct Analysis {
 }
 
 /// Finds components that cover as many steps as possible.
-pub(crate) fn analyse(
+pub(crate) fn find(
     net: &Net,
+    arcs: &Arcs,
+    facts: &EdgeFacts,
     pool: &Pool,
-    edges: &[EdgeOperand],
     conditions: &IndexVec<TransitionId, FormulaId>,
-) -> Analysis {
-    let found = find(net, pool, edges, conditions);
+) -> Found {
+    let arranged = search(net, arcs, facts, pool, conditions);
     let mut components = Components { of_step: net.places.iter().map(|_| Vec::new()).collect() };
-    for (number, set) in found.cover.sets.iter().enumerate() {
+    for (number, set) in arranged.cover.sets.iter().enumerate() {
         set.steps.iter().for_each(|s| components.of_step[*s].push(number));
     }
     let mut work = WRITTEN * net.places.len();
-    for number in 0..found.cover.sets.len() {
-        found.rest(number, &mut work, |s| {
+    for number in 0..arranged.cover.sets.len() {
+        arranged.rest(number, &mut work, |s| {
             let list = &mut components.of_step[s];
             if list.len() < REMEMBERED {
                 list.push(number);
             }
         });
     }
-    Analysis { components, cover: found.cover, reasons: found.reasons }
+    Found { components, cover: arranged.cover, reasons: arranged.reasons }
 }
 
-fn find(net: &Net, pool: &Pool, edges: &[EdgeOperand], conditions: &IndexVec<TransitionId, FormulaId>) -> Arranged {
-    let around = Surroundings::new(net);
-    let facts = EdgeFacts::new(edges);
+fn search(
+    net: &Net,
+    arcs: &Arcs,
+    facts: &EdgeFacts,
+    pool: &Pool,
+    conditions: &IndexVec<TransitionId, FormulaId>,
+) -> Arranged {
+    let around = Surroundings::new(net, arcs);
     let undecided = net.places.indices().map(|s| {
-        let leaving = &around.leaving[s];
+        let leaving = arcs.leaving(s);
         if leaving.len() > COMPARED {
             return Some(Reason::Many(leaving.len()));
         }
@@ -127,24 +133,18 @@ fn find(net: &Net, pool: &Pool, edges: &[EdgeOperand], conditions: &IndexVec<Tra
 }
 
 /// What lies around each step.
-struct Surroundings {
-    entering: IndexVec<StepId, Vec<TransitionId>>,
-    leaving: IndexVec<StepId, Vec<TransitionId>>,
+struct Surroundings<'a> {
+    arcs: &'a Arcs,
     /// The orders that force a step, numbered through the net.
     forced_by: IndexVec<StepId, Vec<usize>>,
     /// How many orders there are that force a set of steps.
     orders: usize,
 }
 
-impl Surroundings {
-    fn new(net: &Net) -> Self {
-        let none = || -> IndexVec<StepId, Vec<TransitionId>> { net.places.iter().map(|_| Vec::new()).collect() };
+impl<'a> Surroundings<'a> {
+    fn new(net: &Net, arcs: &'a Arcs) -> Self {
         let forced_by = net.places.iter().map(|_| Vec::new()).collect();
-        let mut around = Surroundings { entering: none(), leaving: none(), forced_by, orders: 0 };
-        for (t, transition) in net.transitions.iter_enumerated() {
-            transition.post.iter().for_each(|s| around.entering[*s].push(t));
-            transition.pre.iter().for_each(|s| around.leaving[*s].push(t));
-        }
+        let mut around = Surroundings { arcs, forced_by, orders: 0 };
         for grafcet in &net.grafcets {
             for steps in forced(grafcet) {
                 steps.iter().for_each(|s| around.forced_by[*s].push(around.orders));
@@ -152,6 +152,14 @@ impl Surroundings {
             }
         }
         around
+    }
+
+    fn entering(&self, s: StepId) -> &'a [TransitionId] {
+        self.arcs.entering(s)
+    }
+
+    fn leaving(&self, s: StepId) -> &'a [TransitionId] {
+        self.arcs.leaving(s)
     }
 }
 

@@ -52,7 +52,7 @@ type Noted<T> = Option<(u32, T)>;
 
 pub(super) struct Search<'n> {
     net: &'n Net,
-    around: &'n Surroundings,
+    around: &'n Surroundings<'n>,
     pub(super) family: Family,
     /// Why a step is in no component: what has been proved, or where the last search failed.
     reasons: IndexVec<StepId, Option<Reason>>,
@@ -89,7 +89,7 @@ type Touch = (TransitionId, bool, bool);
 
 impl<'n> Search<'n> {
     /// `undecided` says of a step why more than one transition after it may clear.
-    pub(super) fn new(net: &'n Net, around: &'n Surroundings, undecided: IndexVec<StepId, Option<Reason>>) -> Self {
+    pub(super) fn new(net: &'n Net, around: &'n Surroundings<'n>, undecided: IndexVec<StepId, Option<Reason>>) -> Self {
         let arcs: usize = net.transitions.iter().map(|t| t.pre.len() + t.post.len()).sum();
         let mut search = Search {
             net,
@@ -133,7 +133,7 @@ impl<'n> Search<'n> {
             out.extend(self.rule_out_after(t, Reason::Source(t)));
         }
         while let Some(s) = out.pop() {
-            for t in &self.around.leaving[s] {
+            for t in self.around.leaving(s) {
                 left[*t] -= 1;
                 if left[*t] == 0 {
                     out.extend(self.rule_out_after(*t, Reason::From(*t)));
@@ -212,7 +212,7 @@ impl<'n> Search<'n> {
         loop {
             while let Some(s) = forward.pop() {
                 steps.push(s);
-                for t in &around.leaving[s] {
+                for t in around.leaving(s) {
                     if self.at(*t, Side::After).is_none()
                         && let Some((next, choice)) = self.choose(*t, Side::After, s)?
                     {
@@ -222,7 +222,7 @@ impl<'n> Search<'n> {
                 }
             }
             let Some(s) = steps.get(backward).copied() else { return Ok(steps) };
-            for t in &around.entering[s] {
+            for t in around.entering(s) {
                 if self.at(*t, Side::Before).is_none()
                     && let Some((next, choice)) = self.choose(*t, Side::Before, s)?
                 {
@@ -237,7 +237,7 @@ impl<'n> Search<'n> {
     /// Takes a step into the set, unless another one there contradicts the rules 1, 2, 4 or 5.
     fn take(&mut self, s: StepId, choice: Option<StepId>) -> Result<(), Stop> {
         let (around, number) = (self.around, self.number);
-        self.spend(1 + around.leaving[s].len() + around.entering[s].len() + around.forced_by[s].len())?;
+        self.spend(1 + around.leaving(s).len() + around.entering(s).len() + around.forced_by[s].len())?;
         self.chosen[s] = Some((number, choice));
         let place = &self.net.places[s];
         if place.initial
@@ -256,12 +256,12 @@ impl<'n> Search<'n> {
                 return Err(self.contradiction(Reason::Forced(other, s), other, s));
             }
         }
-        for t in &around.leaving[s] {
+        for t in around.leaving(s) {
             if let Some(other) = current(number, self.before[*t].replace((number, s))) {
                 return Err(self.contradiction(Reason::Before(*t, other, s), other, s));
             }
         }
-        for t in &around.entering[s] {
+        for t in around.entering(s) {
             if let Some(other) = current(number, self.after[*t].replace((number, s))) {
                 return Err(self.contradiction(Reason::After(*t, other, s), other, s));
             }
@@ -317,8 +317,8 @@ impl<'n> Search<'n> {
     /// Makes a component of new steps, alone or beside another one. Returns how many arcs there are around them.
     fn attach(&mut self, steps: Vec<StepId>) -> Result<usize, Stop> {
         let around = self.around;
-        let arcs = steps.iter().map(|s| 1 + around.leaving[*s].len() + around.entering[*s].len()).sum();
-        let entering = steps.iter().flat_map(|s| &around.entering[*s]).copied();
+        let arcs = steps.iter().map(|s| 1 + around.leaving(*s).len() + around.entering(*s).len()).sum();
+        let entering = steps.iter().flat_map(|s| around.entering(*s)).copied();
         let unfed: Vec<TransitionId> = entering.filter(|t| self.at(*t, Side::Before).is_none()).collect();
         let Some(first) = unfed.first() else {
             self.add(steps, None);
@@ -367,8 +367,8 @@ impl<'n> Search<'n> {
         let mut touches = Vec::new();
         let mut replaced = Vec::new();
         for s in steps {
-            let leaving = around.leaving[*s].iter();
-            let only_entering = around.entering[*s].iter().filter(|t| self.at(**t, Side::Before).is_none());
+            let leaving = around.leaving(*s).iter();
+            let only_entering = around.entering(*s).iter().filter(|t| self.at(**t, Side::Before).is_none());
             for t in leaving.chain(only_entering) {
                 let (before, after) = (self.at(*t, Side::Before), self.at(*t, Side::After));
                 let (base_before, base_after) =
@@ -394,7 +394,7 @@ impl<'n> Search<'n> {
                 let steps = self.follow(base, replaced)?;
                 let zone = touches.iter().map(|(t, _, _)| *t);
                 let zone = zone
-                    .chain(steps.iter().flat_map(|s| around.leaving[*s].iter().chain(&around.entering[*s]).copied()));
+                    .chain(steps.iter().flat_map(|s| around.leaving(*s).iter().chain(around.entering(*s)).copied()));
                 let mut zone: Vec<TransitionId> = zone.collect();
                 zone.sort_unstable();
                 zone.dedup();
@@ -420,8 +420,8 @@ impl<'n> Search<'n> {
             }
             self.removed[s] = Some((attempt, choice));
             steps.push(s);
-            self.spend(1 + around.leaving[s].len())?;
-            for t in &around.leaving[s] {
+            self.spend(1 + around.leaving(s).len())?;
+            for t in around.leaving(s) {
                 if self.at(*t, Side::Before).is_some() {
                     continue;
                 }

@@ -2,13 +2,15 @@
 //! random.
 
 use super::cover::Arranged;
-use super::{Cover, Reason, find, forced};
-use crate::lower::{Context, Lowering, Moment};
+use super::{Cover, Reason, forced, search};
+use crate::analysis::Conditions;
+use crate::lower::Lowering;
 use grafc_diagnostics::{Diagnostics, FileId};
 use grafc_formula::exclusion::EdgeFacts;
 use grafc_model::chart::{StepId, TransitionId};
-use grafc_net::Net;
+use grafc_net::{Arcs, Net};
 use std::fmt::Write;
+use std::sync::Arc;
 
 fn net(text: &str) -> Net {
     let (tree, said) = grafc_syntax::parse(FileId::default(), text);
@@ -20,12 +22,11 @@ fn net(text: &str) -> Net {
 }
 
 fn arranged(net: &Net) -> Arranged {
-    let mut lowering = Lowering::new(net, None);
-    let mut cx = Context::new(Moment::MicroStep);
-    let conditions = net.transitions.iter().map(|t| lowering.expr(&mut cx, t.condition)).collect();
-    let found = find(net, &lowering.pool, &lowering.edges, &conditions);
-    let facts = EdgeFacts::new(&lowering.edges);
-    check(net, &found, |a, b| facts.exclude(&lowering.pool, conditions[a], conditions[b]));
+    let conditions = Conditions::new(Lowering::new(Arc::new(net.clone()), None));
+    let (pool, of) = (&conditions.lowering.pool, &conditions.of_transition);
+    let facts = EdgeFacts::new(&conditions.lowering.edges);
+    let found = search(net, &Arcs::of(net, |_| true), &facts, pool, of);
+    check(net, &found, |a, b| facts.exclude(pool, of[a], of[b]));
     found
 }
 
@@ -431,10 +432,10 @@ fn wide_and_long_charts_are_covered() {
     }
     let _ = writeln!(wide, "transition 1 -> {} : a  transition {} -> 1 : a", list("b"), list("e"));
     let net = net(&wide);
-    let mut lowering = Lowering::new(&net, None);
-    let mut cx = Context::new(Moment::MicroStep);
-    let conditions = net.transitions.iter().map(|t| lowering.expr(&mut cx, t.condition)).collect();
-    let found = find(&net, &lowering.pool, &lowering.edges, &conditions);
+    let conditions = Conditions::new(Lowering::new(Arc::new(net.clone()), None));
+    let facts = EdgeFacts::new(&conditions.lowering.edges);
+    let (pool, of) = (&conditions.lowering.pool, &conditions.of_transition);
+    let found = search(&net, &Arcs::of(&net, |_| true), &facts, pool, of);
     assert_eq!(found.reasons, []);
     assert_eq!(found.cover.sets.len(), 20_000);
     assert_eq!(found.cover.sets[0].steps.len(), 3);

@@ -30,13 +30,9 @@ mod stored;
 mod tests;
 mod values;
 
-use crate::analysis::components::Components;
-use crate::lower::Lowering;
-use crate::lower::symbols::Symbols;
+use crate::analysis::Analysis;
 use crate::scan::{Role, VarId};
 use causes::{Causes, Change};
-use grafc_formula::exclusion::EdgeFacts;
-use grafc_formula::{FormulaId, Pool};
 use grafc_model::chart::{Arithmetic, ExprId, ExprKind, TransitionId};
 use grafc_net::Net;
 use index_vec::IndexVec;
@@ -70,45 +66,23 @@ impl Transients {
     }
 }
 
-/// What has been found out about a net before.
-pub(crate) struct Known<'a> {
-    /// The formulas of the conditions.
-    pub(crate) pool: &'a Pool,
-    /// The condition of each transition.
-    pub(crate) conditions: &'a IndexVec<TransitionId, FormulaId>,
-    /// What edges and comparisons in them imply.
-    pub(crate) facts: EdgeFacts,
-    /// The variables of the formulas.
-    symbols: &'a Symbols,
-    /// Sets of steps of which at most one is active.
-    pub(crate) components: &'a Components,
-}
-
-impl<'a> Known<'a> {
-    pub(crate) fn new(
-        lowering: &'a Lowering,
-        conditions: &'a IndexVec<TransitionId, FormulaId>,
-        components: &'a Components,
-    ) -> Self {
-        let facts = EdgeFacts::new(&lowering.edges);
-        Known { pool: &lowering.pool, conditions, facts, symbols: &lowering.symbols, components }
-    }
-
+impl Analysis {
     /// Whether a variable is an input or a constant, and so the same throughout a reaction.
-    pub(crate) fn is_fixed(&self, v: VarId) -> bool {
-        matches!(self.symbols.table[v].role, Role::Input | Role::Constant)
+    pub(super) fn is_fixed(&self, v: VarId) -> bool {
+        matches!(self.conditions.lowering.symbols.table[v].role, Role::Input | Role::Constant)
     }
 }
 
 /// The analysis of a flat net: one after all passes but those for overlapping steps.
-pub(crate) fn analyse(net: &Net, known: &Known) -> Transients {
+pub(super) fn find(analysis: &Analysis) -> Transients {
+    let net = analysis.net();
     let stable = Stable::new(net);
     let occasions = values::occasions(net, &stable);
     let mut causes = Causes::default();
     values::add(net, &occasions, &mut causes);
-    let arcs = situation::Arcs::new(net, &stable, known, &occasions);
-    situation::add(net, &arcs, &mut causes);
-    stored::add(net, &arcs, &occasions, &mut causes);
+    let ways = situation::Ways::new(analysis, &stable, &occasions);
+    situation::add(net, &ways, &mut causes);
+    stored::add(net, &ways, &occasions, &mut causes);
     let watched = Watched::new(net, &causes);
     let mut result =
         Transients { longest: Some(1), chain: Vec::new(), cycle: Vec::new(), single: true, single_but_delays: true };

@@ -12,72 +12,41 @@
 //! - An order with a set of steps changes its grafcet only when it comes into force or when the enclosing step of the
 //!   grafcet is activated; while it is in force, the situation is that set already.
 
+use super::PAIRS;
 use super::causes::{Causes, Change, Way};
 use super::conditions;
 use super::stable::Stable;
 use super::values::Occasion;
-use super::{Known, PAIRS};
+use crate::analysis::Analysis;
 use grafc_model::chart::{ExprId, GrafcetId, StepId, TransitionId};
-use grafc_net::Net;
 use grafc_net::net::Forced;
+use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
 
-/// The arcs of a net and what is known of its transitions.
-pub(super) struct Arcs<'a> {
-    net: &'a Net,
+/// The arcs of those transitions that ever clear, and what is known of them.
+pub(super) struct Ways<'a> {
+    analysis: &'a Analysis,
     stable: &'a Stable,
-    known: &'a Known<'a>,
     occasions: &'a IndexVec<ExprId, Occasion>,
-    /// Transitions that lead into a step, self-loops left out, and those that never clear.
-    into: IndexVec<StepId, Vec<TransitionId>>,
-    /// Transitions that lead out of a step, likewise.
-    out_of: IndexVec<StepId, Vec<TransitionId>>,
-    /// Transitions that lead out of a step and back at once.
-    loops: IndexVec<StepId, Vec<TransitionId>>,
+    arcs: Arcs,
     goes_on: IndexVec<TransitionId, bool>,
 }
 
-impl<'a> Arcs<'a> {
-    pub(super) fn new(
-        net: &'a Net,
-        stable: &'a Stable,
-        known: &'a Known<'a>,
-        occasions: &'a IndexVec<ExprId, Occasion>,
-    ) -> Self {
-        let none = || -> IndexVec<StepId, Vec<TransitionId>> { net.places.iter().map(|_| Vec::new()).collect() };
-        let mut arcs = Arcs {
-            net,
-            stable,
-            known,
-            occasions,
-            into: none(),
-            out_of: none(),
-            loops: none(),
-            goes_on: net.transitions.iter().map(|_| false).collect(),
-        };
-        // The last transition that touched a step, to tell self-loops in one pass.
-        let mut before: IndexVec<StepId, Option<TransitionId>> = net.places.iter().map(|_| None).collect();
-        let mut after = before.clone();
-        for (t, transition) in net.transitions.iter_enumerated().filter(|(t, _)| !stable.never(*t)) {
-            transition.pre.iter().for_each(|s| before[*s] = Some(t));
-            transition.post.iter().for_each(|s| after[*s] = Some(t));
-            for s in &transition.pre {
-                let table = if after[*s] == Some(t) { &mut arcs.loops } else { &mut arcs.out_of };
-                table[*s].push(t);
-            }
-            for s in transition.post.iter().filter(|s| before[**s] != Some(t)) {
-                arcs.into[*s].push(t);
-            }
-        }
+impl<'a> Ways<'a> {
+    pub(super) fn new(analysis: &'a Analysis, stable: &'a Stable, occasions: &'a IndexVec<ExprId, Occasion>) -> Self {
+        let net = analysis.net();
+        let arcs = Arcs::of(net, |t| !stable.never(t));
+        let goes_on = net.transitions.iter().map(|_| false).collect();
+        let mut ways = Ways { analysis, stable, occasions, arcs, goes_on };
         for t in net.transitions.indices() {
-            arcs.goes_on[t] = !stable.never(t) && !arcs.by_edge(t);
+            ways.goes_on[t] = !stable.never(t) && !ways.by_edge(t);
         }
         for s in net.places.indices() {
-            for t in &arcs.out_of[s] {
-                arcs.goes_on[*t] = arcs.goes_on[*t] && arcs.kept(s, *t);
+            for t in ways.arcs.out_of_step(s) {
+                ways.goes_on[*t] = ways.goes_on[*t] && ways.kept(s, *t);
             }
         }
-        arcs
+        ways
     }
 
     /// Whether a transition that waits for no edge may clear in two micro-steps one after the other.
@@ -87,40 +56,41 @@ impl<'a> Arcs<'a> {
 
     /// Whether the transition clears only by an edge.
     fn by_edge(&self, t: TransitionId) -> bool {
-        self.occasions[self.net.transitions[t].condition] != Occasion::Level
+        self.occasions[self.analysis.net.transitions[t].condition] != Occasion::Level
     }
 
     /// Whether the transition leads out of the step, be it back as well; of a large one this is not asked.
     fn leads_out_of(&self, t: TransitionId, s: StepId) -> bool {
-        self.net.transitions[t].pre.iter().take(PAIRS).any(|p| *p == s)
+        self.analysis.net.transitions[t].pre.iter().take(PAIRS).any(|p| *p == s)
     }
 
     /// Whether `u` cannot clear after `t` in one reaction.
     fn excluded(&self, t: TransitionId, u: TransitionId) -> bool {
         self.stable.exclude(t, u)
             || self.stable.share_inputs(t, u) && {
-                let Known { pool, conditions, facts, .. } = self.known;
-                facts.exclude_later(pool, conditions[t], conditions[u], &|v| self.known.is_fixed(v))
+                let Analysis { conditions, facts, .. } = self.analysis;
+                let (pool, of) = (&conditions.lowering.pool, &conditions.of_transition);
+                facts.exclude_later(pool, of[t], of[u], &|v| self.analysis.is_fixed(v))
             }
     }
 
     /// Whether another transition may keep `s` active while `t` leads out of it.
     fn kept(&self, s: StepId, t: TransitionId) -> bool {
-        if self.known.components.covers(s) {
+        if self.analysis.components.covers(s) {
             return false;
         }
-        let many = self.into[s].len() + self.loops[s].len() > PAIRS;
-        many || self.into[s].iter().chain(&self.loops[s]).any(|u| *u != t && !self.excluded(*u, t))
+        let many = self.arcs.entering(s).len() > PAIRS;
+        many || self.arcs.into_step(s).iter().chain(self.arcs.loops(s)).any(|u| *u != t && !self.excluded(*u, t))
     }
 }
 
 /// Adds the causes of all changes of the situation.
-pub(super) fn add(net: &Net, arcs: &Arcs, causes: &mut Causes) {
-    for t in net.transitions.indices().filter(|t| !arcs.stable.never(*t)) {
-        transition(arcs, t, causes);
+pub(super) fn add(net: &Net, ways: &Ways, causes: &mut Causes) {
+    for t in net.transitions.indices().filter(|t| !ways.stable.never(*t)) {
+        transition(ways, t, causes);
     }
     for s in net.places.indices() {
-        step(arcs, s, causes);
+        step(ways, s, causes);
     }
     let mut sets: IndexVec<StepId, usize> = net.places.iter().map(|_| 0).collect();
     for order in net.grafcets.iter().flat_map(|g| &g.orders) {
@@ -131,22 +101,22 @@ pub(super) fn add(net: &Net, arcs: &Arcs, causes: &mut Causes) {
     for g in net.grafcets.indices() {
         orders(net, g, &sets, causes);
     }
-    released(arcs, &sets, causes);
+    released(ways, &sets, causes);
 }
 
-fn transition(arcs: &Arcs, t: TransitionId, causes: &mut Causes) {
-    let transition = &arcs.net.transitions[t];
+fn transition(ways: &Ways, t: TransitionId, causes: &mut Causes) {
+    let transition = &ways.analysis.net.transitions[t];
     let (grafcet, condition) = (transition.grafcet, transition.condition);
     let (clears, stops) = (Change::Clears(t), Change::Stops(t));
     causes.start(clears);
     // All these are active when it clears. Had one just been activated, that alone would be cause enough; see `step`.
-    let before = |s: StepId| transition.within == Some(s) || arcs.leads_out_of(t, s);
-    conditions::add(arcs.net, arcs.occasions, (condition, Way::Up), &before, clears, causes);
-    conditions::add(arcs.net, arcs.occasions, (condition, Way::Down), &before, stops, causes);
+    let before = |s: StepId| transition.within == Some(s) || ways.leads_out_of(t, s);
+    conditions::add(&ways.analysis.net, ways.occasions, (condition, Way::Up), &before, clears, causes);
+    conditions::add(&ways.analysis.net, ways.occasions, (condition, Way::Down), &before, stops, causes);
     for s in &transition.pre {
         causes.next(Change::Deactivated(*s), stops);
     }
-    if arcs.by_edge(t) {
+    if ways.by_edge(t) {
         return;
     }
     causes.next(Change::Thawed(grafcet), clears);
@@ -155,11 +125,11 @@ fn transition(arcs: &Arcs, t: TransitionId, causes: &mut Causes) {
     }
 }
 
-fn step(arcs: &Arcs, s: StepId, causes: &mut Causes) {
-    let net = arcs.net;
+fn step(ways: &Ways, s: StepId, causes: &mut Causes) {
+    let net = &*ways.analysis.net;
     let place = &net.places[s];
     let (activated, placed, deactivated) = (Change::Activated(s), Change::Placed(s), Change::Deactivated(s));
-    let (into, out_of, loops) = (&arcs.into[s], &arcs.out_of[s], &arcs.loops[s]);
+    let (into, out_of, loops) = (ways.arcs.into_step(s), ways.arcs.out_of_step(s), ways.arcs.loops(s));
     for t in into {
         causes.at_once(Change::Clears(*t), activated);
     }
@@ -167,9 +137,9 @@ fn step(arcs: &Arcs, s: StepId, causes: &mut Causes) {
     for t in out_of {
         causes.at_once(Change::Clears(*t), deactivated);
     }
-    if out_of.iter().any(|t| arcs.goes_on(*t)) {
+    if out_of.iter().any(|t| ways.goes_on(*t)) {
         for t in into.iter().chain(loops) {
-            stops_to_keep(arcs, *t, s, causes);
+            stops_to_keep(ways, *t, s, causes);
         }
     }
     if let Some(enclosing) = place.within {
@@ -181,10 +151,10 @@ fn step(arcs: &Arcs, s: StepId, causes: &mut Causes) {
     // What the activation makes possible; pair by pair where there are few, to leave out those that exclude each other.
     let after = out_of.len() + loops.len();
     let few = into.len().saturating_mul(after) <= PAIRS.saturating_mul(into.len() + after);
-    for u in out_of.iter().chain(loops).filter(|u| !arcs.by_edge(**u) && !arcs.stable.needs_more(net, **u, s)) {
+    for u in out_of.iter().chain(loops).filter(|u| !ways.by_edge(**u) && !ways.stable.needs_more(net, **u, s)) {
         if few {
             causes.next(placed, Change::Clears(*u));
-            for t in into.iter().filter(|t| !arcs.excluded(**t, *u)) {
+            for t in into.iter().filter(|t| !ways.excluded(**t, *u)) {
                 causes.next(Change::Clears(*t), Change::Clears(*u));
             }
         } else {
@@ -195,14 +165,21 @@ fn step(arcs: &Arcs, s: StepId, causes: &mut Causes) {
 
 /// What lets a transition stop to keep `s` active, while another one leads out of `s`: anything but that `s` has been
 /// deactivated before.
-fn stops_to_keep(arcs: &Arcs, t: TransitionId, s: StepId, causes: &mut Causes) {
-    let transition = &arcs.net.transitions[t];
+fn stops_to_keep(ways: &Ways, t: TransitionId, s: StepId, causes: &mut Causes) {
+    let transition = &ways.analysis.net.transitions[t];
     let deactivated = Change::Deactivated(s);
     if transition.pre.len() + transition.post.len() > PAIRS {
         causes.at_once(Change::Stops(t), deactivated);
         return;
     }
-    conditions::add(arcs.net, arcs.occasions, (transition.condition, Way::Down), &|x| x == s, deactivated, causes);
+    conditions::add(
+        &ways.analysis.net,
+        ways.occasions,
+        (transition.condition, Way::Down),
+        &|x| x == s,
+        deactivated,
+        causes,
+    );
     for other in transition.pre.iter().filter(|p| **p != s) {
         causes.next(Change::Deactivated(*other), deactivated);
     }
@@ -252,9 +229,9 @@ fn orders(net: &Net, g: GrafcetId, sets: &IndexVec<StepId, usize>, causes: &mut 
 ///
 /// Where an order has forced certain steps, these are the situation in which it ends: of the transitions of its grafcet
 /// those are enabled whose steps before are among them. Of what is frozen otherwise nothing is known.
-fn released(arcs: &Arcs, sets: &IndexVec<StepId, usize>, causes: &mut Causes) {
-    for (t, transition) in arcs.net.transitions.iter_enumerated() {
-        if !arcs.stable.never(t) && !arcs.by_edge(t) && transition.pre.iter().all(|s| sets[*s] > 0) {
+fn released(ways: &Ways, sets: &IndexVec<StepId, usize>, causes: &mut Causes) {
+    for (t, transition) in ways.analysis.net.transitions.iter_enumerated() {
+        if !ways.stable.never(t) && !ways.by_edge(t) && transition.pre.iter().all(|s| sets[*s] > 0) {
             causes.next(Change::Released(transition.grafcet), Change::Clears(t));
         }
     }

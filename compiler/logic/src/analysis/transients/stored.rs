@@ -8,16 +8,16 @@
 //! has one, counts in the first micro-step only).
 
 use super::causes::{Causes, Change, Way};
-use super::situation::Arcs;
+use super::situation::Ways;
 use super::values::Occasion;
 use grafc_model::chart::{Event, ExprId, ExprKind, Stored, TransitionId, Value, VariableId};
 use grafc_net::Net;
 use index_vec::IndexVec;
 
 /// Adds the causes of all changes of stored variables.
-pub(super) fn add(net: &Net, arcs: &Arcs, occasions: &IndexVec<ExprId, Occasion>, causes: &mut Causes) {
+pub(super) fn add(net: &Net, ways: &Ways, occasions: &IndexVec<ExprId, Occasion>, causes: &mut Causes) {
     let goes_on = |event: &Event| match event {
-        Event::Clearing(t) => arcs.goes_on(*t),
+        Event::Clearing(t) => ways.goes_on(*t),
         Event::Event(..) | Event::Deactivation(_) | Event::Activation(_) => false,
     };
     let mut lasting: IndexVec<VariableId, bool> = net.variables.iter().map(|_| false).collect();

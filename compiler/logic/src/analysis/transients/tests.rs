@@ -10,7 +10,7 @@ fn transients(text: &str) -> Transients {
     let (chart, said) = grafc_model::check(&tree, "chart");
     let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{said:?}")));
     grafc_net::passes::run(&mut net, false, &mut Diagnostics::new());
-    crate::analyse(&net).transients
+    crate::Analysis::new(net).transients().clone()
 }
 
 const INPUTS: &str = "input a, b, c : bool  output p, q, w : bool  var n : int  const long : time := 2s\n";

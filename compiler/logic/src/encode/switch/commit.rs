@@ -38,7 +38,7 @@ impl Switch<'_> {
             let (mut left, mut come) = (StateCase::default(), StateCase::default());
             for s in &set.steps {
                 let mut off = Vec::new();
-                for (wire, _) in followers.on_step(lowering.net, *s) {
+                for (wire, _) in followers.on_step(&lowering.net, *s) {
                     let target = lowering.symbols.declared(wire);
                     off.push(assign_truth(lowering, target, false));
                 }
@@ -55,7 +55,7 @@ impl Switch<'_> {
 
     /// The next situation becomes the situation, from the bottom up: a state is read until what it encloses is written.
     pub(super) fn commit(&self, lowering: &mut Lowering, clearings: &Clearings) -> Vec<Statement> {
-        let net = lowering.net;
+        let net = &*lowering.net.clone();
         let mut out = Vec::new();
         for s in net.places.indices() {
             let Some(target) = lowering.situation.bit(s) else { continue };

@@ -14,7 +14,7 @@ use grafc_model::chart::{GrafcetId, StepId};
 impl Switch<'_> {
     /// Enclosures and orders, grafcet by grafcet from the top down (R5).
     pub(super) fn settle(&self, lowering: &mut Lowering, clearings: &mut Clearings) -> Vec<Statement> {
-        let net = lowering.net;
+        let net = &*lowering.net.clone();
         let acted_on = settle::acted_on(net);
         let mut out = Vec::new();
         for g in &net.hierarchy {
@@ -65,7 +65,7 @@ impl Switch<'_> {
 
     /// What the steps of a grafcet enclose is emptied with them and starts with them (R5a).
     fn enclose(&self, lowering: &mut Lowering, clearings: &Clearings, g: GrafcetId) -> Vec<Statement> {
-        let net = lowering.net;
+        let net = &*lowering.net.clone();
         let mut out = Vec::new();
         if self.layout.inside.is_empty() {
             return out;

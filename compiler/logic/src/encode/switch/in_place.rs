@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 
 /// The transitions of a chart in which nothing has to wait.
 pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Vec<Statement> {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let (frozen, freezing) = settle::frozen(lowering);
     let mut branches: FxHashMap<StepId, Vec<(FormulaId, Vec<Statement>)>> = FxHashMap::default();
     for (t, transition) in net.transitions.iter_enumerated() {
@@ -70,7 +70,7 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Vec<Statement> {
 
 /// The outputs that a clearing switches.
 fn switched(lowering: &mut Lowering, followers: &Followers, t: TransitionId) -> Vec<Statement> {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let transition = &net.transitions[t];
     // Of each wire whether the step left leaves it true for certain, and whether the step entered makes it so.
     let mut wires: BTreeMap<VariableId, (Option<bool>, bool)> = BTreeMap::new();

@@ -23,7 +23,7 @@ mod transitions;
 
 use super::bits;
 use super::task::Task;
-use crate::encode::clearings::{Clearings, Flow, StepEvents};
+use crate::encode::clearings::{Clearings, StepEvents};
 use crate::encode::input_event::InputEvent;
 use crate::encode::outputs::Followers;
 use crate::encode::settle;
@@ -51,7 +51,7 @@ struct Layout {
 
 impl Layout {
     fn new(lowering: &Lowering) -> Self {
-        let net = lowering.net;
+        let net = &*lowering.net.clone();
         let mut layout = Layout {
             sets_of: net.grafcets.iter().map(|_| Vec::new()).collect(),
             inside: FxHashMap::default(),
@@ -94,7 +94,7 @@ pub(super) fn micro_step(
     task: &Task,
     input_event: &mut InputEvent,
 ) -> Vec<Statement> {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let layout = Layout::new(lowering);
     let mut out = Vec::new();
     stored::heading(&mut out, "memory of edges", bits::edges(lowering, task.again));
@@ -115,7 +115,7 @@ pub(super) fn micro_step(
     // What follows happens only where something clears, unless an action on an event has to be done in any case.
     let mut inner = Vec::new();
     let next = net.places.iter().map(|_| None).collect();
-    let mut clearings = Clearings { flow: Flow::new(net), cleared: std::mem::take(&mut switch.cleared), next };
+    let mut clearings = Clearings { arcs: task.arcs, cleared: std::mem::take(&mut switch.cleared), next };
     stored::heading(&mut inner, "enclosures and orders", switch.settle(lowering, &mut clearings));
     inner.extend(switch.tell_changed_bits(lowering, &clearings));
     let step_events = StepEvents::new(lowering, &clearings, task.components);
@@ -135,7 +135,7 @@ pub(super) fn micro_step(
 
 /// The states at the start, before the first call has done anything.
 pub(crate) fn start(lowering: &mut Lowering, followers: &Followers) -> Vec<Statement> {
-    let net = lowering.net;
+    let net = &*lowering.net.clone();
     let mut out = Vec::new();
     for set in lowering.situation.sets.clone() {
         let value = set.steps.iter().find(|s| net.places[**s].initial).map_or(set.idle, |s| value_of(lowering, *s));
@@ -153,7 +153,7 @@ pub(crate) fn start(lowering: &mut Lowering, followers: &Followers) -> Vec<State
 /// The outputs that become true with a step.
 fn entered(lowering: &mut Lowering, followers: &Followers, s: StepId) -> Vec<Statement> {
     let value = lowering.pool.truth(true);
-    let wires = followers.on_step(lowering.net, s).into_iter().filter(|(_, conditions)| conditions.is_empty());
+    let wires = followers.on_step(&lowering.net, s).into_iter().filter(|(_, conditions)| conditions.is_empty());
     wires.map(|(v, _)| Statement::Assign { target: lowering.symbols.declared(v), value, remark: None }).collect()
 }
 

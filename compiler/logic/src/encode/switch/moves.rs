@@ -18,7 +18,7 @@ pub(super) struct Numbered {
 
 impl Numbered {
     pub fn new(lowering: &mut Lowering) -> Self {
-        let net = lowering.net;
+        let net = &*lowering.net.clone();
         let mut numbered = Numbered { variable: BTreeMap::new(), transitions: FxHashSet::default() };
         for action in &net.stored {
             let Event::Clearing(t) = action.event else { continue };

@@ -21,7 +21,7 @@ const DEEPEST: usize = 16;
 impl Switch<'_> {
     /// The transitions: those around bits latched one by one, the others in the arms of their first step.
     pub(super) fn transitions(&mut self, lowering: &mut Lowering, frozen: &settle::Frozen) -> Vec<Statement> {
-        let net = lowering.net;
+        let net = &*lowering.net.clone();
         let mut latched = Vec::new();
         let mut moves = Vec::new();
         let mut branches: FxHashMap<StepId, Vec<(FormulaId, Vec<Statement>)>> = FxHashMap::default();
@@ -86,7 +86,7 @@ impl Switch<'_> {
         lowering: &Lowering,
         mut branches: FxHashMap<StepId, Vec<(FormulaId, Vec<Statement>)>>,
     ) -> Vec<Statement> {
-        let net = lowering.net;
+        let net = &*lowering.net.clone();
         let mut depth: IndexVec<GrafcetId, usize> = net.grafcets.iter().map(|_| 0).collect();
         for g in &net.hierarchy {
             depth[*g] = match within(net, *g) {

@@ -1,4 +1,4 @@
-//! Pairs that do not get along, without comparing each with each.
+//! Pairs of which something is true, without comparing each with each.
 
 /// Each is compared with this many that follow it.
 const NEAR: usize = 16;

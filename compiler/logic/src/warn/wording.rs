@@ -1,13 +1,35 @@
 //! Conditions in the words of the chart, for messages.
 
+use crate::analysis::together::Case;
 use grafc_model::chart::{Arithmetic, Comparison, DelayTime, ExprId, ExprKind, Value};
 use grafc_net::Net;
 
 /// A condition that nests deeper than this is not spelt out.
 const DEEPEST: usize = 4;
 
+/// More atoms than this are not spelt out.
+const SPELT_OUT: usize = 6;
+
+/// A case as `a` and `b` are true and `c` is false, if it can be said in a few words.
+pub(super) fn case(net: &Net, case: &Case) -> Option<String> {
+    if case.len() > SPELT_OUT {
+        return None;
+    }
+    let mut sides = Vec::new();
+    for value in [true, false] {
+        let atoms = case.iter().filter(|(_, is)| *is == value);
+        let names: Option<Vec<String>> = atoms.map(|(atom, _)| condition(net, (*atom)?)).collect();
+        let names = names?;
+        let verb = if names.len() == 1 { "is" } else { "are" };
+        if !names.is_empty() {
+            sides.push(format!("{} {verb} {value}", list(&names)));
+        }
+    }
+    Some(sides.join(" and "))
+}
+
 /// A condition as the chart may write it, if it is short.
-pub(super) fn condition(net: &Net, expr: ExprId) -> Option<String> {
+fn condition(net: &Net, expr: ExprId) -> Option<String> {
     match &net.exprs[expr].kind {
         ExprKind::Compare(..) => Some(format!("[{}]", spell(net, expr, DEEPEST)?)),
         _ => spell(net, expr, DEEPEST),
@@ -15,7 +37,7 @@ pub(super) fn condition(net: &Net, expr: ExprId) -> Option<String> {
 }
 
 /// Names in backquotes, the last after `and`: `a`, `b` and `c`.
-pub(super) fn list(names: &[String]) -> String {
+fn list(names: &[String]) -> String {
     let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
     match quoted.split_last() {
         None => String::new(),

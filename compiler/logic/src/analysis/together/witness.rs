@@ -1,4 +1,4 @@
-//! A case in which two conditions hold at once, for the reader of a warning.
+//! A case in which two conditions hold at once.
 //!
 //! The atoms of a condition are what is left without its Boolean operators: variables, activities of steps, edges,
 //! delays, comparisons. The search gives them values, one after the other, as far as needed. It knows what an edge and
@@ -6,8 +6,7 @@
 //! together, so where it ends without a case there is none. It is bounded: a case that is hard to find is of no use as an
 //! explanation.
 
-use super::known::Known;
-use super::words;
+use super::questions::Questions;
 use grafc_formula::{Formula, FormulaId};
 use grafc_model::chart::{ExprId, ExprKind, StepId};
 use rustc_hash::FxHashMap;
@@ -18,13 +17,14 @@ const LARGEST: usize = 256;
 /// The search ends after this many choices.
 const CHOICES: usize = 128;
 
-/// More atoms than this are not spelt out.
-const SPELT_OUT: usize = 6;
+/// Which atoms are true and which false, in the order in which the search chose them, without those that follow from
+/// others; empty if the conditions hold in any case. An atom without a place in the chart has none here.
+pub(crate) type Case = Vec<(Option<ExprId>, bool)>;
 
 /// What the search came to.
 pub(super) enum Found {
-    /// This case; empty if the conditions hold in any, none if it cannot be said in a few words.
-    Case(Option<String>),
+    /// This case.
+    Case(Case),
     /// There is none.
     Impossible,
     /// Nothing, within its bounds.
@@ -32,9 +32,9 @@ pub(super) enum Found {
 }
 
 /// Looks for a case in which all these conditions hold while these steps are active.
-pub(super) fn search(known: &mut Known, conditions: &[ExprId], active: &[StepId]) -> Found {
-    let Some(circuit) = Circuit::new(known, conditions) else { return Found::Unknown };
-    let mut search = Search { known, circuit, active, values: FxHashMap::default(), order: Vec::new() };
+pub(super) fn search(asked: &mut Questions, conditions: &[ExprId], active: &[StepId]) -> Found {
+    let Some(circuit) = Circuit::new(asked, conditions) else { return Found::Unknown };
+    let mut search = Search { asked, circuit, active, values: FxHashMap::default(), order: Vec::new() };
     search.run()
 }
 
@@ -65,8 +65,8 @@ struct Circuit {
 }
 
 impl Circuit {
-    fn new(known: &mut Known, conditions: &[ExprId]) -> Option<Circuit> {
-        let exprs = &known.net.exprs;
+    fn new(asked: &mut Questions, conditions: &[ExprId]) -> Option<Circuit> {
+        let exprs = &asked.analysis.net.exprs;
         // Operands have smaller ids than what uses them.
         let mut inside = std::collections::BTreeSet::new();
         let mut open: Vec<ExprId> = conditions.to_vec();
@@ -108,8 +108,8 @@ impl Circuit {
                 | ExprKind::Arithmetic(..)
                 | ExprKind::Negate(_)
                 | ExprKind::Widen(_) => {
-                    let formula = known.formula(e);
-                    let gate = known.atom(formula);
+                    let formula = asked.formula(e);
+                    let gate = asked.atom(formula);
                     if let Gate::Atom(atom, true) = gate {
                         circuit.atoms.entry(atom).or_insert(e);
                         if let Operator::Implies(operand, value) = operator(&exprs[e].kind) {
@@ -194,7 +194,7 @@ fn operator(kind: &ExprKind) -> Operator {
     }
 }
 
-impl Known<'_> {
+impl Questions<'_> {
     /// The atom that a formula is.
     fn atom(&self, formula: FormulaId) -> Gate {
         match (self.truth(formula), self.get(formula)) {
@@ -206,7 +206,7 @@ impl Known<'_> {
 }
 
 struct Search<'k, 'n> {
-    known: &'k mut Known<'n>,
+    asked: &'k mut Questions<'n>,
     circuit: Circuit,
     /// Steps that are active.
     active: &'k [StepId],
@@ -227,7 +227,7 @@ impl Search<'_, '_> {
             let next = open.and_then(|(node, wanted)| self.circuit.choose(&gates, *node, *wanted));
             let goes_on = match next {
                 _ if refuted => self.turn_back(),
-                None => return Found::Case(self.spell()),
+                None => return Found::Case(self.case()),
                 Some((atom, value)) => self.give(atom, value, true) || self.turn_back(),
             };
             if !goes_on {
@@ -268,13 +268,13 @@ impl Search<'_, '_> {
             }
             let active = self.order.iter().filter(|(a, _)| self.values[a]).filter_map(|(a, _)| self.step(*a));
             let mut active = active.chain(self.active.iter().copied());
-            return !active.any(|other| self.known.never_together(step, other));
+            return !active.any(|other| self.asked.analysis.never_together(step, other));
         }
-        let literal = self.known.literal(atom, value);
+        let literal = self.asked.literal(atom, value);
         for index in 0..self.order.len() {
             let other = self.order[index].0;
-            let other = self.known.literal(other, self.values[&other]);
-            if self.known.exclude(literal, other) {
+            let other = self.asked.literal(other, self.values[&other]);
+            if self.asked.exclude(literal, other) {
                 return false;
             }
         }
@@ -283,14 +283,14 @@ impl Search<'_, '_> {
 
     /// The step whose activity an atom is.
     fn step(&self, atom: FormulaId) -> Option<StepId> {
-        match self.known.net.exprs[*self.circuit.atoms.get(&atom)?].kind {
+        match self.asked.analysis.net.exprs[*self.circuit.atoms.get(&atom)?].kind {
             ExprKind::StepActive(step) => Some(step),
             _ => None,
         }
     }
 
-    /// The case in words: `a` and `b` are true and `c` is false.
-    fn spell(&self) -> Option<String> {
+    /// The case as it was found.
+    fn case(&self) -> Case {
         // What an edge or a delay says of its operand need not be said again.
         let implied = |atom: &FormulaId| {
             self.order.iter().filter(|(a, _)| self.values[a]).any(|(a, _)| {
@@ -298,21 +298,7 @@ impl Search<'_, '_> {
                 matches!(operand, Some(Gate::Atom(operand, _)) if operand == *atom)
             })
         };
-        let told: Vec<FormulaId> = self.order.iter().map(|(atom, _)| *atom).filter(|atom| !implied(atom)).collect();
-        if told.len() > SPELT_OUT {
-            return None;
-        }
-        let mut sides = Vec::new();
-        for value in [true, false] {
-            let atoms = told.iter().filter(|atom| self.values[atom] == value);
-            let names: Option<Vec<String>> =
-                atoms.map(|atom| words::condition(self.known.net, *self.circuit.atoms.get(atom)?)).collect();
-            let names = names?;
-            let verb = if names.len() == 1 { "is" } else { "are" };
-            if !names.is_empty() {
-                sides.push(format!("{} {verb} {value}", words::list(&names)));
-            }
-        }
-        Some(sides.join(" and "))
+        let told = self.order.iter().map(|(atom, _)| atom).filter(|atom| !implied(atom));
+        told.map(|atom| (self.circuit.atoms.get(atom).copied(), self.values[atom])).collect()
     }
 }

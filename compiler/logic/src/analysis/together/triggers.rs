@@ -3,7 +3,7 @@
 //! An action is triggered in one of several ways: a step is activated by this transition or by that, or in a way of which
 //! nothing is known. Two actions cannot meet if no way of one goes with a way of the other.
 
-use super::known::Known;
+use crate::analysis::Analysis;
 use grafc_formula::FormulaId;
 use grafc_model::chart::{Event, StepId, TransitionId};
 use grafc_net::Net;
@@ -26,27 +26,27 @@ pub(super) struct Way {
 }
 
 /// All ways in which a stored action is triggered.
-pub(super) fn ways(known: &Known, action: usize) -> Vec<Way> {
-    let net = known.net;
+pub(super) fn ways(analysis: &Analysis, action: usize) -> Vec<Way> {
+    let net = &analysis.net;
     match net.stored[action].event {
         Event::Event(step, _) => {
-            vec![Way { before: vec![step], condition: Some(known.events[&action]), ..Way::default() }]
+            vec![Way { before: vec![step], condition: Some(analysis.conditions.of_event[&action]), ..Way::default() }]
         }
-        Event::Clearing(t) => vec![clearing(known, t)],
+        Event::Clearing(t) => vec![clearing(analysis, t)],
         Event::Deactivation(step) => {
-            let out_of = &known.flow.out_of[step];
+            let out_of = analysis.arcs.out_of_step(step);
             if net.places[step].within.is_some() || is_emptied(net, step) || out_of.len() > TOLD_APART {
                 return vec![Way { before: vec![step], ..Way::default() }];
             }
-            out_of.iter().map(|t| clearing(known, *t)).collect()
+            out_of.iter().map(|t| clearing(analysis, *t)).collect()
         }
         Event::Activation(step) => {
-            let into = &known.flow.into[step];
+            let into = analysis.arcs.into_step(step);
             let activated = Some(step);
             let mut ways: Vec<Way> = if net.places[step].activated || is_forced(net, step) || into.len() > TOLD_APART {
                 vec![Way { activated, ..Way::default() }]
             } else {
-                into.iter().map(|t| Way { activated, ..clearing(known, *t) }).collect()
+                into.iter().map(|t| Way { activated, ..clearing(analysis, *t) }).collect()
             };
             if net.places[step].initial {
                 ways.push(Way { activated, at_start: true, ..Way::default() });
@@ -56,9 +56,9 @@ pub(super) fn ways(known: &Known, action: usize) -> Vec<Way> {
     }
 }
 
-fn clearing(known: &Known, t: TransitionId) -> Way {
-    let before = known.net.transitions[t].pre.iter().copied().take(TOLD_APART).collect();
-    Way { before, condition: Some(known.conditions[t]), ..Way::default() }
+fn clearing(analysis: &Analysis, t: TransitionId) -> Way {
+    let before = analysis.net.transitions[t].pre.iter().copied().take(TOLD_APART).collect();
+    Way { before, condition: Some(analysis.conditions.of_transition[t]), ..Way::default() }
 }
 
 /// Whether an order may activate a step.
@@ -74,17 +74,17 @@ fn is_emptied(net: &Net, step: StepId) -> bool {
 }
 
 /// Whether actions that are triggered in these ways can be triggered in the same micro-step, as far as is known.
-pub(super) fn meet(known: &Known, a: &[Way], b: &[Way]) -> bool {
-    a.iter().any(|a| b.iter().any(|b| !apart(known, a, b)))
+pub(super) fn meet(analysis: &Analysis, a: &[Way], b: &[Way]) -> bool {
+    a.iter().any(|a| b.iter().any(|b| !apart(analysis, a, b)))
 }
 
-fn apart(known: &Known, a: &Way, b: &Way) -> bool {
-    let never = |a: &StepId, b: &StepId| known.never_together(*a, *b);
+fn apart(analysis: &Analysis, a: &Way, b: &Way) -> bool {
+    let never = |a: &StepId, b: &StepId| analysis.never_together(*a, *b);
     // A step that is activated was inactive before.
     a.at_start != b.at_start
         || a.activated.is_some_and(|s| b.before.contains(&s))
         || b.activated.is_some_and(|s| a.before.contains(&s))
         || a.activated.zip(b.activated).is_some_and(|(a, b)| never(&a, &b))
         || a.before.iter().any(|a| b.before.iter().any(|b| never(a, b)))
-        || a.condition.zip(b.condition).is_some_and(|(a, b)| known.exclude(a, b))
+        || a.condition.zip(b.condition).is_some_and(|(a, b)| analysis.exclude(a, b))
 }

@@ -1,0 +1,50 @@
+//! Steps that are never active together, conditions that never hold together.
+
+use super::Analysis;
+use grafc_formula::FormulaId;
+use grafc_model::chart::StepId;
+use grafc_net::net::Forced;
+
+/// No more enclosing steps than this are looked at for one step, nor more orders for one grafcet.
+const LOOKED_AT: usize = 8;
+
+impl Analysis {
+    /// Whether two conditions of the net never hold in the same micro-step.
+    pub(crate) fn exclude(&self, a: FormulaId, b: FormulaId) -> bool {
+        self.facts.exclude(&self.conditions.lowering.pool, a, b)
+    }
+
+    /// Whether no situation holds both steps: one token serves both or what encloses them, or one forces the other away.
+    pub(crate) fn never_together(&self, a: StepId, b: StepId) -> bool {
+        a != b
+            && (self.around(a).any(|a| self.around(b).any(|b| a != b && self.share_a_token(a, b)))
+                || self.forces_away(a, b)
+                || self.forces_away(b, a))
+    }
+
+    fn share_a_token(&self, a: StepId, b: StepId) -> bool {
+        let others = self.components.of(b);
+        self.components.of(a).iter().any(|component| others.contains(component))
+    }
+
+    /// A step and the steps around it, which are active whenever it is (I1).
+    fn around(&self, step: StepId) -> impl Iterator<Item = StepId> {
+        std::iter::successors(Some(step), |s| self.net.places[*s].within).take(LOOKED_AT)
+    }
+
+    /// Whether an order of one step, or one that wins over it, keeps the other step inactive (R2, I2).
+    fn forces_away(&self, forcing: StepId, step: StepId) -> bool {
+        let orders = &self.net.grafcets[self.net.places[step].grafcet].orders;
+        for order in orders.iter().take(LOOKED_AT) {
+            match &order.forced {
+                Forced::Steps(steps) if steps.binary_search(&step).is_err() => {
+                    if order.step == forcing {
+                        return true;
+                    }
+                }
+                Forced::Steps(_) | Forced::Current => return false,
+            }
+        }
+        false
+    }
+}

@@ -1,0 +1,15 @@
+//! Steps that a transition may lead to while they are active.
+
+use crate::analysis::Analysis;
+use grafc_model::chart::{StepId, TransitionId};
+
+/// Transitions and steps after them that are not proved to be inactive whenever the transition clears.
+pub(crate) fn may_reenter(analysis: &Analysis) -> Vec<(TransitionId, StepId)> {
+    let mut found = Vec::new();
+    for (t, transition) in analysis.net.transitions.iter_enumerated() {
+        let new = transition.post.iter().filter(|s| !transition.pre.contains(s));
+        let inactive = |s: &&StepId| transition.pre.iter().any(|p| analysis.never_together(*p, **s));
+        found.extend(new.filter(|s| !inactive(s)).map(|s| (t, *s)));
+    }
+    found
+}
