@@ -15,7 +15,7 @@ impl NamedTrace {
     /// The stimuli of a chart.
     pub fn of(chart: &Chart, rows: &[Stimulus]) -> Self {
         let inputs = chart.variables.iter().filter(|v| v.kind == VariableKind::Input);
-        NamedTrace { names: inputs.map(|v| v.name.clone()).collect(), rows: rows.to_vec() }
+        NamedTrace { names: inputs.map(|v| v.name.to_string()).collect(), rows: rows.to_vec() }
     }
 
     /// The stimuli for a chart that may have fewer inputs.

@@ -2,9 +2,9 @@
 
 use crate::charts;
 use grafc_diagnostics::{Code, Diagnostics};
-use grafc_logic::{Analysis, Options};
 use grafc_logic::scan::Program;
 use grafc_logic::scan::evaluate::Evaluator;
+use grafc_logic::{Analysis, Options};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{Profile, Response, Stimulus};
 use grafc_model::simulate::Simulator;

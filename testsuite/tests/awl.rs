@@ -231,7 +231,7 @@ fn a_restart_begins_anew() {
         let spelt: Vec<String> = rows
             .iter()
             .map(|response| {
-                let step = response.situation.iter().map(|step| chart.steps[*step].label.clone()).collect::<String>();
+                let step = response.situation.iter().map(|step| chart.steps[*step].label.as_str()).collect::<String>();
                 let values: Vec<String> = response.outputs.iter().map(|value| format!("{value:?}")).collect();
                 let values: Vec<&str> =
                     values.iter().map(|text| text.trim_start_matches("Int(").trim_end_matches(')')).collect();

@@ -150,7 +150,7 @@ fn drawings_read_as_their_charts() {
             let Ok(drawing) = draw(&text, Evolution::Scan, dialect) else { continue };
             let mut net = grafc_net::build(&check(&name, &text).expect("a chart"));
             passes::run(&mut net, false, &mut Diagnostics::new());
-            let plain = |label: &String| label.bytes().all(|byte| byte.is_ascii_alphanumeric());
+            let plain = |label: &str| label.bytes().all(|byte| byte.is_ascii_alphanumeric());
             if !net.places.iter().all(|place| plain(&place.label)) {
                 continue;
             }

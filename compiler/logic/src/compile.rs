@@ -88,7 +88,7 @@ pub fn compile(analysis: Analysis, options: &Options) -> (Program, Diagnostics) 
     before.extend(input_event.found(&mut lowering));
 
     let mut program = Program {
-        name: net.name.clone(),
+        name: net.name.to_string(),
         comment: net.comment.clone(),
         steps: lowering.situation.of_chart(&net),
         states: lowering.situation.states(),

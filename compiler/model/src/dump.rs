@@ -8,6 +8,7 @@ use crate::chart::{
     Node, Situation, StepId, Stored, TransitionId, Type, Value, Variable, VariableId, VariableKind,
 };
 pub use crate::resolve::types::name as type_name;
+use ecow::EcoString;
 pub use grafc_syntax::dump::plain_or_quoted as name;
 use index_vec::IndexVec;
 
@@ -138,7 +139,7 @@ pub fn list(names: impl IntoIterator<Item = String>) -> String {
 }
 
 /// An attached comment, behind what it belongs to.
-pub fn comment(comment: &Option<String>) -> String {
+pub fn comment(comment: &Option<EcoString>) -> String {
     comment.as_ref().map(|text| format!(" {text:?}")).unwrap_or_default()
 }
 

@@ -18,7 +18,7 @@ fn chart(text: &str) -> Chart {
 }
 
 fn labels(chart: &Chart, steps: &[StepId]) -> Vec<String> {
-    steps.iter().map(|&step| chart.steps[step].label.clone()).collect()
+    steps.iter().map(|&step| chart.steps[step].label.to_string()).collect()
 }
 
 /// IEC 60848, annex B: one grafcet, a divergence, a counter, a delay by a constant.

@@ -22,6 +22,7 @@
 //! - a transition is in `entered_by` (`left_by`) of a macro-step at most once;
 //! - what a [`Fact`] that was reached says.
 
+use ecow::EcoString;
 use grafc_diagnostics::Span;
 use grafc_model::chart::{
     Continuous, Expr, ExprId, GrafcetId, MacroId, Order, StepId, Stored, TransitionId, Variable, VariableId,
@@ -49,9 +50,9 @@ pub enum Fact {
 #[derive(Clone, Debug)]
 pub struct Net {
     /// The chart's name.
-    pub name: String,
+    pub name: EcoString,
     /// The chart's attached comment.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
     /// Declared variables.
     pub variables: IndexVec<VariableId, Variable>,
     /// Places: the steps of the chart.
@@ -82,9 +83,9 @@ pub struct Net {
 #[derive(Clone, Debug)]
 pub struct Place {
     /// The step's label.
-    pub label: String,
+    pub label: EcoString,
     /// The attached comment.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
     /// The grafcet that it belongs to.
     pub grafcet: GrafcetId,
     /// In the initial situation.
@@ -103,9 +104,9 @@ pub struct Place {
 #[derive(Clone, Debug)]
 pub struct Transition {
     /// The designation.
-    pub designation: Option<String>,
+    pub designation: Option<EcoString>,
     /// The attached comment.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
     /// The grafcet that it belongs to.
     pub grafcet: GrafcetId,
     /// The immediately preceding places.
@@ -124,7 +125,7 @@ pub struct Transition {
 #[derive(Clone, Debug)]
 pub struct MacroStep {
     /// The label.
-    pub label: String,
+    pub label: EcoString,
     /// Where arcs into it lead.
     pub entry: StepId,
     /// Where arcs out of it start.
@@ -143,9 +144,9 @@ pub struct MacroStep {
 #[derive(Clone, Debug)]
 pub struct Grafcet {
     /// The name.
-    pub name: String,
+    pub name: EcoString,
     /// The attached comment.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
     /// The step that encloses it, until enclosures are flattened.
     pub enclosing_step: Option<StepId>,
     /// Longest chain of orders and enclosures above it (M2).

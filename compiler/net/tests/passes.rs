@@ -22,7 +22,7 @@ fn flat(text: &str, overlap: bool) -> Net {
 }
 
 fn labels(net: &Net, steps: &[StepId]) -> Vec<String> {
-    steps.iter().map(|s| net.places[*s].label.clone()).collect()
+    steps.iter().map(|s| net.places[*s].label.to_string()).collect()
 }
 
 const MACRO: &str = "

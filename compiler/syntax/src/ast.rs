@@ -3,6 +3,7 @@
 //! Expressions lie in one arena, children before parents, so that no code walks them by recursion: the depth of
 //! nesting is the author's, not ours. Names are as written, without backquotes; nothing is resolved yet.
 
+use ecow::EcoString;
 use grafc_diagnostics::Span;
 use index_vec::{IndexVec, define_index_type};
 
@@ -50,7 +51,7 @@ pub struct Heading {
 #[derive(Clone, Debug)]
 pub struct Name {
     /// The name; of a numeric label its digits as written.
-    pub text: String,
+    pub text: EcoString,
     /// Whether the author put it in backquotes.
     pub quoted: bool,
     /// The place.
@@ -61,7 +62,7 @@ pub struct Name {
 #[derive(Clone, Debug)]
 pub struct Text {
     /// The text.
-    pub text: String,
+    pub text: EcoString,
     /// The place, quotes included.
     pub span: Span,
 }
@@ -77,15 +78,15 @@ pub struct Comment {
 #[derive(Clone, Debug)]
 pub enum Item {
     /// `input`, `output`, `var`, `const`.
-    Declaration(Declaration),
+    Declaration(Box<Declaration>),
     /// `grafcet G1 { … }`.
-    Grafcet(Grafcet),
+    Grafcet(Box<Grafcet>),
     /// `expansion M3 { … }`.
-    Expansion(Expansion),
+    Expansion(Box<Expansion>),
     /// Any kind of step.
-    Step(Step),
+    Step(Box<Step>),
     /// A transition.
-    Transition(Transition),
+    Transition(Box<Transition>),
 }
 
 /// `input a "comment", b : bool := 0 at %IX0.0`.
@@ -183,10 +184,8 @@ pub struct Expansion {
 pub struct Step {
     /// Plain, enclosing or macro.
     pub kind: StepKind,
-    /// `initial`.
-    pub initial: bool,
-    /// `activated`: the step bears an activation link (symbol 41).
-    pub activated: bool,
+    /// What stands before `step`, each word once.
+    pub words: Vec<StepWord>,
     /// The label.
     pub label: Name,
     /// The attached comment.
@@ -195,6 +194,45 @@ pub struct Step {
     pub actions: Vec<Action>,
     /// The whole item.
     pub span: Span,
+}
+
+impl Step {
+    /// `initial`.
+    pub fn is_initial(&self) -> bool {
+        self.word(StepMark::Initial).is_some()
+    }
+
+    /// `activated`: the step bears an activation link (symbol 41).
+    pub fn is_activated(&self) -> bool {
+        self.word(StepMark::Activated).is_some()
+    }
+
+    /// Where a word stands before `step`, if it does.
+    pub fn word(&self, mark: StepMark) -> Option<Span> {
+        self.words.iter().find(|word| word.meaning == mark).map(|word| word.span)
+    }
+}
+
+/// A word before `step`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct StepWord {
+    /// Which.
+    pub meaning: StepMark,
+    /// Where.
+    pub span: Span,
+}
+
+/// The words before `step`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum StepMark {
+    /// `initial`
+    Initial,
+    /// `activated`
+    Activated,
+    /// `enclosing`
+    Enclosing,
+    /// `macro`
+    Macro,
 }
 
 /// The kinds of step.
@@ -308,7 +346,7 @@ pub struct Expr {
 #[derive(Clone, PartialEq, Debug)]
 pub enum ExprKind {
     /// A variable or an implicit variable.
-    Name(String),
+    Name(EcoString),
     /// `3`, `16#FF`: a whole number; `1` and `0` are also Boolean constants.
     Integer(i64),
     /// `8.5`
@@ -332,7 +370,7 @@ pub enum ExprKind {
     /// `a and b`, `C + 1`, `C < N`.
     Binary(BinaryOp, ExprId, ExprId),
     /// `3s/a/7s`, `4s/X27`, `X2/5s`: two or three parts, as written (symbols 17 and 18).
-    Delay(Vec<ExprId>),
+    Delay(Box<[ExprId]>),
     /// A part that could not be read; an error has been reported.
     Error,
 }

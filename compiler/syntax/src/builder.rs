@@ -2,59 +2,103 @@
 
 use crate::ast::*;
 use crate::lexer::MOST_FAULTS;
-use crate::numeral;
-use grafc_diagnostics::{Code, Diagnostic, FileId, Span};
+use crate::numeral::{self, Numeral};
+use grafc_diagnostics::{Code, Diagnostic, FileId, Fix, Span};
 
-/// What one item of the token stream turned out to be.
+/// What one item of the token stream turned out to be. The parser moves it about, so it is small.
 pub(crate) enum Parsed {
     /// `chart Name`
-    Heading(Heading),
+    Heading(Box<Heading>),
     /// `grafcet G1 {`: its items follow.
-    Grafcet(Grafcet),
+    Grafcet(Box<Grafcet>),
     /// `expansion M3 {`: its items follow.
-    Expansion(Expansion),
+    Expansion(Box<Expansion>),
     /// A whole item.
     Item(Item),
 }
 
-/// A word before `step`.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Prefix {
-    Initial,
-    Activated,
-    Enclosing,
-    Macro,
-}
-
-impl Prefix {
-    fn word(self) -> &'static str {
-        match self {
-            Prefix::Initial => "initial",
-            Prefix::Activated => "activated",
-            Prefix::Enclosing => "enclosing",
-            Prefix::Macro => "macro",
-        }
-    }
-}
-
-/// The arena under construction and the faults found on the way.
+/// What is under construction, and the faults found on the way.
 pub(crate) struct Builder<'text> {
     pub(crate) file: FileId,
     pub(crate) text: &'text str,
     pub(crate) exprs: Exprs,
-    pub(crate) faults: Vec<Diagnostic>,
+    /// The items that were read and have not been put into place yet.
+    pub(crate) parsed: Vec<Parsed>,
+    /// What is read again after a fault has been reported: nothing more is said of it.
+    pub(crate) is_silent: bool,
+    /// The faults in the item under way: they do not count if it cannot be read.
+    pending: Vec<Diagnostic>,
+    /// How many expressions there were when the item before had been read.
+    kept: usize,
+    listed: Vec<Diagnostic>,
+    unlisted: usize,
 }
 
 impl<'text> Builder<'text> {
     pub(crate) fn new(file: FileId, text: &'text str) -> Self {
-        Builder { file, text, exprs: Exprs::new(), faults: Vec::new() }
+        Builder {
+            file,
+            text,
+            exprs: Exprs::new(),
+            parsed: Vec::new(),
+            is_silent: false,
+            pending: Vec::new(),
+            kept: 0,
+            listed: Vec::new(),
+            unlisted: 0,
+        }
     }
 
     /// An item has few faults of this kind, or it is no chart; the number that is kept is bounded.
     fn fault(&mut self, fault: Diagnostic) {
-        if self.faults.len() < MOST_FAULTS {
-            self.faults.push(fault);
+        if self.pending.len() < MOST_FAULTS {
+            self.pending.push(fault);
         }
+    }
+
+    /// Lists a fault, if there are not too many.
+    pub(crate) fn list(&mut self, fault: Diagnostic) {
+        if self.listed.len() < MOST_FAULTS {
+            self.listed.push(fault);
+        } else {
+            self.unlisted += 1;
+        }
+    }
+
+    /// Whether faults are no longer listed.
+    pub(crate) fn is_full(&self) -> bool {
+        self.unlisted > 0
+    }
+
+    /// The faults that were listed; the last says how many were not.
+    pub(crate) fn listed(&mut self) -> Vec<Diagnostic> {
+        let mut listed = std::mem::take(&mut self.listed);
+        if let Some(last) = listed.last_mut().filter(|_| self.unlisted > 0) {
+            last.notes.push(format!("there are {} more syntax errors", self.unlisted));
+        }
+        listed
+    }
+
+    /// An item has been read to its end.
+    pub(crate) fn item(&mut self, parsed: Parsed) {
+        self.parsed.push(parsed);
+        self.kept = self.exprs.len();
+        let found = std::mem::take(&mut self.pending);
+        if !self.is_silent {
+            found.into_iter().for_each(|fault| self.list(fault));
+        }
+    }
+
+    /// Forgets an item that could not be read, and all since there were so many expressions.
+    pub(crate) fn discard(&mut self, exprs: usize) {
+        self.exprs.truncate(exprs);
+        self.parsed.clear();
+        self.pending.clear();
+    }
+
+    /// Forgets an item that could not be read; those before it stay.
+    pub(crate) fn discard_item(&mut self) {
+        self.discard(self.kept);
     }
 
     pub(crate) fn span(&self, start: u32, end: u32) -> Span {
@@ -72,18 +116,19 @@ impl<'text> Builder<'text> {
             Some(rest) => (rest.strip_suffix('`').unwrap_or(rest), true),
             None => (written, false),
         };
-        Name { text: text.to_owned(), quoted, span: self.span(start, end) }
+        Name { text: text.into(), quoted, span: self.span(start, end) }
     }
 
     pub(crate) fn text(&self, start: u32, end: u32) -> Text {
         let written = self.slice(start, end);
         let inner = written.strip_prefix('"').unwrap_or(written);
         let inner = inner.strip_suffix('"').unwrap_or(inner);
-        Text { text: inner.replace("\"\"", "\""), span: self.span(start, end) }
+        let text = if inner.contains('"') { inner.replace("\"\"", "\"").into() } else { inner.into() };
+        Text { text, span: self.span(start, end) }
     }
 
     pub(crate) fn address(&self, start: u32, end: u32) -> Text {
-        Text { text: self.slice(start, end).to_owned(), span: self.span(start, end) }
+        Text { text: self.slice(start, end).into(), span: self.span(start, end) }
     }
 
     pub(crate) fn ty(&mut self, start: u32, end: u32) -> (Type, Span) {
@@ -92,11 +137,12 @@ impl<'text> Builder<'text> {
         if let Some(ty) = type_of(word) {
             return (ty, span);
         }
-        let shown = crate::expected::shorten(word);
+        let shown = crate::shown::shorten(word);
         let mut fault = Diagnostic::new(Code::E0107, span, format!("expected a type, found `{shown}`"))
             .note("the types are `bool`, `int`, `dint`, `uint`, `udint`, `real`, `lreal` and `time`");
         if let Some(known) = type_of(&word.to_lowercase()).map(|_| word.to_lowercase()) {
-            fault = fault.help(format!("write `{known}`"));
+            let fix = Fix::certain(format!("write `{known}`")).replace(span, known.as_str());
+            fault = fault.help(format!("write `{known}`")).fix(fix);
         }
         self.fault(fault);
         (Type::Bool, span)
@@ -106,42 +152,34 @@ impl<'text> Builder<'text> {
         &mut self,
         start: u32,
         end: u32,
-        prefixes: Vec<(Prefix, u32, u32)>,
+        words: Vec<StepWord>,
         label: Name,
         comment: Option<Text>,
         actions: Vec<Action>,
     ) -> Step {
-        let mut seen: Vec<(Prefix, u32, u32)> = Vec::new();
+        let mut seen: Vec<StepWord> = Vec::with_capacity(words.len());
         let mut kind = StepKind::Plain;
-        for &(prefix, l, r) in &prefixes {
-            let place = self.span(l, r);
-            if let Some(&(_, first_l, first_r)) = seen.iter().find(|s| s.0 == prefix) {
-                let fault =
-                    Diagnostic::new(Code::E0107, place, format!("`{}` stands twice before `step`", prefix.word()))
-                        .also(self.span(first_l, first_r), "first here");
+        for word in words {
+            if let Some(first) = seen.iter().find(|s| s.meaning == word.meaning) {
+                let name = self.slice(word.span.start, word.span.end);
+                let fault = Diagnostic::new(Code::E0107, word.span, format!("`{name}` stands twice before `step`"))
+                    .also(first.span, "first here");
                 self.fault(fault);
                 continue;
             }
-            seen.push((prefix, l, r));
-            let new_kind = match prefix {
-                Prefix::Initial | Prefix::Activated => continue,
-                Prefix::Enclosing => StepKind::Enclosing,
-                Prefix::Macro => StepKind::Macro,
+            seen.push(word);
+            let new_kind = match word.meaning {
+                StepMark::Initial | StepMark::Activated => continue,
+                StepMark::Enclosing => StepKind::Enclosing,
+                StepMark::Macro => StepKind::Macro,
             };
             if kind != StepKind::Plain {
-                self.fault(Diagnostic::new(Code::E0107, place, "a step is either an enclosing step or a macro-step"));
+                let message = "a step is either an enclosing step or a macro-step";
+                self.fault(Diagnostic::new(Code::E0107, word.span, message));
             }
             kind = new_kind;
         }
-        Step {
-            kind,
-            initial: seen.iter().any(|s| s.0 == Prefix::Initial),
-            activated: seen.iter().any(|s| s.0 == Prefix::Activated),
-            label,
-            comment,
-            actions,
-            span: self.span(start, end),
-        }
+        Step { kind, words: seen, label, comment, actions, span: self.span(start, end) }
     }
 
     pub(crate) fn action(&self, start: u32, end: u32, kind: ActionKind) -> Option<Action> {
@@ -150,7 +188,7 @@ impl<'text> Builder<'text> {
 
     /// In a step, the standard has no action that assigns without saying when (4.8.3).
     pub(crate) fn assignment_without_event(&mut self, assignment: Assignment) -> Option<Action> {
-        let target = crate::expected::shorten(&assignment.target.text);
+        let target = crate::shown::shorten(&assignment.target.text);
         self.fault(
             Diagnostic::new(
                 Code::E0108,
@@ -158,7 +196,9 @@ impl<'text> Builder<'text> {
                 format!("the assignment of `{target}` does not say when it is done"),
             )
             .note("IEC 60848, 4.8.3: a stored action is associated with an event")
-            .help("add `on activation`, `on deactivation` or `on event …` behind it"),
+            .help("add `on activation`, `on deactivation` or `on event …` behind it")
+            .fix(Fix::maybe("add `on activation`").replace(assignment.span.behind(), " on activation"))
+            .fix(Fix::maybe("add `on deactivation`").replace(assignment.span.behind(), " on deactivation")),
         );
         None
     }
@@ -185,6 +225,17 @@ impl<'text> Builder<'text> {
         self.expr(start, end, ExprKind::Name(name))
     }
 
+    /// A number or a duration that the lexer has read already.
+    pub(crate) fn numeral(&mut self, start: u32, end: u32) -> ExprId {
+        let kind = match numeral::read(self.slice(start, end)) {
+            Ok(Numeral::Integer(value)) => ExprKind::Integer(value),
+            Ok(Numeral::Real(value)) => ExprKind::Real(value),
+            Ok(Numeral::Duration(value)) => ExprKind::Duration(value),
+            Err(_) => ExprKind::Error,
+        };
+        self.expr(start, end, kind)
+    }
+
     pub(crate) fn whole(&mut self, start: u32, end: u32) -> ExprId {
         let word = self.slice(start, end);
         match numeral::whole(word) {
@@ -201,12 +252,17 @@ impl<'text> Builder<'text> {
     pub(crate) fn delay(&mut self, start: u32, end: u32, parts: Vec<ExprId>) -> ExprId {
         for &part in &parts {
             let span = self.exprs[part].span;
-            let (what, cure) = match self.exprs[part].kind {
+            let (what, cure, fix) = match self.exprs[part].kind {
                 ExprKind::Integer(_) | ExprKind::Real(_) => (
                     "number",
-                    format!("a delay has a unit: `{}s`", crate::expected::shorten(self.slice(span.start, span.end))),
+                    format!("a delay has a unit: `{}s`", crate::shown::shorten(self.slice(span.start, span.end))),
+                    Fix::maybe("give it the unit `s`").replace(span.behind(), "s"),
                 ),
-                ExprKind::Bool(_) => ("constant", "put the operand in parentheses".to_owned()),
+                ExprKind::Bool(_) => (
+                    "constant",
+                    "put the operand in parentheses".to_owned(),
+                    Fix::certain("put it in parentheses").replace(span.before(), "(").replace(span.behind(), ")"),
+                ),
                 ExprKind::Name(_)
                 | ExprKind::Duration(_)
                 | ExprKind::Paren(_)
@@ -219,15 +275,16 @@ impl<'text> Builder<'text> {
                 | ExprKind::Delay(_)
                 | ExprKind::Error => continue,
             };
-            let shown = crate::expected::shorten(self.slice(span.start, span.end));
+            let shown = crate::shown::shorten(self.slice(span.start, span.end));
             self.fault(
                 Diagnostic::new(Code::E0107, span, format!("expected a duration or a variable, found the {what} `{shown}`"))
                     .note("outside brackets, `/` makes a time-dependent variable such as `3s/a/7s`; division stands in brackets")
-                    .help(cure),
+                    .help(cure)
+                    .fix(fix),
             );
             self.exprs[part].kind = ExprKind::Error;
         }
-        self.expr(start, end, ExprKind::Delay(parts))
+        self.expr(start, end, ExprKind::Delay(parts.into()))
     }
 }
 

@@ -88,8 +88,8 @@ impl Dump<'_> {
     }
 
     fn step(&mut self, step: &Step) {
-        let initial = if step.initial { "initial " } else { "" };
-        let activated = if step.activated { "activated " } else { "" };
+        let initial = if step.is_initial() { "initial " } else { "" };
+        let activated = if step.is_activated() { "activated " } else { "" };
         let kind = match step.kind {
             StepKind::Plain => "",
             StepKind::Enclosing => "enclosing ",
@@ -226,7 +226,7 @@ fn names(list: &[Name]) -> String {
 
 /// A name as the author wrote it.
 fn name(name: &Name) -> String {
-    if name.quoted { quoted(&name.text) } else { name.text.clone() }
+    if name.quoted { quoted(&name.text) } else { name.text.to_string() }
 }
 
 /// A name, in backquotes if it needs them.

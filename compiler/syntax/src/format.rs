@@ -10,7 +10,8 @@
 
 use crate::ast::{Chart, Item};
 use crate::items::{begins_item, is_prefix};
-use crate::lexer::{self, Lexeme, Token};
+use crate::lexer;
+use crate::token::{Lexeme, Token};
 use std::collections::HashSet;
 
 /// The actions of a step stand on its line up to this width.
@@ -384,5 +385,5 @@ impl State {
 /// Whether a minus behind this token subtracts.
 fn ends_operand(token: Token) -> bool {
     use Token::*;
-    matches!(token, Name | Whole | Integer(_) | Real(_) | Duration(_) | True | False | CloseParen | CloseBracket)
+    matches!(token, Name | Whole | Integer | Real | Duration | True | False | CloseParen | CloseBracket)
 }

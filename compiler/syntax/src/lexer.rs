@@ -1,174 +1,15 @@
 //! Text to tokens.
 //!
-//! A token is a kind and a range of bytes; its text is read back from the source, so the author's spelling is never
-//! lost. Comments are kept aside. Every fault is reported and the lexer goes on: a malformed name or number still gives
+//! Comments are kept aside. Every fault is reported and the lexer goes on: a malformed name or number still gives
 //! a token, so that the parser does not complain a second time, and wrong characters are left out.
 //!
 //! The patterns need no look-ahead beyond a few bytes, so the time is linear whatever the text is.
 
 use crate::numeral;
-use grafc_diagnostics::{Code, Diagnostic, FileId, Span};
+use crate::token::{Lexeme, Token};
+use grafc_diagnostics::{Code, Diagnostic, FileId, Fix, Span};
 use logos::Logos;
-
-/// The kinds of token.
-#[derive(Logos, Clone, Copy, PartialEq, Debug)]
-#[logos(skip r"[\s\u{FEFF}]+")]
-pub(crate) enum Token {
-    #[token("chart")]
-    Chart,
-    #[token("input")]
-    Input,
-    #[token("output")]
-    Output,
-    #[token("var")]
-    Var,
-    #[token("const")]
-    Const,
-    #[token("grafcet")]
-    Grafcet,
-    #[token("expansion")]
-    Expansion,
-    #[token("step")]
-    Step,
-    #[token("transition")]
-    Transition,
-    #[token("initial")]
-    Initial,
-    #[token("activated")]
-    Activated,
-    #[token("enclosing")]
-    Enclosing,
-    #[token("macro")]
-    Macro,
-    #[token("if")]
-    If,
-    #[token("on")]
-    On,
-    #[token("force")]
-    Force,
-    #[token("true")]
-    True,
-    #[token("false")]
-    False,
-    #[token("and")]
-    #[token("·")]
-    #[token("⋅")]
-    #[token("&")]
-    And,
-    #[token("or")]
-    #[token("|")]
-    Or,
-    #[token("xor")]
-    Xor,
-    #[token("not")]
-    #[token("!")]
-    #[token("¬")]
-    Not,
-    #[token("rise")]
-    #[token("↑")]
-    Rise,
-    #[token("fall")]
-    #[token("↓")]
-    Fall,
-    #[token("mod")]
-    Mod,
-    #[token("+")]
-    Plus,
-    #[token("-")]
-    Minus,
-    #[token("*")]
-    Star,
-    #[token("/")]
-    Slash,
-    #[token("=")]
-    Equal,
-    #[token("<>")]
-    #[token("≠")]
-    NotEqual,
-    #[token("<")]
-    Less,
-    #[token("<=")]
-    #[token("≤")]
-    LessEqual,
-    #[token(">")]
-    Greater,
-    #[token(">=")]
-    #[token("≥")]
-    GreaterEqual,
-    #[token(":=")]
-    Assign,
-    #[token(":")]
-    Colon,
-    #[token(",")]
-    Comma,
-    #[token("->")]
-    #[token("→")]
-    Arrow,
-    #[token("(")]
-    OpenParen,
-    #[token(")")]
-    CloseParen,
-    #[token("[")]
-    OpenBracket,
-    #[token("]")]
-    CloseBracket,
-    #[token("{")]
-    OpenBrace,
-    #[token("}")]
-    CloseBrace,
-
-    /// A name, in backquotes or not.
-    #[regex(r"[\p{L}_][\p{L}\p{M}\p{Nd}_]*")]
-    #[regex(r"`[^`\r\n]*`?")]
-    Name,
-    /// An attached comment; a quotation mark in it is doubled.
-    #[regex("\"([^\"\r\n]|\"\")*\"?")]
-    String,
-    /// `%IX0.0`
-    #[regex(r"%[A-Za-z0-9_.*]*")]
-    Address,
-    /// `3`: decimal digits alone, a step label or a number.
-    #[regex(r"[0-9]+", priority = 20)]
-    Whole,
-    /// Anything else that begins with a digit or with `T#`; [`lex`] makes one of the next four of it.
-    #[regex(r"[0-9]([\p{L}\p{M}\p{Nd}_#]|\.[\p{L}\p{M}\p{Nd}_#])*", priority = 4)]
-    #[regex(r"[0-9][0-9_]*(\.[0-9][0-9_]*)?[eE][+-][0-9_]+", priority = 6)]
-    #[regex(r"([tT]|[tT][iI][mM][eE])#([\p{L}\p{M}\p{Nd}_#]|\.[\p{L}\p{M}\p{Nd}_#])*")]
-    Numeral,
-    /// `16#FF`, `1_000`
-    Integer(i64),
-    /// `8.5`
-    Real(f64),
-    /// `3s`, in milliseconds
-    Duration(i64),
-    /// A number or a duration that has been reported as malformed, or an expression that the parser gave up on.
-    Unreadable,
-
-    #[regex(r"//[^\n]*", allow_greedy = true)]
-    LineComment,
-    #[token("(*", block_comment)]
-    BlockComment,
-
-    // Words only where they have a meaning; elsewhere they are names.
-    /// `activation` after `on`
-    Activation,
-    /// `deactivation` after `on`
-    Deactivation,
-    /// `event` after `on`
-    Event,
-    /// `at` before an address
-    At,
-    /// The end of an item; the parser puts it there.
-    End,
-}
-
-/// A token and its place.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct Lexeme {
-    pub(crate) token: Token,
-    pub(crate) start: u32,
-    pub(crate) end: u32,
-}
+use std::ops::Range;
 
 /// What [`lex`] returns.
 #[derive(Default)]
@@ -251,7 +92,7 @@ pub(crate) fn lex(file: FileId, text: &str) -> Lexed {
                 Token::Address
             }
             Ok(Token::Numeral) => match numeral::read(slice) {
-                Ok(token) => token,
+                Ok(numeral) => numeral.token(),
                 Err(fault) => {
                     out.fault(span, fault.diagnostic(span, slice));
                     Token::Unreadable
@@ -290,29 +131,11 @@ impl Lexed {
             fault.message = unexpected_characters(&text[run as usize..end as usize]);
         }
         fault.primary.span.end = end;
-        fault.help = cure(&text[run as usize..end as usize]).map(str::to_owned);
+        let range = run as usize..end as usize;
+        let cure = cure(&text[range.clone()]);
+        fault.help = cure.map(|(words, _)| words.to_owned());
+        fault.fixes = cure.and_then(|(_, instead)| fix(file, text, range, instead)).into_iter().collect();
     }
-}
-
-/// Moves behind the `*)` that closes the comment, or to the end of the text. Comments nest.
-fn block_comment(lexer: &mut logos::Lexer<'_, Token>) {
-    let bytes = lexer.remainder().as_bytes();
-    let mut depth = 1usize;
-    let mut at = 0;
-    while depth > 0 && at < bytes.len() {
-        match &bytes[at..bytes.len().min(at + 2)] {
-            b"(*" => {
-                depth += 1;
-                at += 2;
-            }
-            b"*)" => {
-                depth -= 1;
-                at += 2;
-            }
-            _ => at += 1,
-        }
-    }
-    lexer.bump(at);
 }
 
 /// Whether a comment that [`block_comment`] read has its end, and not only the end of the text.
@@ -370,19 +193,45 @@ fn visible(c: char) -> String {
     }
 }
 
-fn cure(run: &str) -> Option<&'static str> {
-    match run {
-        ";" => Some("leave it out: items and actions need no separator"),
-        "∧" | "•" | "∙" => Some("write `and`, `·` or `&`"),
-        "∨" => Some("write `or`, `+` or `|`"),
-        "⊕" | "^" => Some("write `xor`"),
-        "~" => Some("write `not`, `!` or `¬`"),
-        "“" | "”" | "„" | "«" | "»" | "'" | "‘" | "’" => {
-            Some("an attached comment stands in straight quotation marks: `\"…\"`")
-        }
-        "×" => Some("multiplication is written `*`"),
-        "−" | "–" | "—" => Some("the minus sign is written `-`"),
-        "÷" => Some("division is written `/`"),
-        _ => None,
+/// What helps with wrong characters, in words, and what to write instead.
+fn cure(run: &str) -> Option<(&'static str, &'static str)> {
+    Some(match run {
+        ";" => ("leave it out: items and actions need no separator", ""),
+        "∧" | "•" | "∙" => ("write `and`, `·` or `&`", "·"),
+        "∨" => ("write `or`, `+` or `|`", "|"),
+        "⊕" | "^" => ("write `xor`", " xor "),
+        "~" => ("write `not`, `!` or `¬`", "!"),
+        "×" => ("multiplication is written `*`", "*"),
+        "−" | "–" | "—" => ("the minus sign is written `-`", "-"),
+        "÷" => ("division is written `/`", "/"),
+        quote if is_quote(quote) => ("an attached comment stands in straight quotation marks: `\"…\"`", "\""),
+        _ => return None,
+    })
+}
+
+fn is_quote(run: &str) -> bool {
+    matches!(run, "“" | "”" | "„" | "«" | "»" | "'" | "‘" | "’")
+}
+
+/// The change that a cure asks for. Quotation marks are changed two by two.
+fn fix(file: FileId, text: &str, run: Range<usize>, instead: &str) -> Option<Fix> {
+    let whole = |range: Range<usize>| Span::new(file, range.start, range.end);
+    if !is_quote(&text[run.clone()]) {
+        let title = if instead.is_empty() { "leave it out".to_owned() } else { format!("write `{}`", instead.trim()) };
+        return Some(Fix::certain(title).replace(whole(run), instead));
     }
+    let line = text[..run.start].rfind('\n').map_or(0, |n| n + 1);
+    let rest = text[line..].find('\n').map_or(text.len(), |n| line + n);
+    let quotes = |range: Range<usize>| {
+        let from = range.start;
+        let marks = text[range].char_indices().map(move |(at, c)| from + at..from + at + c.len_utf8());
+        marks.filter(|mark| is_quote(&text[mark.clone()])).take(MOST_FAULTS)
+    };
+    let before = quotes(line..run.start);
+    // The first of two opens the comment, whatever their shapes: they are not the same in all languages.
+    let (odd, last) = before.fold((false, None), |(odd, _), mark| (!odd, Some(mark)));
+    let (open, close) = if odd { (last?, run) } else { (run.clone(), quotes(run.end..rest).next()?) };
+    (!text[open.end..close.start].contains('"')).then(|| {
+        Fix::certain("write straight quotation marks").replace(whole(open), instead).replace(whole(close), instead)
+    })
 }

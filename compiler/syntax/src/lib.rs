@@ -7,6 +7,7 @@
 
 pub mod ast;
 mod builder;
+mod cure;
 pub mod dump;
 mod expected;
 mod format;
@@ -14,6 +15,8 @@ mod items;
 mod lexer;
 mod numeral;
 mod same;
+mod shown;
+mod token;
 
 /// The parser's tables, made by LALRPOP of `grammar.lalrpop`. They are kept, and not made in each build, so that who
 /// compiles grafc does not compile LALRPOP; `tests/grammar.rs` sees to it that they are up to date.

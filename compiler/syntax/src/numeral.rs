@@ -3,8 +3,30 @@
 //! The lexer takes any run that begins with a digit or `T#` as one word, so that a slip inside of it is one fault with
 //! a reason, and not a row of puzzling tokens.
 
-use crate::lexer::Token;
+use crate::token::Token;
 use grafc_diagnostics::{Code, Diagnostic, Span};
+
+/// What a word that begins with a digit or with `T#` is.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) enum Numeral {
+    /// `16#FF`, `1_000`
+    Integer(i64),
+    /// `8.5`
+    Real(f64),
+    /// `3s`, in milliseconds
+    Duration(i64),
+}
+
+impl Numeral {
+    /// Its token; the value is read again where it is needed.
+    pub(crate) fn token(self) -> Token {
+        match self {
+            Numeral::Integer(_) => Token::Integer,
+            Numeral::Real(_) => Token::Real,
+            Numeral::Duration(_) => Token::Duration,
+        }
+    }
+}
 
 /// Why a number or a duration could not be read.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -39,7 +61,7 @@ const LONGEST: u128 = i32::MAX as u128;
 impl Fault {
     /// The message for a word.
     pub(crate) fn diagnostic(self, span: Span, word: &str) -> Diagnostic {
-        let word = crate::expected::shorten(word);
+        let word = crate::shown::shorten(word);
         let number = |m: String| Diagnostic::new(Code::E0105, span, m);
         let duration = |m: String| Diagnostic::new(Code::E0106, span, m);
         match self {
@@ -66,17 +88,17 @@ impl Fault {
     }
 }
 
-/// The token of a word that begins with a digit or with `T#`.
-pub(crate) fn read(word: &str) -> Result<Token, Fault> {
+/// Reads a word that begins with a digit or with `T#`.
+pub(crate) fn read(word: &str) -> Result<Numeral, Fault> {
     if let Some((before, after)) = word.split_once('#') {
         if before.starts_with(|c: char| c.is_ascii_alphabetic()) {
             return iec_duration(after);
         }
-        return based(before, after).map(Token::Integer);
+        return based(before, after).map(Numeral::Integer);
     }
     let digits_end = word.find(|c: char| !c.is_ascii_digit() && c != '_').unwrap_or(word.len());
     match word[digits_end..].chars().next() {
-        None => whole(word).map(Token::Integer),
+        None => whole(word).map(Numeral::Integer),
         Some('.') => {
             let fraction_end = word[digits_end + 1..]
                 .find(|c: char| !c.is_ascii_digit() && c != '_')
@@ -140,7 +162,7 @@ fn check_separators(digits: &str) -> Result<(), Fault> {
     if before == '_' && !digits.is_empty() { Err(Fault::Separator) } else { Ok(()) }
 }
 
-fn real(word: &str) -> Result<Token, Fault> {
+fn real(word: &str) -> Result<Numeral, Fault> {
     for part in word.split(['.', 'e', 'E', '+', '-']) {
         check_separators(part)?;
         if part.chars().any(|c| !c.is_ascii_digit() && c != '_') {
@@ -149,11 +171,11 @@ fn real(word: &str) -> Result<Token, Fault> {
     }
     let plain: String = word.chars().filter(|c| *c != '_').collect();
     let value: f64 = plain.parse().map_err(|_| Fault::Number)?;
-    if value.is_finite() { Ok(Token::Real(value)) } else { Err(Fault::TooLarge) }
+    if value.is_finite() { Ok(Numeral::Real(value)) } else { Err(Fault::TooLarge) }
 }
 
 /// `1min30s`
-fn own_duration(word: &str) -> Result<Token, Fault> {
+fn own_duration(word: &str) -> Result<Numeral, Fault> {
     duration(word, |unit| match unit {
         "d" => Some(DAY),
         "h" => Some(HOUR),
@@ -165,7 +187,7 @@ fn own_duration(word: &str) -> Result<Token, Fault> {
 }
 
 /// What follows `T#` or `TIME#`; letters of either case, `_` between the parts (IEC 61131-3, 6.3.5).
-fn iec_duration(parts: &str) -> Result<Token, Fault> {
+fn iec_duration(parts: &str) -> Result<Numeral, Fault> {
     if parts.is_empty() {
         return Err(Fault::NoDuration);
     }
@@ -184,7 +206,7 @@ const MINUTE: u128 = 60 * SECOND;
 const HOUR: u128 = 60 * MINUTE;
 const DAY: u128 = 24 * HOUR;
 
-fn duration(word: &str, unit_of: impl Fn(&str) -> Option<u128>) -> Result<Token, Fault> {
+fn duration(word: &str, unit_of: impl Fn(&str) -> Option<u128>) -> Result<Numeral, Fault> {
     let mut total = 0u128;
     let mut last_unit = u128::MAX;
     let mut fraction_seen = false;
@@ -213,7 +235,7 @@ fn duration(word: &str, unit_of: impl Fn(&str) -> Option<u128>) -> Result<Token,
         last_unit = unit;
         rest = after;
     }
-    Ok(Token::Duration(total as i64))
+    Ok(Numeral::Duration(total as i64))
 }
 
 /// The milliseconds of `1.5` of a unit, exactly.

@@ -56,7 +56,7 @@ fn items(a: &[Item], b: &[Item]) -> bool {
         }
         (Item::Step(a), Item::Step(b)) => {
             a.kind == b.kind
-                && (a.initial, a.activated) == (b.initial, b.activated)
+                && (a.is_initial(), a.is_activated()) == (b.is_initial(), b.is_activated())
                 && name(&a.label, &b.label)
                 && text(&a.comment, &b.comment)
                 && all(&a.actions, &b.actions, action)

@@ -14,14 +14,14 @@ fn only(text: &str) -> (Chart, Item) {
 
 fn step(text: &str) -> (Chart, Step) {
     match only(text) {
-        (chart, Item::Step(step)) => (chart, step),
+        (chart, Item::Step(step)) => (chart, *step),
         (_, item) => panic!("a step was written: {item:?}"),
     }
 }
 
 fn transition(text: &str) -> (Chart, Transition) {
     match only(text) {
-        (chart, Item::Transition(transition)) => (chart, transition),
+        (chart, Item::Transition(transition)) => (chart, *transition),
         (_, item) => panic!("a transition was written: {item:?}"),
     }
 }
@@ -89,7 +89,7 @@ fn steps_of_all_kinds() {
         ("activated macro step 2", StepKind::Macro, false, true),
     ] {
         let (_, step) = step(text);
-        assert_eq!((step.kind, step.initial, step.activated), (kind, initial, activated), "{text}");
+        assert_eq!((step.kind, step.is_initial(), step.is_activated()), (kind, initial, activated), "{text}");
         assert_eq!((step.label.text.as_str(), step.span.range()), ("2", 0..text.len()), "{text}");
     }
 }
@@ -104,7 +104,7 @@ fn actions() {
         .actions
         .iter()
         .map(|action| match &action.kind {
-            ActionKind::Continuous { target, condition: None } => target.text.clone(),
+            ActionKind::Continuous { target, condition: None } => target.text.to_string(),
             ActionKind::Continuous { target, condition: Some(condition) } => {
                 format!("{} if {}", target.text, show(&chart, *condition))
             }

@@ -101,7 +101,7 @@ fn count(chart: &mut Tables, event: Event) -> VariableId {
 pub fn variable(chart: &mut Tables, ty: Type, initial: Value) -> VariableId {
     let span = chart.steps.first().map(|s| s.span).expect("a chart has steps");
     chart.variables.push(Variable {
-        name: format!("more_{}", chart.variables.len()),
+        name: format!("more_{}", chart.variables.len()).into(),
         comment: None,
         kind: VariableKind::Output,
         ty,

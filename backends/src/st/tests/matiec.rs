@@ -172,13 +172,13 @@ fn all_forms() {
     let types = [Type::Int, Type::Dint, Type::Uint, Type::Udint, Type::Real, Type::Lreal, Type::Time];
     let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
     let truth = b.bit(Role::Output, "truth");
-    b.program.variables[truth].address = Some("%QX0.0".to_owned());
+    b.program.variables[truth].address = Some("%QX0.0".into());
     let mut variables: Vec<(VarId, FormulaId)> = Vec::new();
     let widths = [Some("W"), Some("D"), Some("W"), Some("D"), Some("D"), Some("L"), None];
     for (place, ty) in types.into_iter().enumerate() {
         for (role, area) in [(Role::Input, "I"), (Role::Output, "Q"), (Role::Internal, "M")] {
             let id = b.var(role, &format!("{area}_{place}"), ty);
-            b.program.variables[id].address = widths[place].map(|width| format!("%{area}{width}{place}"));
+            b.program.variables[id].address = widths[place].map(|width| format!("%{area}{width}{place}").into());
         }
         let result = b.var(Role::Output, &format!("result_{place}"), ty);
         let value = b.var(Role::Input, &format!("value_{place}"), ty);

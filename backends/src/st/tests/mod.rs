@@ -50,12 +50,12 @@ impl Build {
     }
 
     pub(crate) fn about(&mut self, id: VarId, comment: &str) -> VarId {
-        self.program.variables[id].comment = Some(comment.to_owned());
+        self.program.variables[id].comment = Some(comment.into());
         id
     }
 
     pub(crate) fn timer(&mut self, name: &str, preset: Option<Preset>, comment: &str) -> TimerId {
-        self.program.timers.push(Timer { name: name.to_owned(), preset, comment: Some(comment.to_owned()) })
+        self.program.timers.push(Timer { name: name.to_owned(), preset, comment: Some(comment.into()) })
     }
 
     /// A variable that holds the given steps, and the one that it takes its next value from.
@@ -65,7 +65,7 @@ impl Build {
         let mut held = Vec::new();
         for value in values {
             let active = self.is(variable, *value);
-            let label = value.to_string();
+            let label = value.to_string().into();
             let step = Step { label, comment: None, held: Held::State(self.program.states.len(), *value), active };
             held.push((self.program.steps.push(step), *value));
         }
@@ -117,13 +117,13 @@ pub(crate) fn heading(text: &str) -> Statement {
 /// Four steps: ready, fill, stir for a time, empty.
 pub(crate) fn four_steps() -> Program {
     let mut b = Build::new("Filling");
-    b.program.comment = Some("filling and stirring a tank".to_owned());
+    b.program.comment = Some("filling and stirring a tank".into());
     let start = b.bit(Role::Input, "start");
     b.about(start, "start button");
     let level = ["high", "low"].map(|name| b.bit(Role::Input, name));
-    b.program.variables[start].address = Some("%ix0.0".to_owned());
+    b.program.variables[start].address = Some("%ix0.0".into());
     let inlet = b.bit(Role::Output, "INLET");
-    b.program.variables[inlet].address = Some("%QX0.0".to_owned());
+    b.program.variables[inlet].address = Some("%QX0.0".into());
     b.about(inlet, "inlet valve");
     let stirrer = b.bit(Role::Output, "STIRRER");
     let outlet = b.bit(Role::Output, "OUTLET");

@@ -504,10 +504,10 @@ fn long_lines() {
 #[test]
 fn hostile_texts() {
     let mut b = Build::new("насос *) (* {x}");
-    b.program.comment = Some("ends *) here\nand (* there".to_owned());
+    b.program.comment = Some("ends *) here\nand (* there".into());
     let x = b.bit(Role::Input, "on");
     b.about(x, "*)");
-    b.program.variables[x].address = Some("%IX0.0 : BOOL; END_VAR".to_owned());
+    b.program.variables[x].address = Some("%IX0.0 : BOOL; END_VAR".into());
     let y = b.bit(Role::Output, "ON_1");
     let value = b.read(x);
     b.program.after = vec![heading("*) x := 1; (*"), noted(y, value, "a *)\r\n b")];

@@ -151,7 +151,7 @@ fn figures(file: FileId, text: &str, default_name: &str, profile: Profile) -> (O
     let (chart, mut said) = pipeline::check(file, text, default_name);
     let Some(chart) = chart else { return (None, said) };
     let mut figures = Figures {
-        chart: chart.name.clone(),
+        chart: chart.name.to_string(),
         steps: chart.steps.len(),
         transitions: chart.transitions.len(),
         evolution: match profile.evolution {
@@ -233,7 +233,7 @@ impl Row {
 
 impl Decomposition {
     fn new(chart: &Chart, program: &Program, analysis: &Analysis) -> Decomposition {
-        let label = |s: &StepId| chart.steps.get(*s).map(|step| step.label.clone());
+        let label = |s: &StepId| chart.steps.get(*s).map(|step| step.label.to_string());
         let held = |state: &State| Held {
             name: program.variables[state.variable].name.clone(),
             idle: state.idle.is_some(),

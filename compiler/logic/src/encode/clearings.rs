@@ -258,7 +258,8 @@ impl StepEvents {
 
 /// What a transition is called: its designation, or its number.
 pub(crate) fn designation(net: &Net, t: TransitionId) -> String {
-    net.transitions[t].designation.clone().unwrap_or_else(|| (t.index() + 1).to_string())
+    let given = net.transitions[t].designation.as_deref();
+    given.map_or_else(|| (t.index() + 1).to_string(), str::to_owned)
 }
 
 /// A transition as the chart writes it: `5, 8 -> 9: comment`.

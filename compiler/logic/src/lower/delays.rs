@@ -96,7 +96,7 @@ impl Lowering {
             timers.push(Timer {
                 name: format!("T{label}"),
                 preset: None,
-                comment: Some(format!("duration of step {label}")),
+                comment: Some(format!("duration of step {label}").into()),
             })
         });
         self.pool.timer_elapsed(timer)
@@ -105,7 +105,7 @@ impl Lowering {
     /// A word for what an operand is: its name if it has one, else a number.
     pub(super) fn base_name(&self, operand: ExprId, number: usize) -> String {
         match &self.net.exprs[operand].kind {
-            ExprKind::Variable(v) => self.net.variables[*v].name.clone(),
+            ExprKind::Variable(v) => self.net.variables[*v].name.to_string(),
             ExprKind::StepActive(s) => format!("X{}", self.net.places[*s].label),
             ExprKind::MacroActive(m) => format!("X{}", self.net.macro_steps[*m].label),
             ExprKind::GrafcetActive(g) => format!("X{}", self.net.grafcets[*g].name),

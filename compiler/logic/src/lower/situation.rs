@@ -70,8 +70,11 @@ impl Situation {
             numbers[grafcet.index()] += 1;
             let name = &net.grafcets[grafcet].name;
             let name = if name.is_empty() { &net.name } else { name };
-            let base =
-                if several[grafcet.index()] { format!("{name}_{}", numbers[grafcet.index()]) } else { name.clone() };
+            let base = if several[grafcet.index()] {
+                format!("{name}_{}", numbers[grafcet.index()])
+            } else {
+                name.to_string()
+            };
             let widest = steps.iter().map(|s| values[*s]).max().unwrap_or_default();
             let ty = if widest <= i64::from(i16::MAX) { Type::Int } else { Type::Dint };
             let variable = symbols.table.push(Variable {

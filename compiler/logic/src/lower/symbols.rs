@@ -1,6 +1,7 @@
 //! The variables of the program that is being made.
 
 use crate::scan::{Flag, Role, VarId, Variable};
+use ecow::EcoString;
 use grafc_formula::number::zero;
 use grafc_formula::{FormulaId, Pool, Type, Value};
 use grafc_model::chart::{VariableId, VariableKind};
@@ -39,7 +40,7 @@ impl Symbols {
                 };
                 table.push(Variable {
                     role,
-                    name: v.name.clone(),
+                    name: v.name.to_string(),
                     ty: v.ty,
                     initial,
                     comment: v.comment.clone(),
@@ -57,7 +58,7 @@ impl Symbols {
     }
 
     /// A new variable of ours.
-    pub(crate) fn fresh(&mut self, role: Role, name: impl Into<String>, ty: Type, comment: Option<String>) -> VarId {
+    pub(crate) fn fresh(&mut self, role: Role, name: impl Into<String>, ty: Type, comment: Option<EcoString>) -> VarId {
         self.table.push(Variable { role, name: name.into(), ty, initial: zero(ty), comment, address: None, span: None })
     }
 
@@ -85,7 +86,7 @@ impl Symbols {
             Flag::ForceConflict => ("FORCE_CONFLICT", "forcing orders disagreed on a situation"),
             Flag::Div0 => ("DIV0", "something was divided by zero"),
         };
-        let variable = self.fresh(Role::Flag(flag), name, Type::Bool, Some(comment.to_owned()));
+        let variable = self.fresh(Role::Flag(flag), name, Type::Bool, Some(comment.into()));
         self.flags.insert(flag, variable);
         variable
     }

@@ -47,6 +47,7 @@ pub use statement::{Arm, Statement, is_empty};
 pub use variable::{Flag, Held, Preset, Role, State, Step, Timer, Variable};
 pub use verify::verify;
 
+use ecow::EcoString;
 use grafc_formula::Pool;
 use index_vec::IndexVec;
 
@@ -56,7 +57,7 @@ pub struct Program {
     /// The chart's name.
     pub name: String,
     /// The chart's attached comment.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
     /// Variables; inputs, outputs, internal variables, constants and steps in order of declaration.
     pub variables: IndexVec<VarId, Variable>,
     /// Timers.

@@ -66,7 +66,7 @@ fn statements_are_gone_through_in_order() {
 fn whole() -> Program {
     let mut p = empty();
     let (x, active) = bit(&mut p, Role::Step);
-    p.steps.push(Step { label: "1".to_owned(), comment: None, held: Held::Bit(x), active });
+    p.steps.push(Step { label: "1".into(), comment: None, held: Held::Bit(x), active });
     let (started, is_started) = bit(&mut p, Role::Memory);
     let (again, _) = bit(&mut p, Role::Memory);
     let count = variable(&mut p, Role::Temporary, Type::Int);

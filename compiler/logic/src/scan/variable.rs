@@ -1,6 +1,7 @@
 //! Variables, steps, states and timers of a program: what each is for.
 
 use super::{StepId, VarId};
+use ecow::EcoString;
 use grafc_diagnostics::Span;
 use grafc_formula::{FormulaId, Type, Value};
 
@@ -8,9 +9,9 @@ use grafc_formula::{FormulaId, Type, Value};
 #[derive(Clone, Debug)]
 pub struct Step {
     /// The label.
-    pub label: String,
+    pub label: EcoString,
     /// The attached comment.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
     /// What holds its activity.
     pub held: Held,
     /// Whether the step is active, as a formula: what holds it, read.
@@ -59,9 +60,9 @@ pub struct Variable {
     /// The value before the first call.
     pub initial: Value,
     /// The attached comment of the chart, or a few words on what a variable of ours is for.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
     /// The address in the PLC.
-    pub address: Option<String>,
+    pub address: Option<EcoString>,
     /// Where in the chart it comes from.
     pub span: Option<Span>,
 }
@@ -132,7 +133,7 @@ pub struct Timer {
     /// How long its input must be true; none if only the elapsed time is read.
     pub preset: Option<Preset>,
     /// A few words on what it measures.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
 }
 
 impl Timer {

@@ -57,7 +57,7 @@ impl<'n> Expressions<'n> {
                 let variable = &mut self.more[marker.index() - self.variables];
                 // Conditions of the first scan read it before the step has set it.
                 variable.initial = Value::Bool(place.initial);
-                variable.comment = Some(format!("step {} is active", place.label));
+                variable.comment = Some(format!("step {} is active", place.label).into());
                 self.markers.insert(step, marker);
                 marker
             }

@@ -16,6 +16,7 @@ mod prepared;
 
 use crate::analysis::Analysis;
 use crate::scan::{Program, Role, VarId, Variable};
+use ecow::EcoString;
 use expressions::Expressions;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use grafc_formula::{FormulaId, Pool};
@@ -57,7 +58,7 @@ pub struct SequenceStep {
     /// In the initial situation.
     pub initial: bool,
     /// The attached comment.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
     /// The wires that it has a part in, by their place.
     pub wires: Vec<usize>,
     /// What it stores.
@@ -122,7 +123,7 @@ pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagn
     let prepared = expressions.prepared;
 
     let program = Program {
-        name: net.name.clone(),
+        name: net.name.to_string(),
         comment: net.comment.clone(),
         variables,
         timers: prepared.timers,
@@ -157,7 +158,7 @@ fn declared(net: &Net) -> IndexVec<VarId, Variable> {
             VariableKind::Internal => Role::Internal,
             VariableKind::Constant => Role::Constant,
         },
-        name: variable.name.clone(),
+        name: variable.name.to_string(),
         ty: variable.ty,
         initial: variable.initial,
         comment: variable.comment.clone(),

@@ -160,7 +160,7 @@ impl Expressions<'_> {
     /// A word for what an operand is: its name if it has one, else a number.
     fn word(&self, operand: ExprId) -> String {
         if let ExprKind::Variable(variable) = self.net.exprs[operand].kind {
-            return self.net.variables[variable].name.clone();
+            return self.net.variables[variable].name.to_string();
         }
         if let ExprKind::StepActive(step) = self.net.exprs[operand].kind {
             return format!("X{}", self.net.places[step].label);

@@ -56,7 +56,7 @@ fn spell(net: &Net, expr: ExprId, left: usize) -> Option<String> {
     let binary = |a, sign, b| Some(format!("{} {sign} {}", operand(a)?, operand(b)?));
     match net.exprs[expr].kind {
         ExprKind::Literal(value) => Some(literal(value)),
-        ExprKind::Variable(v) => Some(net.variables[v].name.clone()),
+        ExprKind::Variable(v) => Some(net.variables[v].name.to_string()),
         ExprKind::StepActive(s) => Some(format!("X{}", net.places[s].label)),
         ExprKind::StepTime(s) => Some(format!("T{}", net.places[s].label)),
         ExprKind::MacroActive(m) => Some(format!("X{}", net.macro_steps[m].label)),
@@ -103,7 +103,7 @@ fn is_compound(net: &Net, expr: ExprId) -> bool {
 
 fn delay(net: &Net, time: DelayTime) -> String {
     match time.constant {
-        Some(constant) => net.variables[constant].name.clone(),
+        Some(constant) => net.variables[constant].name.to_string(),
         None => duration(time.ms),
     }
 }

@@ -9,6 +9,7 @@
 
 mod expression;
 
+use ecow::EcoString;
 pub use expression::{Arithmetic, Comparison, DelayTime, Expr, ExprKind};
 use grafc_diagnostics::Span;
 pub use grafc_syntax::ast::Type;
@@ -88,9 +89,9 @@ impl Deref for Chart {
 #[derive(Clone, Debug, Default)]
 pub struct Tables {
     /// The name in its heading, or the name that the caller chose (of the file).
-    pub name: String,
+    pub name: EcoString,
     /// The attached comment.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
     /// Inputs, outputs, internal variables and constants, in order of declaration.
     pub variables: IndexVec<VariableId, Variable>,
     /// Steps, those of expansions included.
@@ -118,9 +119,9 @@ pub struct Tables {
 #[derive(Clone, Debug)]
 pub struct Variable {
     /// The name as declared, without backquotes.
-    pub name: String,
+    pub name: EcoString,
     /// The attached comment.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
     /// Input, output, internal or constant.
     pub kind: VariableKind,
     /// The type.
@@ -130,7 +131,7 @@ pub struct Variable {
     /// Whether `:= value` was written.
     pub initial_given: bool,
     /// `%IX0.0`, counted on where several names shared one.
-    pub address: Option<String>,
+    pub address: Option<EcoString>,
     /// How it gets its value.
     pub mode: Mode,
     /// The name in its declaration.
@@ -178,9 +179,9 @@ pub enum Value {
 #[derive(Clone, Debug)]
 pub struct Step {
     /// The label: `X` + label is its activity, `T` + label its duration.
-    pub label: String,
+    pub label: EcoString,
     /// The attached comment.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
     /// The partial grafcet that it belongs to; steps of an expansion belong to their macro-step's (M1).
     pub grafcet: GrafcetId,
     /// The macro-step whose expansion holds it directly.
@@ -199,9 +200,9 @@ pub struct Step {
 #[derive(Clone, Debug)]
 pub struct MacroStep {
     /// The label: `X` + label is its activity.
-    pub label: String,
+    pub label: EcoString,
     /// The attached comment.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
     /// The partial grafcet that it belongs to.
     pub grafcet: GrafcetId,
     /// The macro-step whose expansion holds it directly.
@@ -227,9 +228,9 @@ pub enum Node {
 #[derive(Clone, Debug)]
 pub struct Transition {
     /// The designation in parentheses.
-    pub designation: Option<String>,
+    pub designation: Option<EcoString>,
     /// The attached comment.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
     /// The partial grafcet that it belongs to.
     pub grafcet: GrafcetId,
     /// The immediately preceding steps, without repetition.
@@ -246,9 +247,9 @@ pub struct Transition {
 #[derive(Clone, Debug)]
 pub struct Grafcet {
     /// The name: `X` + name is its activity.
-    pub name: String,
+    pub name: EcoString,
     /// The attached comment.
-    pub comment: Option<String>,
+    pub comment: Option<EcoString>,
     /// The step that encloses it.
     pub enclosing_step: Option<StepId>,
     /// Longest chain of orders and enclosures above it (M2); 0 at the top.

@@ -56,7 +56,7 @@ fn check_macro_step(resolved: &Resolved, id: MacroId, is_expanded: bool, diagnos
                 .help(format!("add `expansion {} {{ step E{rest} … step S{rest} }}`", label.text)),
         );
     }
-    for (marked, word) in [(written.initial, "initial"), (written.activated, "activated")] {
+    for (marked, word) in [(written.is_initial(), "initial"), (written.is_activated(), "activated")] {
         if marked {
             let message = format!("the macro-step `{}` cannot be `{word}`", label.text);
             diagnostics.push(

@@ -60,7 +60,7 @@ pub fn assign(parts: &Parts, variables: &mut IndexVec<VariableId, Variable>, dia
             }
             next = following(&address);
             taken.entry(address).or_insert(id);
-            variables[id].address = Some(spelling);
+            variables[id].address = Some(spelling.into());
         }
     }
 }

@@ -19,6 +19,7 @@ pub use definitions::definitions;
 
 use crate::chart::{MacroId, Tables};
 use crate::symbols::Symbols;
+use ecow::EcoString;
 use grafc_diagnostics::Diagnostics;
 use grafc_syntax::ast;
 use index_vec::IndexVec;
@@ -50,7 +51,7 @@ pub fn resolve<'a>(tree: &'a ast::Chart, default_name: &str, diagnostics: &mut D
     let mut symbols = Symbols::default();
     let values = declarations::evaluate(&tree.exprs, &parts, &scope, &mut variables, &mut symbols, diagnostics);
     let mut chart = Tables {
-        name: tree.heading.as_ref().map_or_else(|| default_name.to_owned(), |heading| heading.name.text.clone()),
+        name: tree.heading.as_ref().map_or_else(|| default_name.into(), |heading| heading.name.text.clone()),
         comment: tree.heading.as_ref().and_then(|heading| comment(&heading.comment)),
         variables,
         ..Tables::default()
@@ -61,6 +62,6 @@ pub fn resolve<'a>(tree: &'a ast::Chart, default_name: &str, diagnostics: &mut D
     Resolved { parts, scope, expanded, chart, complete: values.complete && interpreted, symbols }
 }
 
-fn comment(text: &Option<ast::Text>) -> Option<String> {
+fn comment(text: &Option<ast::Text>) -> Option<EcoString> {
     text.as_ref().map(|text| text.text.clone())
 }

@@ -9,7 +9,9 @@ use crate::chart::{GrafcetId, MacroId, Node, StepId, VariableId};
 use crate::symbols::{Entity, Form};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use grafc_syntax::ast;
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
+use std::borrow::Cow;
+use std::collections::hash_map::Entry;
 
 /// What a label stands for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -80,72 +82,77 @@ impl<'a> Scope<'a> {
             label_names: Vec::new(),
             suggestions: Suggestions::new(),
         };
-        let folded = scope.declare_variables(parts, diagnostics);
-        scope.declare_labels(parts, &folded, diagnostics);
+        let suspects = scope.declare_variables(parts, diagnostics);
+        scope.declare_labels(parts, &suspects, diagnostics);
         scope
     }
 
-    /// Enters the variables; returns them by their names without regard to case.
-    fn declare_variables(
-        &mut self,
-        parts: &Parts<'a>,
-        diagnostics: &mut Diagnostics,
-    ) -> FxHashMap<String, &'a ast::Name> {
-        let mut folded: FxHashMap<String, &'a ast::Name> = FxHashMap::default();
+    /// Enters the variables; returns those that may be called as an implicit variable is.
+    fn declare_variables(&mut self, parts: &Parts<'a>, diagnostics: &mut Diagnostics) -> Vec<&'a ast::Name> {
+        let count = parts.declarations.iter().map(|declaration| declaration.names.len()).sum();
+        let mut first_of: FxHashMap<Cow<str>, &'a ast::Name> = hash_map(count);
+        self.variables = hash_map(count);
+        self.variable_names.reserve(count);
+        let mut suspects = Vec::new();
         let names = parts.declarations.iter().flat_map(|declaration| &declaration.names);
         for (index, declared) in names.enumerate() {
             let name = &declared.name;
-            let id = VariableId::new(index);
-            if let Some(first) = folded.get(&name.text.to_lowercase()) {
-                diagnostics.push(if first.text == name.text {
+            match first_of.entry(folded(&name.text)) {
+                Entry::Occupied(first) if first.get().text == name.text => diagnostics.push(
                     Diagnostic::new(Code::E0202, name.span, format!("`{}` is declared twice", name.text))
-                        .also(first.span, "first declared here")
-                } else {
-                    differ_by_case(name, &first.text, first.span)
-                });
-            } else {
-                folded.insert(name.text.to_lowercase(), name);
+                        .also(first.get().span, "first declared here"),
+                ),
+                Entry::Occupied(first) => diagnostics.push(differ_by_case(name, &first.get().text, first.get().span)),
+                Entry::Vacant(place) => {
+                    place.insert(name);
+                    if name.text.starts_with(['X', 'x', 'T', 't']) {
+                        suspects.push(name);
+                    }
+                }
             }
-            if !self.variables.contains_key(name.text.as_str()) {
-                self.variables.insert(&name.text, id);
+            if let Entry::Vacant(place) = self.variables.entry(&name.text) {
+                place.insert(VariableId::new(index));
                 self.variable_names.push(&name.text);
             }
         }
-        folded
+        suspects
     }
 
-    fn declare_labels(
-        &mut self,
-        parts: &Parts<'a>,
-        variables: &FxHashMap<String, &'a ast::Name>,
-        diagnostics: &mut Diagnostics,
-    ) {
-        let mut folded: FxHashMap<String, (&'a str, Label, Span)> = FxHashMap::default();
+    /// Enters the labels; `suspects` are variables that may be called as their implicit variables are.
+    fn declare_labels(&mut self, parts: &Parts<'a>, suspects: &[&ast::Name], diagnostics: &mut Diagnostics) {
+        let count = parts.grafcets.len() + parts.steps.len();
+        let mut first_of: FxHashMap<Cow<str>, (&'a str, Label, Span)> = hash_map(count);
+        self.labels = hash_map(count);
+        self.label_names.reserve(count);
         for (text, label, span) in labels(parts) {
-            match folded.get(&text.to_lowercase()) {
-                Some(&(first, earlier, first_span)) if first == text => {
+            match first_of.entry(folded(text)) {
+                Entry::Occupied(first) if first.get().0 == text => {
                     self.ambiguous.insert(text);
+                    let &(_, earlier, first_span) = first.get();
                     if let Some(diagnostic) = declared_twice(parts, text, label, span, earlier, first_span) {
                         diagnostics.push(diagnostic);
                     }
                     continue;
                 }
-                Some(&(first, _, first_span)) => {
-                    let name = ast::Name { text: text.to_owned(), quoted: false, span };
-                    diagnostics.push(differ_by_case(&name, first, first_span));
+                Entry::Occupied(first) => {
+                    let name = ast::Name { text: text.into(), quoted: false, span };
+                    diagnostics.push(differ_by_case(&name, first.get().0, first.get().2));
                 }
-                None => {
-                    folded.insert(text.to_lowercase(), (text, label, span));
-                    for (implicit, what) in implicit_names(text, label) {
-                        if let Some(name) = variables.get(&implicit.to_lowercase()) {
-                            let owner = format!("{} `{text}`", kind(label));
-                            diagnostics.push(taken(name, &implicit, what, &owner, span));
-                        }
-                    }
-                }
+                Entry::Vacant(place) => _ = place.insert((text, label, span)),
             }
             self.labels.entry(text).or_insert(label);
             self.label_names.push((text, label));
+        }
+        for name in suspects {
+            let (letter, rest) = name.text.split_at(1);
+            let Some(&(text, label, span)) = first_of.get(&folded(rest)) else { continue };
+            let (prefix, what) = match (letter, label) {
+                ("X" | "x", _) => ("X", "activity"),
+                (_, Label::Step(_)) => ("T", "duration"),
+                (_, Label::Macro(_) | Label::Grafcet(_)) => continue,
+            };
+            let owner = format!("{} `{text}`", kind(label));
+            diagnostics.push(taken(name, &format!("{prefix}{text}"), what, &owner, span));
         }
     }
 
@@ -277,13 +284,14 @@ fn labels<'a>(parts: &Parts<'a>) -> impl Iterator<Item = (&'a str, Label, Span)>
     grafcets.chain(steps)
 }
 
-/// The implicit variables of a label, and what they say.
-fn implicit_names(text: &str, label: Label) -> Vec<(String, &'static str)> {
-    let activity = (format!("X{text}"), "activity");
-    match label {
-        Label::Step(_) => vec![activity, (format!("T{text}"), "duration")],
-        Label::Macro(_) | Label::Grafcet(_) => vec![activity],
-    }
+/// A name without regard to case; most names are so already.
+fn folded(name: &str) -> Cow<'_, str> {
+    let is_folded = name.bytes().all(|byte| byte.is_ascii() && !byte.is_ascii_uppercase());
+    if is_folded { Cow::Borrowed(name) } else { Cow::Owned(name.to_lowercase()) }
+}
+
+fn hash_map<K, V>(count: usize) -> FxHashMap<K, V> {
+    FxHashMap::with_capacity_and_hasher(count, FxBuildHasher)
 }
 
 fn differ_by_case(name: &ast::Name, first: &str, first_span: Span) -> Diagnostic {

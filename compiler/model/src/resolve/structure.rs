@@ -110,7 +110,7 @@ fn grafcets(parts: &Parts, scope: &Scope, chart: &mut Tables, symbols: &mut Symb
             };
         }
         chart.grafcets.push(Grafcet {
-            name: part.ast.map_or(IMPLIED_GRAFCET, |grafcet| &grafcet.name.text).to_owned(),
+            name: part.ast.map_or(IMPLIED_GRAFCET.into(), |grafcet| grafcet.name.text.clone()),
             comment: part.ast.and_then(|grafcet| comment(&grafcet.comment)),
             enclosing_step,
             level: 0,
@@ -139,8 +139,8 @@ fn steps(
                     comment: comment(&step.comment),
                     grafcet,
                     expansion_of,
-                    initial: step.initial,
-                    activated: step.activated,
+                    initial: step.is_initial(),
+                    activated: step.is_activated(),
                     enclosing: step.kind == ast::StepKind::Enclosing,
                     span: step.label.span,
                 });

@@ -12,7 +12,7 @@ const DEPTH: usize = 100_000;
 /// One initial step, two inputs, and whatever the caller adds.
 fn chart() -> Tables {
     let step = Step {
-        label: "1".to_string(),
+        label: "1".into(),
         comment: None,
         grafcet: GrafcetId::new(0),
         expansion_of: None,
@@ -22,7 +22,7 @@ fn chart() -> Tables {
         span: Span::default(),
     };
     let grafcet = Grafcet {
-        name: "G1".to_string(),
+        name: "G1".into(),
         comment: None,
         enclosing_step: None,
         level: 0,
@@ -30,7 +30,7 @@ fn chart() -> Tables {
         span: Span::default(),
     };
     let mut chart = Tables {
-        name: "test".to_string(),
+        name: "test".into(),
         steps: index_vec![step],
         grafcets: index_vec![grafcet],
         hierarchy: vec![GrafcetId::new(0)],
@@ -42,7 +42,7 @@ fn chart() -> Tables {
 
 fn declare(chart: &mut Tables, kind: VariableKind, mode: Mode) -> VariableId {
     chart.variables.push(Variable {
-        name: format!("v{}", chart.variables.len()),
+        name: format!("v{}", chart.variables.len()).into(),
         comment: None,
         kind,
         ty: Type::Bool,

@@ -8,7 +8,7 @@ use index_vec::index_vec;
 
 fn variable(name: &str, kind: VariableKind, ty: Type, initial: Value) -> Variable {
     Variable {
-        name: name.to_string(),
+        name: name.into(),
         comment: None,
         kind,
         ty,
@@ -22,7 +22,7 @@ fn variable(name: &str, kind: VariableKind, ty: Type, initial: Value) -> Variabl
 
 fn chart() -> Chart {
     let step = |label: &str| Step {
-        label: label.to_string(),
+        label: label.into(),
         comment: None,
         grafcet: GrafcetId::new(0),
         expansion_of: None,
@@ -32,7 +32,7 @@ fn chart() -> Chart {
         span: Span::default(),
     };
     let grafcet = Grafcet {
-        name: "G1".to_string(),
+        name: "G1".into(),
         comment: None,
         enclosing_step: None,
         level: 0,
@@ -41,7 +41,7 @@ fn chart() -> Chart {
     };
     use VariableKind::{Input, Output};
     Chart::checked(Tables {
-        name: "test".to_string(),
+        name: "test".into(),
         variables: index_vec![
             variable("a", Input, Type::Bool, Value::Bool(false)),
             variable("n", Input, Type::Int, Value::Int(7)),

@@ -13,7 +13,7 @@ pub fn write_trace(chart: &Chart, stimuli: &[Stimulus], responses: &[Response]) 
         let _ = writer.write_record(&row);
     };
     let mut header = vec![TIME.to_string()];
-    header.extend(outputs().map(|variable| variable.name.clone()));
+    header.extend(outputs().map(|variable| variable.name.to_string()));
     header.extend(["situation".to_string(), "flags".to_string()]);
     write(header);
     for (stimulus, response) in stimuli.iter().zip(responses) {

@@ -11,6 +11,7 @@
 
 use super::Pass;
 use crate::net::{Fact, Net, Place, Transition};
+use ecow::EcoString;
 use grafc_diagnostics::Diagnostics;
 use grafc_model::chart::{Expr, ExprId, ExprKind, StepId, TransitionId, Type, Value};
 use index_vec::IndexVec;
@@ -36,7 +37,7 @@ fn run(net: &mut Net, _diagnostics: &mut Diagnostics) {
     let span = net.transitions[found[0].back[0]].span;
     let always = net.exprs.push(Expr { kind: ExprKind::Literal(Value::Bool(true)), ty: Type::Bool, span });
     let steps = net.places.iter().map(|place| &place.label);
-    let mut labels: HashSet<String> = steps.chain(net.macro_steps.iter().map(|m| &m.label)).cloned().collect();
+    let mut labels: HashSet<EcoString> = steps.chain(net.macro_steps.iter().map(|m| &m.label)).cloned().collect();
     let mut made: IndexVec<StepId, Option<StepId>> = net.places.iter().map(|_| None).collect();
     for ring in &found {
         made[ring.first] = Some(insert(net, ring, always, &mut labels));
@@ -95,10 +96,11 @@ fn rings(net: &Net) -> Vec<Ring> {
 }
 
 /// Makes the place between the others and the first, and the transition from it to the first.
-fn insert(net: &mut Net, ring: &Ring, always: ExprId, labels: &mut HashSet<String>) -> StepId {
+fn insert(net: &mut Net, ring: &Ring, always: ExprId, labels: &mut HashSet<EcoString>) -> StepId {
     let Place { grafcet, within, .. } = net.places[ring.first];
     let span = net.transitions[ring.back[0]].span;
-    let label = unused(format!("{}_{}", net.places[ring.other].label, net.places[ring.first].label), labels);
+    let joined = format!("{}_{}", net.places[ring.other].label, net.places[ring.first].label);
+    let label = unused(joined.into(), labels);
     let place =
         Place { label, comment: None, grafcet, initial: false, activated: false, within, auxiliary: true, span };
     let between = net.places.push(place);
@@ -136,11 +138,11 @@ fn redirect(net: &mut Net, rings: &[Ring], made: &IndexVec<StepId, Option<StepId
 }
 
 /// The label, with a number behind it if there is such a label already.
-fn unused(base: String, labels: &mut HashSet<String>) -> String {
+fn unused(base: EcoString, labels: &mut HashSet<EcoString>) -> EcoString {
     let mut label = base.clone();
     let mut number = 2_u32;
     while !labels.insert(label.clone()) {
-        label = format!("{base}_{number}");
+        label = format!("{base}_{number}").into();
         number += 1;
     }
     label

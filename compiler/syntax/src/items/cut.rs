@@ -3,8 +3,7 @@
 //! An item begins with a reserved word and ends before the next one, with its own closing brace or before that of its
 //! block.
 
-use super::Reader;
-use crate::lexer::Token;
+use crate::token::{Lexeme, Token};
 
 /// The tokens of one item.
 pub(super) struct Run {
@@ -14,11 +13,21 @@ pub(super) struct Run {
     pub(super) open: Option<usize>,
 }
 
-impl Reader<'_> {
-    /// The item that begins here: up to the next one, to its own closing brace or to that of its block.
-    pub(super) fn cut(&self) -> Run {
-        let tokens = &self.lexed.lexemes;
-        let start = self.at;
+/// The tokens of a text, and how deep in blocks they are read.
+#[derive(Clone, Copy)]
+pub(super) struct Cutter<'t> {
+    pub(super) text: &'t str,
+    pub(super) lexemes: &'t [Lexeme],
+    /// For each token, how many more `}` than `{` there are from it on.
+    pub(super) balance: &'t [i32],
+    /// How many blocks are open.
+    pub(super) depth: usize,
+}
+
+impl Cutter<'_> {
+    /// The item that begins at a token: up to the next one, to its own closing brace or to that of its block.
+    pub(super) fn cut(&self, start: usize) -> Run {
+        let tokens = self.lexemes;
         let mut end = start + 1;
         let first = tokens[start].token;
         if matches!(first, Token::Grafcet | Token::Expansion) {
@@ -43,6 +52,7 @@ impl Reader<'_> {
                 end += 1;
             }
         }
+        // Braces are not nested in an item, save that a slip nests them: so this is nearly always empty.
         let mut open = Vec::new();
         while let Some(lexeme) = tokens.get(end) {
             match lexeme.token {
@@ -67,18 +77,16 @@ impl Reader<'_> {
 
     /// Whether a `}` that could close an item's braces is rather its block's: one is missing further on, and this one
     /// is indented less than the item.
-    pub(super) fn closes_the_block(&self, item: usize, brace: usize) -> bool {
-        let outstanding = self.stack.len() as i64 + 1;
-        let lexemes = &self.lexed.lexemes;
-        self.balance[brace] < outstanding
-            && match (self.indentation(lexemes[item].start), self.indentation(lexemes[brace].start)) {
+    fn closes_the_block(&self, item: usize, brace: usize) -> bool {
+        (self.balance[brace] as i64) < self.depth as i64 + 1
+            && match (self.indentation(self.lexemes[item].start), self.indentation(self.lexemes[brace].start)) {
                 (Some(item), Some(brace)) => brace < item,
                 _ => false,
             }
     }
 
     /// The white space before a token that is the first on its line.
-    pub(super) fn indentation(&self, start: u32) -> Option<usize> {
+    fn indentation(&self, start: u32) -> Option<usize> {
         let before = &self.text.as_bytes()[..start as usize];
         let blanks = before.iter().rev().take_while(|b| matches!(b, b' ' | b'\t')).count();
         match before.len().checked_sub(blanks + 1) {

@@ -2,18 +2,14 @@
 //!
 //! One mistake, one message: nothing is said where the lexer has said something already.
 
-use super::Reader;
+use super::attempt::Stop;
 use super::cut::{Run, begins_item};
+use super::reader::Reader;
+use crate::cure::{self, Slip};
 use crate::expected;
-use crate::lexer::{MOST_FAULTS, Token};
-use grafc_diagnostics::{Code, Diagnostic, Span};
-
-/// Where the parser stopped.
-pub(super) struct Stop {
-    /// The token that it did not expect; [`Run::end`] if the item ended too early.
-    pub(super) at: usize,
-    pub(super) expected: Vec<String>,
-}
+use crate::shown::shorten;
+use crate::token::Token;
+use grafc_diagnostics::{Code, Diagnostic, Fix};
 
 impl Reader<'_> {
     /// Reports why an item could not be read, unless a fault has been reported at that very place.
@@ -44,12 +40,22 @@ impl Reader<'_> {
         if on_this_line && stop.at == run.end {
             self.doubtful = Some(run.end);
         }
-        let found_words =
-            if next.is_some() { format!("`{}`", expected::shorten(found)) } else { "the end of the text".into() };
+        let found_words = if next.is_some() { format!("`{}`", shorten(found)) } else { "the end of the text".into() };
         let expected = expected::describe(previous.token, &stop.expected);
         let mut fault = Diagnostic::new(Code::E0107, span, format!("expected {expected}, found {found_words}"));
-        let found_here = next.filter(|_| on_this_line || stop.at < run.end).map(|l| l.token);
-        fault.help = expected::cure(lexemes[run.start].token, previous.token, found_here, found, &stop.expected);
+        let slip = Slip {
+            file: self.file,
+            text: self.text,
+            lexemes,
+            item: lexemes[run.start].token,
+            at: stop.at,
+            is_found: next.is_some() && (on_this_line || stop.at < run.end),
+            expected: &stop.expected,
+        };
+        if let Some(cure) = cure::of(&slip) {
+            fault = fault.help(cure.words);
+            fault.fixes.extend(cure.fix);
+        }
         self.fault(fault);
     }
 
@@ -78,38 +84,13 @@ impl Reader<'_> {
             "`step`, `transition` or `}`"
         };
         let found = &self.text[span.range()];
-        let mut fault =
-            Diagnostic::new(Code::E0107, span, format!("expected {what}, found `{}`", expected::shorten(found)));
+        let mut fault = Diagnostic::new(Code::E0107, span, format!("expected {what}, found `{}`", shorten(found)));
         let lower = found.to_lowercase();
         if first.token == Token::Name && lower != found && ITEM_WORDS.contains(&lower.as_str()) {
-            fault = fault.help(format!("words of the language are in lower case: `{lower}`"));
+            let fix = Fix::certain(format!("write `{lower}`")).replace(span, lower.as_str());
+            fault = fault.help(format!("words of the language are in lower case: `{lower}`")).fix(fix);
         }
         self.fault(fault);
-    }
-
-    /// Whether the lexer reported something between the token before this one and this one.
-    pub(super) fn is_near_bad(&self, at: usize) -> bool {
-        let lexemes = &self.lexed.lexemes;
-        let from = at.checked_sub(1).map_or(0, |before| lexemes[before].start);
-        let to = lexemes.get(at).map_or(self.text.len() as u32, |l| l.start);
-        let bad = &self.lexed.bad;
-        let first = bad.partition_point(|&(_, end)| end <= from);
-        bad.get(first).is_some_and(|&(start, _)| start <= to)
-    }
-
-    pub(super) fn place_of(&self, at: usize) -> Span {
-        match self.lexed.lexemes.get(at) {
-            Some(lexeme) => self.builder.span(lexeme.start, lexeme.end),
-            None => Span::new(self.file, self.text.len(), self.text.len()),
-        }
-    }
-
-    pub(super) fn fault(&mut self, fault: Diagnostic) {
-        if self.faults.len() < MOST_FAULTS {
-            self.faults.push(fault);
-        } else {
-            self.unlisted += 1;
-        }
     }
 }
 

@@ -3,12 +3,12 @@
 //! The part before the mistake is often an item by itself. Keeping it spares the author messages about steps and names
 //! that are there.
 
+use super::attempt::{Stop, attempt};
 use super::cut::Run;
-use super::faults::Stop;
-use super::{Reader, attempt};
+use super::reader::Reader;
 use crate::ast;
 use crate::builder::Parsed;
-use crate::lexer::{Lexeme, Token};
+use crate::token::{Lexeme, Token};
 
 impl Reader<'_> {
     /// What can be kept of an item that has a fault: the part before it, with an unreadable condition if need be.
@@ -25,7 +25,7 @@ impl Reader<'_> {
             Token::Grafcet | Token::Expansion => {
                 // Its items follow if it has a brace, or if there is a brace that closes it.
                 let has_brace = self.lexed.lexemes[run.end - 1].token == Token::OpenBrace;
-                if !has_brace && self.balance[run.end] <= self.stack.len() as i64 {
+                if !has_brace && self.balance(run.end) <= self.stack.len() as i64 {
                     return None;
                 }
                 tries.push((stop.at, Some(synthetic(Token::OpenBrace))));
@@ -42,27 +42,33 @@ impl Reader<'_> {
             }
         }
         let arena = self.builder.exprs.len();
-        for (end, extra) in tries {
+        self.builder.is_silent = true;
+        let kept = tries.into_iter().find_map(|(end, extra)| {
             let extra: Vec<Lexeme> = extra.into_iter().collect();
-            match attempt(&self.parser, &mut self.builder, &self.lexed.lexemes[run.start..end], &extra) {
-                Ok(parsed) => return Some(parsed),
-                Err(_) => self.builder.exprs.truncate(arena),
+            let lexemes = &self.lexed.lexemes[run.start..end];
+            let parsed = attempt(&self.parser, &mut self.builder, lexemes, &extra).ok();
+            if parsed.is_none() {
+                self.builder.discard(arena);
             }
-        }
-        self.nameless(run)
+            parsed
+        });
+        self.builder.is_silent = false;
+        kept.or_else(|| self.nameless(run))
     }
 
     /// A block whose head could not be read still has items.
     pub(super) fn nameless(&self, run: &Run) -> Option<Parsed> {
         let head = self.lexed.lexemes[run.start];
         let span = self.builder.span(head.start, head.end);
-        let name = ast::Name { text: String::new(), quoted: false, span };
+        let name = ast::Name { text: "".into(), quoted: false, span };
         match head.token {
             Token::Grafcet => {
-                Some(Parsed::Grafcet(ast::Grafcet { path: Vec::new(), name, comment: None, items: Vec::new(), span }))
+                let grafcet = ast::Grafcet { path: Vec::new(), name, comment: None, items: Vec::new(), span };
+                Some(Parsed::Grafcet(Box::new(grafcet)))
             }
             Token::Expansion => {
-                Some(Parsed::Expansion(ast::Expansion { macro_step: name, comment: None, items: Vec::new(), span }))
+                let expansion = ast::Expansion { macro_step: name, comment: None, items: Vec::new(), span };
+                Some(Parsed::Expansion(Box::new(expansion)))
             }
             _ => None,
         }
@@ -73,7 +79,7 @@ impl Reader<'_> {
         let lexemes = &self.lexed.lexemes;
         let next_closes = lexemes.get(run.end).is_some_and(|l| l.token == Token::CloseBrace);
         let has_brace = lexemes[run.start..run.end].iter().any(|l| l.token == Token::OpenBrace);
-        if next_closes && !has_brace && self.balance[run.end] > self.stack.len() as i64 {
+        if next_closes && !has_brace && self.balance(run.end) > self.stack.len() as i64 {
             self.at = run.end + 1;
         }
     }

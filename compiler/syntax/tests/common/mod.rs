@@ -2,7 +2,7 @@
 
 #![allow(dead_code)]
 
-use grafc_diagnostics::{Diagnostics, FileId};
+use grafc_diagnostics::{Code, Diagnostics, FileId, apply};
 use grafc_syntax::ast::{BinaryOp, Chart, ExprId, ExprKind, Item};
 
 /// The chart of a text that has no faults.
@@ -14,7 +14,30 @@ pub fn chart(text: &str) -> Chart {
 
 /// The faults of a text, as `E0107 3:7-10 expected …`: line, first column and, if it is another, last column.
 pub fn faults(text: &str) -> Vec<String> {
-    faults_of(text, &grafc_syntax::parse(FileId(0), text).1)
+    let found = grafc_syntax::parse(FileId(0), text).1;
+    try_fixes(text, &found);
+    faults_of(text, &found)
+}
+
+/// Each fix takes away its fault, and brings no other.
+fn try_fixes(text: &str, found: &Diagnostics) {
+    let said = |diagnostics: &Diagnostics| -> Vec<String> { diagnostics.iter().map(|d| d.message.clone()).collect() };
+    for diagnostic in found {
+        for fix in &diagnostic.fixes {
+            let fixed = apply(FileId(0), text, &fix.edits).unwrap_or_else(|misfit| panic!("{misfit}: {fix:?}\n{text}"));
+            let mut expected = said(found);
+            let of_it = expected.iter().position(|message| *message == diagnostic.message);
+            expected.remove(of_it.expect("the message is among them"));
+            for new in &grafc_syntax::parse(FileId(0), &fixed).1 {
+                match expected.iter().position(|other| *other == new.message) {
+                    Some(place) => _ = expected.remove(place),
+                    // A wrong character that has become a word may stand where no word belongs.
+                    None if diagnostic.code == Code::E0101 && new.code == Code::E0107 => {}
+                    None => panic!("{fix:?} brings {:?}\n{text}\n{fixed}", new.message),
+                }
+            }
+        }
+    }
 }
 
 fn faults_of(text: &str, diagnostics: &Diagnostics) -> Vec<String> {
@@ -39,7 +62,7 @@ fn faults_of(text: &str, diagnostics: &Diagnostics) -> Vec<String> {
 pub fn show(chart: &Chart, id: ExprId) -> String {
     let one = |word: &str, x: &ExprId| format!("({word} {})", show(chart, *x));
     match &chart.exprs[id].kind {
-        ExprKind::Name(name) => name.clone(),
+        ExprKind::Name(name) => name.to_string(),
         ExprKind::Integer(value) => value.to_string(),
         ExprKind::Real(value) => format!("{value:?}"),
         ExprKind::Duration(value) => format!("{value}ms"),
@@ -119,7 +142,7 @@ pub fn check(text: &str) -> bool {
             | ExprKind::Rise(x)
             | ExprKind::Fall(x) => vec![*x],
             ExprKind::Binary(_, x, y) => vec![*x, *y],
-            ExprKind::Delay(parts) => parts.clone(),
+            ExprKind::Delay(parts) => parts.to_vec(),
             ExprKind::Name(_)
             | ExprKind::Integer(_)
             | ExprKind::Real(_)

@@ -232,7 +232,7 @@ impl Found<'_> {
     fn step(&mut self, step: &Step) {
         self.see(
             true,
-            match (step.kind, step.initial, step.activated) {
+            match (step.kind, step.is_initial(), step.is_activated()) {
                 (StepKind::Plain, false, false) => "step",
                 (StepKind::Plain, true, false) => "initial step",
                 (StepKind::Plain, false, true) => "activated step",

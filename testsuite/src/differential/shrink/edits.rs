@@ -175,7 +175,7 @@ fn pairs(text: &str, chart: &Chart) -> Vec<Edit> {
     }
     let later = |transition: &Transition| {
         let [from] = &transition.from[..] else { return None };
-        let first = steps.get(from.text.as_str()).filter(|step| step.initial)?;
+        let first = steps.get(from.text.as_str()).filter(|step| step.is_initial())?;
         let next = transition.to.iter().filter_map(|name| steps.get(name.text.as_str()));
         let start = |step: &&Step| Span::new(step.span.file, step.span.start as usize, step.span.start as usize);
         let initial = next.map(|step| (start(step), "initial ".to_string()));

@@ -22,7 +22,7 @@ pub enum Source<'s> {
 pub fn variables_of(sequence: &Sequence) -> Program {
     let mut program = sequence.program.clone();
     let steps = sequence.steps.iter().map(|step| Step {
-        label: program.variables[step.active].name.clone(),
+        label: program.variables[step.active].name.as_str().into(),
         comment: None,
         held: Held::Bit(step.active),
         active: program.pool.variable(step.active, grafc_formula::Type::Bool),

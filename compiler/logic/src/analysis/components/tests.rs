@@ -106,7 +106,7 @@ fn chart(steps: &str, transitions: &[&str]) -> String {
 fn reasons(text: &str) -> Vec<(String, Reason)> {
     let net = net(text);
     let reasons = arranged(&net).reasons;
-    reasons.iter().map(|(s, reason)| (net.places[*s].label.clone(), *reason)).collect()
+    reasons.iter().map(|(s, reason)| (net.places[*s].label.to_string(), *reason)).collect()
 }
 
 fn t(number: usize) -> TransitionId {

@@ -27,7 +27,7 @@ impl Numbered {
             numbered.variable.entry(set).or_insert_with(|| {
                 let base = lowering.symbols.table[lowering.situation.sets[set].variable].name.clone();
                 let base = base.strip_prefix("at_").unwrap_or(&base);
-                let comment = Some("number of the transition that clears, else 0".to_owned());
+                let comment = Some("number of the transition that clears, else 0".into());
                 lowering.symbols.fresh(Role::Memory, format!("clears_{base}"), Type::Dint, comment)
             });
         }

@@ -24,7 +24,7 @@ fn print(chart: &Chart, id: ExprId) -> String {
         ExprKind::Literal(Value::Int(value)) => format!("{value}:{:?}", expr.ty),
         ExprKind::Literal(Value::Real(value)) => format!("{value:?}:{:?}", expr.ty),
         ExprKind::Literal(Value::Time(value)) => format!("{value}ms"),
-        ExprKind::Variable(id) => chart.variables[*id].name.clone(),
+        ExprKind::Variable(id) => chart.variables[*id].name.to_string(),
         ExprKind::StepActive(id) => format!("X{}", chart.steps[*id].label),
         ExprKind::StepTime(id) => format!("T{}", chart.steps[*id].label),
         ExprKind::MacroActive(id) => format!("X{}", chart.macro_steps[*id].label),

@@ -1,0 +1,137 @@
+//! A text under way: its tokens, the tree so far, and the blocks that are open.
+
+use super::cut::Cutter;
+use crate::ast::{self, Item};
+use crate::builder::Builder;
+use crate::grammar::ItemsParser;
+use crate::lexer::Lexed;
+use crate::shown::shorten;
+use crate::token::Token;
+use grafc_diagnostics::{Diagnostic, Diagnostics, FileId, Span};
+
+/// An open block.
+pub(super) struct Frame {
+    pub(super) block: Block,
+    /// Its `{`, or its head if that is missing.
+    pub(super) opened: Span,
+    /// Whether a misplaced declaration in it has been reported.
+    pub(super) reported: bool,
+}
+
+pub(super) enum Block {
+    Grafcet(Box<ast::Grafcet>),
+    Expansion(Box<ast::Expansion>),
+}
+
+impl Block {
+    pub(super) fn items(&mut self) -> &mut Vec<Item> {
+        match self {
+            Block::Grafcet(grafcet) => &mut grafcet.items,
+            Block::Expansion(expansion) => &mut expansion.items,
+        }
+    }
+
+    pub(super) fn title(&self) -> String {
+        let (word, name) = match self {
+            Block::Grafcet(grafcet) => ("grafcet", &grafcet.name),
+            Block::Expansion(expansion) => ("expansion", &expansion.macro_step),
+        };
+        if name.text.is_empty() { format!("`{word}`") } else { format!("`{word} {}`", shorten(&name.text)) }
+    }
+}
+
+pub(super) struct Reader<'text> {
+    pub(super) file: FileId,
+    pub(super) text: &'text str,
+    pub(super) lexed: Lexed,
+    /// For each token, how many more `}` than `{` there are from it on.
+    pub(super) balance: Vec<i32>,
+    pub(super) builder: Builder<'text>,
+    pub(super) parser: ItemsParser,
+    pub(super) at: usize,
+    pub(super) heading: Option<Box<ast::Heading>>,
+    pub(super) items: Vec<Item>,
+    pub(super) stack: Vec<Frame>,
+    /// A reserved word was found where a name belongs: the item that it seems to begin is not one.
+    pub(super) doubtful: Option<usize>,
+    /// A `}` too many has been reported, and nothing was read since.
+    pub(super) stray_reported: bool,
+}
+
+impl<'text> Reader<'text> {
+    pub(super) fn new(file: FileId, text: &'text str, lexed: Lexed) -> Self {
+        let mut balance = vec![0i32; lexed.lexemes.len() + 1];
+        let mut sum = 0i32;
+        for (at, lexeme) in lexed.lexemes.iter().enumerate().rev() {
+            // A text has fewer than 2^32 bytes; one with more braces than an `i32` counts is no chart.
+            sum = match lexeme.token {
+                Token::CloseBrace => sum.saturating_add(1),
+                Token::OpenBrace => sum.saturating_sub(1),
+                _ => sum,
+            };
+            balance[at] = sum;
+        }
+        Reader {
+            file,
+            text,
+            lexed,
+            balance,
+            builder: Builder::new(file, text),
+            parser: ItemsParser::new(),
+            at: 0,
+            heading: None,
+            items: Vec::new(),
+            stack: Vec::new(),
+            doubtful: None,
+            stray_reported: false,
+        }
+    }
+
+    pub(super) fn finish(mut self) -> (ast::Chart, Diagnostics) {
+        let mut diagnostics = Diagnostics::new();
+        for fault in self.lexed.faults.drain(..).chain(self.builder.listed()) {
+            diagnostics.push(fault);
+        }
+        diagnostics.sort_by_place();
+        let comments = self.lexed.comments.iter().map(|c| ast::Comment { span: self.builder.span(c.start, c.end) });
+        let chart = ast::Chart {
+            heading: self.heading.map(|heading| *heading),
+            items: self.items,
+            comments: comments.collect(),
+            exprs: self.builder.exprs,
+            span: Span::new(self.file, 0, self.text.len()),
+            is_whole: !diagnostics.has_errors(),
+        };
+        (chart, diagnostics)
+    }
+
+    pub(super) fn cutter(&self) -> Cutter<'_> {
+        Cutter { text: self.text, lexemes: &self.lexed.lexemes, balance: &self.balance, depth: self.stack.len() }
+    }
+
+    /// The balance of braces from a token on.
+    pub(super) fn balance(&self, at: usize) -> i64 {
+        i64::from(self.balance[at])
+    }
+
+    /// Whether the lexer reported something between the token before this one and this one.
+    pub(super) fn is_near_bad(&self, at: usize) -> bool {
+        let lexemes = &self.lexed.lexemes;
+        let from = at.checked_sub(1).map_or(0, |before| lexemes[before].start);
+        let to = lexemes.get(at).map_or(self.text.len() as u32, |l| l.start);
+        let bad = &self.lexed.bad;
+        let first = bad.partition_point(|&(_, end)| end <= from);
+        bad.get(first).is_some_and(|&(start, _)| start <= to)
+    }
+
+    pub(super) fn place_of(&self, at: usize) -> Span {
+        match self.lexed.lexemes.get(at) {
+            Some(lexeme) => self.builder.span(lexeme.start, lexeme.end),
+            None => Span::new(self.file, self.text.len(), self.text.len()),
+        }
+    }
+
+    pub(super) fn fault(&mut self, fault: Diagnostic) {
+        self.builder.list(fault);
+    }
+}

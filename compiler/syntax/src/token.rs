@@ -1,0 +1,227 @@
+//! The kinds of token, and a token in its place.
+//!
+//! A token is a kind and a range of bytes; its text is read back from the source, so the author's spelling is never lost.
+
+use logos::Logos;
+
+/// The kinds of token.
+#[derive(Logos, Clone, Copy, PartialEq, Eq, Debug)]
+#[logos(skip r"[\s\u{FEFF}]+")]
+pub(crate) enum Token {
+    #[token("chart")]
+    Chart,
+    #[token("input")]
+    Input,
+    #[token("output")]
+    Output,
+    #[token("var")]
+    Var,
+    #[token("const")]
+    Const,
+    #[token("grafcet")]
+    Grafcet,
+    #[token("expansion")]
+    Expansion,
+    #[token("step")]
+    Step,
+    #[token("transition")]
+    Transition,
+    #[token("initial")]
+    Initial,
+    #[token("activated")]
+    Activated,
+    #[token("enclosing")]
+    Enclosing,
+    #[token("macro")]
+    Macro,
+    #[token("if")]
+    If,
+    #[token("on")]
+    On,
+    #[token("force")]
+    Force,
+    #[token("true")]
+    True,
+    #[token("false")]
+    False,
+    #[token("and")]
+    #[token("·")]
+    #[token("⋅")]
+    #[token("&")]
+    And,
+    #[token("or")]
+    #[token("|")]
+    Or,
+    #[token("xor")]
+    Xor,
+    #[token("not")]
+    #[token("!")]
+    #[token("¬")]
+    Not,
+    #[token("rise")]
+    #[token("↑")]
+    Rise,
+    #[token("fall")]
+    #[token("↓")]
+    Fall,
+    #[token("mod")]
+    Mod,
+    #[token("+")]
+    Plus,
+    #[token("-")]
+    Minus,
+    #[token("*")]
+    Star,
+    #[token("/")]
+    Slash,
+    #[token("=")]
+    Equal,
+    #[token("<>")]
+    #[token("≠")]
+    NotEqual,
+    #[token("<")]
+    Less,
+    #[token("<=")]
+    #[token("≤")]
+    LessEqual,
+    #[token(">")]
+    Greater,
+    #[token(">=")]
+    #[token("≥")]
+    GreaterEqual,
+    #[token(":=")]
+    Assign,
+    #[token(":")]
+    Colon,
+    #[token(",")]
+    Comma,
+    #[token("->")]
+    #[token("→")]
+    Arrow,
+    #[token("(")]
+    OpenParen,
+    #[token(")")]
+    CloseParen,
+    #[token("[")]
+    OpenBracket,
+    #[token("]")]
+    CloseBracket,
+    #[token("{")]
+    OpenBrace,
+    #[token("}")]
+    CloseBrace,
+
+    /// A name, in backquotes or not.
+    #[regex(r"[\p{L}_][\p{L}\p{M}\p{Nd}_]*")]
+    #[regex(r"`[^`\r\n]*`?")]
+    Name,
+    /// An attached comment; a quotation mark in it is doubled.
+    #[regex("\"([^\"\r\n]|\"\")*\"?")]
+    String,
+    /// `%IX0.0`
+    #[regex(r"%[A-Za-z0-9_.*]*")]
+    Address,
+    /// `3`: decimal digits alone, a step label or a number.
+    #[regex(r"[0-9]+", priority = 20)]
+    Whole,
+    /// Anything else that begins with a digit or with `T#`; the lexer makes one of the next four of it.
+    #[regex(r"[0-9]([\p{L}\p{M}\p{Nd}_#]|\.[\p{L}\p{M}\p{Nd}_#])*", priority = 4)]
+    #[regex(r"[0-9][0-9_]*(\.[0-9][0-9_]*)?[eE][+-][0-9_]+", priority = 6)]
+    #[regex(r"([tT]|[tT][iI][mM][eE])#([\p{L}\p{M}\p{Nd}_#]|\.[\p{L}\p{M}\p{Nd}_#])*")]
+    Numeral,
+    /// `16#FF`, `1_000`
+    Integer,
+    /// `8.5`
+    Real,
+    /// `3s`
+    Duration,
+    /// A number or a duration that has been reported as malformed, or an expression that the parser gave up on.
+    Unreadable,
+
+    #[regex(r"//[^\n]*", allow_greedy = true)]
+    LineComment,
+    #[token("(*", block_comment)]
+    BlockComment,
+
+    // Words only where they have a meaning; elsewhere they are names.
+    /// `activation` after `on`
+    Activation,
+    /// `deactivation` after `on`
+    Deactivation,
+    /// `event` after `on`
+    Event,
+    /// `at` before an address
+    At,
+    /// The end of an item; the parser puts it there.
+    End,
+}
+
+/// A token and its place.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Lexeme {
+    pub(crate) token: Token,
+    pub(crate) start: u32,
+    pub(crate) end: u32,
+}
+
+impl Token {
+    /// Whether it is a reserved word.
+    pub(crate) fn is_word(self) -> bool {
+        use Token::*;
+        matches!(
+            self,
+            Chart
+                | Input
+                | Output
+                | Var
+                | Const
+                | Grafcet
+                | Expansion
+                | Step
+                | Transition
+                | Initial
+                | Activated
+                | Enclosing
+                | Macro
+                | If
+                | On
+                | Force
+                | True
+                | False
+                | And
+                | Or
+                | Xor
+                | Not
+                | Rise
+                | Fall
+                | Mod
+        )
+    }
+
+    /// Whether it compares two values.
+    pub(crate) fn is_relation(self) -> bool {
+        use Token::*;
+        matches!(self, Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual)
+    }
+}
+
+/// Moves behind the `*)` that closes the comment, or to the end of the text. Comments nest.
+fn block_comment(lexer: &mut logos::Lexer<'_, Token>) {
+    let bytes = lexer.remainder().as_bytes();
+    let mut depth = 1usize;
+    let mut at = 0;
+    while depth > 0 && at < bytes.len() {
+        match &bytes[at..bytes.len().min(at + 2)] {
+            b"(*" => {
+                depth += 1;
+                at += 2;
+            }
+            b"*)" => {
+                depth -= 1;
+                at += 2;
+            }
+            _ => at += 1,
+        }
+    }
+    lexer.bump(at);
+}
