@@ -2,7 +2,7 @@
 
 use crate::chart::{Chart, MacroId, Tables};
 use crate::checks;
-use crate::resolve::{definitions, resolve};
+use crate::resolve::{Resolved, definitions, resolve};
 use crate::symbols::Symbols;
 use grafc_diagnostics::Diagnostics;
 use grafc_syntax::ast;
@@ -53,24 +53,39 @@ impl Checked {
 
 /// Resolves a syntax tree and applies every rule; gives back the chart if no rule is broken.
 ///
-/// `default_name` names a chart without a heading. The messages are in order of place.
+/// `default_name` names a chart without a heading. The messages are in order of place. Of a tree from which the parser
+/// left something out there is no chart, and only those messages which hold whatever stands there.
 pub fn check(tree: &ast::Chart, default_name: &str) -> (Option<Chart>, Diagnostics) {
-    examine(tree, default_name).into_chart()
+    let (resolved, diagnostics) = apply_rules(tree, default_name);
+    (resolved.complete.then(|| Chart::checked(resolved.chart)), diagnostics)
 }
 
 /// As [`check`], for those who look closer, or want the chart as far as it goes.
-///
-/// Of a tree from which the parser left something out there is no chart, and only those messages which hold whatever
-/// stands there.
 pub fn examine(tree: &ast::Chart, default_name: &str) -> Checked {
+    let (resolved, diagnostics) = apply_rules(tree, default_name);
+    let mut symbols = resolved.symbols;
+    symbols.definitions = definitions(tree, &resolved.parts);
+    symbols.sort();
+    let mut tables = resolved.chart;
+    let chart = if resolved.complete {
+        Outcome::Valid(Chart::checked(tables))
+    } else {
+        open_circles(&mut tables);
+        Outcome::Faulty(tables)
+    };
+    Checked { diagnostics, symbols, chart }
+}
+
+/// The chart under check is complete after this if no rule is broken.
+fn apply_rules<'a>(tree: &'a ast::Chart, default_name: &str) -> (Resolved<'a>, Diagnostics) {
     let mut diagnostics = Diagnostics::new();
     let mut resolved = resolve(tree, default_name, &mut diagnostics);
     for rule in checks::ERRORS {
         rule(&resolved, &mut diagnostics);
     }
     checks::set_levels(&mut resolved, &mut diagnostics);
-    let is_sound = resolved.complete && tree.is_whole && !diagnostics.has_errors();
-    if is_sound {
+    resolved.complete &= tree.is_whole && !diagnostics.has_errors();
+    if resolved.complete {
         for rule in checks::WARNINGS {
             rule(&resolved, &mut diagnostics);
         }
@@ -79,17 +94,7 @@ pub fn examine(tree: &ast::Chart, default_name: &str) -> Checked {
         diagnostics.retain(|diagnostic| diagnostic.code.is_certain_beside_syntax_errors());
     }
     diagnostics.sort_by_place();
-    let mut symbols = resolved.symbols;
-    symbols.definitions = definitions(tree, &resolved.parts);
-    symbols.sort();
-    let mut tables = resolved.chart;
-    let chart = if is_sound {
-        Outcome::Valid(Chart::checked(tables))
-    } else {
-        open_circles(&mut tables);
-        Outcome::Faulty(tables)
-    };
-    Checked { diagnostics, symbols, chart }
+    (resolved, diagnostics)
 }
 
 /// Takes macro-steps out of the expansions that they hold themselves (E0306), so that going up from one ends.

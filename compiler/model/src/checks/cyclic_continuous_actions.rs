@@ -24,7 +24,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let reads = reads(chart);
     let mut states: IndexVec<VariableId, State> = index_vec![State::Untouched; chart.variables.len()];
     for root in chart.variables.indices() {
-        if states[root] != State::Untouched {
+        if states[root] != State::Untouched || reads[root].is_empty() {
             continue;
         }
         states[root] = State::Open;

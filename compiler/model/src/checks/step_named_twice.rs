@@ -25,6 +25,9 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
 }
 
 fn check_names(names: &[ast::Name], role: &str, diagnostics: &mut Diagnostics) {
+    if names.len() < 2 {
+        return;
+    }
     let mut seen = FxHashMap::default();
     for name in names {
         let first = *seen.entry(name.text.as_str()).or_insert(name.span);

@@ -1,6 +1,6 @@
 //! The interpretation: transition-conditions, actions and forcing orders, in source order.
 
-use super::expressions::{self, Context, Need};
+use super::expressions::{self, Context, Need, Scratch};
 use super::parts::{Holder, Parts};
 use super::scope::{Label, Reference, Scope, kind};
 use super::types;
@@ -23,7 +23,16 @@ pub fn interpret<'a>(
     symbols: &mut Symbols,
     diagnostics: &mut Diagnostics,
 ) -> bool {
-    let mut interpretation = Interpretation { tree, scope, constants, chart, symbols, diagnostics, complete: true };
+    let mut interpretation = Interpretation {
+        tree,
+        scope,
+        constants,
+        chart,
+        symbols,
+        diagnostics,
+        scratch: Scratch::default(),
+        complete: true,
+    };
     for holder in &parts.holders {
         match *holder {
             Holder::Step(index) => {
@@ -50,6 +59,7 @@ struct Interpretation<'i, 'a> {
     chart: &'i mut Tables,
     symbols: &'i mut Symbols,
     diagnostics: &'i mut Diagnostics,
+    scratch: Scratch,
     complete: bool,
 }
 
@@ -196,11 +206,13 @@ impl Interpretation<'_, '_> {
     fn expression(&mut self, written: ast::ExprId, need: Need) -> ExprId {
         let context =
             Context { tree: self.tree, scope: self.scope, variables: &self.chart.variables, constants: self.constants };
-        context.resolve(written, need, &mut self.chart.exprs, self.symbols, self.diagnostics).unwrap_or_else(|| {
-            self.complete = false;
-            let span = self.tree[written].span;
-            self.chart.exprs.push(Expr { kind: ExprKind::Literal(Value::Bool(false)), ty: Type::Bool, span })
-        })
+        context
+            .resolve(written, need, &mut self.chart.exprs, &mut self.scratch, self.symbols, self.diagnostics)
+            .unwrap_or_else(|| {
+                self.complete = false;
+                let span = self.tree[written].span;
+                self.chart.exprs.push(Expr { kind: ExprKind::Literal(Value::Bool(false)), ty: Type::Bool, span })
+            })
     }
 
     fn fault(&mut self, diagnostic: Diagnostic) {

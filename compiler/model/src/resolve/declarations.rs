@@ -4,7 +4,7 @@
 //! found in the order of dependence, with a stack of our own.
 
 use super::addresses;
-use super::expressions::{Context, Need, note_names};
+use super::expressions::{Context, Need, Scratch, note_names};
 use super::fold::fold;
 use super::parts::Parts;
 use super::scope::{Reference, Scope};
@@ -18,7 +18,7 @@ use rustc_hash::FxHashSet;
 
 /// The variables as declared, all zero.
 pub fn variables(parts: &Parts) -> IndexVec<VariableId, Variable> {
-    let mut variables = IndexVec::new();
+    let mut variables = IndexVec::with_capacity(parts.declarations.iter().map(|d| d.names.len()).sum());
     for declaration in &parts.declarations {
         for declared in &declaration.names {
             variables.push(Variable {
@@ -103,6 +103,10 @@ impl Evaluation<'_, '_> {
         if self.states[root] != State::Untouched {
             return;
         }
+        if self.parts.declarations[root].initial.is_none() {
+            self.states[root] = State::Done;
+            return self.value(root);
+        }
         self.states[root] = State::Open;
         let mut open = vec![(root, self.dependencies(root))];
         while let Some((index, dependencies)) = open.last_mut() {
@@ -174,10 +178,13 @@ impl Evaluation<'_, '_> {
     /// Evaluates a declaration whose constants are known.
     fn value(&mut self, index: usize) {
         let declaration = self.parts.declarations[index];
-        let ids = self.ids(index);
         let is_constant = declaration.kind == ast::DeclarationKind::Constant;
+        if declaration.initial.is_none() && !is_constant {
+            return;
+        }
+        let ids = self.ids(index);
         let Some(initial) = declaration.initial else {
-            for id in ids.filter(|_| is_constant) {
+            for id in ids {
                 let variable = &self.variables[id];
                 let message = format!("the constant `{}` has no value", variable.name);
                 let diagnostic = Diagnostic::new(Code::E0211, variable.span, message);
@@ -192,7 +199,14 @@ impl Evaluation<'_, '_> {
             constants: &self.values.constants,
         };
         let mut pool = IndexVec::new();
-        let root = context.resolve(initial, Need::Value(declaration.ty), &mut pool, self.symbols, self.diagnostics);
+        let root = context.resolve(
+            initial,
+            Need::Value(declaration.ty),
+            &mut pool,
+            &mut Scratch::default(),
+            self.symbols,
+            self.diagnostics,
+        );
         let value = root.and_then(|root| {
             let kinds = &*self.variables;
             match fold(&pool, root, &self.values.constants, |id| kinds[id].kind == VariableKind::Constant) {

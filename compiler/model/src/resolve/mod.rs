@@ -56,6 +56,8 @@ pub fn resolve<'a>(tree: &'a ast::Chart, default_name: &str, diagnostics: &mut D
         variables,
         ..Tables::default()
     };
+    chart.exprs.reserve(tree.exprs.len());
+    symbols.uses.reserve(tree.exprs.len() + 2 * parts.transitions.len());
     let expanded = structure::build(&mut parts, &scope, &mut chart, &mut symbols, diagnostics);
     let interpreted =
         actions::interpret(&tree.exprs, &parts, &scope, &values.constants, &mut chart, &mut symbols, diagnostics);

@@ -22,6 +22,8 @@ pub fn build<'a>(
 ) -> IndexVec<ExpansionId, Option<MacroId>> {
     let expanded = expanded(parts, scope, symbols, diagnostics);
     let homes = homes(parts, &expanded);
+    chart.steps.reserve(parts.steps.len());
+    chart.transitions.reserve(parts.transitions.len());
     grafcets(parts, scope, chart, symbols, diagnostics);
     steps(parts, &expanded, &homes, chart);
     entries_and_exits(parts, scope, &expanded, chart);
@@ -197,7 +199,7 @@ fn transitions(
             match scope.node(&name.text) {
                 Some(node) => {
                     symbols.used(name.span, node, Form::Name, role);
-                    if seen.insert(node) {
+                    if names.len() == 1 || seen.insert(node) {
                         nodes.push(node);
                     } // else E0303
                 }

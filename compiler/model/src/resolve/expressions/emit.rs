@@ -10,8 +10,9 @@ use index_vec::IndexVec;
 
 impl Work<'_, '_, '_> {
     /// Gives back the place of the whole expression.
-    pub(super) fn emit(&self, pool: &mut IndexVec<ExprId, Expr>) -> ExprId {
-        let mut places: Vec<Option<ExprId>> = vec![None; self.nodes.len()];
+    pub(super) fn emit(&self, pool: &mut IndexVec<ExprId, Expr>, places: &mut Vec<Option<ExprId>>) -> ExprId {
+        places.clear();
+        places.resize(self.nodes.len(), None);
         for node in (0..self.nodes.len()).rev() {
             if self.nodes[node].signed {
                 continue; // its sign brings it along

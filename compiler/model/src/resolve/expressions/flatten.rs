@@ -23,8 +23,8 @@ pub(super) struct Node {
 
 impl Work<'_, '_, '_> {
     /// Fills the list of nodes. The times of a delay do not become nodes: they are read on the way.
-    pub(super) fn flatten(&mut self, root: ast::ExprId) {
-        let mut open = vec![(root, None)];
+    pub(super) fn flatten(&mut self, root: ast::ExprId, open: &mut Vec<(ast::ExprId, Option<(usize, usize)>)>) {
+        open.push((root, None));
         while let Some((id, parent)) = open.pop() {
             let place = self.nodes.len();
             let mut signed = false;

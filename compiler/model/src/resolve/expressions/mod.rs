@@ -64,23 +64,33 @@ impl Context<'_, '_> {
         root: ast::ExprId,
         need: Need,
         pool: &mut IndexVec<ExprId, Expr>,
+        scratch: &mut Scratch,
         symbols: &mut Symbols,
         diagnostics: &mut Diagnostics,
     ) -> Option<ExprId> {
-        let mut work = Work { context: self, nodes: Vec::new(), symbols, diagnostics };
-        work.flatten(root);
+        scratch.nodes.clear();
+        let mut work = Work { context: self, nodes: &mut scratch.nodes, symbols, diagnostics };
+        work.flatten(root, &mut scratch.open);
         work.infer();
         work.demand(need);
         let faultless = !work.nodes.iter().any(|node| node.faulty);
-        faultless.then(|| work.emit(pool))
+        faultless.then(|| work.emit(pool, &mut scratch.places))
     }
+}
+
+/// Lists that one expression after another is resolved in: most are short, and there are many.
+#[derive(Default)]
+pub struct Scratch {
+    nodes: Vec<Node>,
+    open: Vec<(ast::ExprId, Option<(usize, usize)>)>,
+    places: Vec<Option<ExprId>>,
 }
 
 /// One expression under way.
 struct Work<'w, 'c, 'a> {
     context: &'w Context<'c, 'a>,
     /// Its nodes, parents first.
-    nodes: Vec<Node>,
+    nodes: &'w mut Vec<Node>,
     symbols: &'w mut Symbols,
     diagnostics: &'w mut Diagnostics,
 }
