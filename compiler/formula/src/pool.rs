@@ -62,6 +62,9 @@ pub enum Formula {
     Widen(FormulaId),
 }
 
+/// Up to so many operands are compared one by one, which needs no table.
+const SHORT: usize = 16;
+
 /// All formulas of one program.
 #[derive(Clone, Debug, Default)]
 pub struct Pool {
@@ -130,7 +133,7 @@ impl Pool {
 
     /// Whether a formula has no operands: a constant, a variable or a timer.
     pub fn is_leaf(&self, id: FormulaId) -> bool {
-        self.operands(id).next().is_none()
+        self.depths[id.index()] == 0
     }
 
     /// The factors of a conjunction; of any other formula itself.
@@ -236,7 +239,8 @@ impl Pool {
     /// A conjunction (`neutral` true) or a disjunction: nested ones of the same kind are taken in, neutral and repeated
     /// operands are dropped, the first occurrence keeps its place.
     fn junction(&mut self, operands: impl IntoIterator<Item = FormulaId>, neutral: bool) -> FormulaId {
-        let mut list: Vec<FormulaId> = Vec::new();
+        let operands = operands.into_iter();
+        let mut list: Vec<FormulaId> = Vec::with_capacity(operands.size_hint().0);
         for operand in operands {
             match (self.get(operand), neutral) {
                 (Formula::Constant(Value::Bool(b)), _) if *b == neutral => {}
@@ -245,9 +249,22 @@ impl Pool {
                 _ => list.push(operand),
             }
         }
-        let mut seen = FxHashSet::default();
-        list.retain(|id| seen.insert(*id));
-        if list.iter().any(|id| matches!(self.get(*id), Formula::Not(inner) if seen.contains(inner))) {
+        let contradicts = if list.len() <= SHORT {
+            let mut kept = 0;
+            for at in 0..list.len() {
+                if !list[..kept].contains(&list[at]) {
+                    list[kept] = list[at];
+                    kept += 1;
+                }
+            }
+            list.truncate(kept);
+            list.iter().any(|id| matches!(self.get(*id), Formula::Not(inner) if list.contains(inner)))
+        } else {
+            let mut seen = FxHashSet::default();
+            list.retain(|id| seen.insert(*id));
+            list.iter().any(|id| matches!(self.get(*id), Formula::Not(inner) if seen.contains(inner)))
+        };
+        if contradicts {
             return self.truth(!neutral);
         }
         match (list.as_slice(), neutral) {
@@ -329,6 +346,9 @@ impl Pool {
 
     /// Every formula below `root`, operands before operators, `root` last.
     pub fn below(&self, root: FormulaId) -> Vec<FormulaId> {
+        if self.is_leaf(root) {
+            return vec![root];
+        }
         let mut seen = FxHashSet::default();
         let mut stack = vec![root];
         while let Some(id) = stack.pop() {
@@ -364,12 +384,13 @@ impl Pool {
         new[&root]
     }
 
-    /// Only the formulas below the roots, with the variables numbered anew; and the new id of each that is kept.
+    /// Only the formulas below the roots, with the variables numbered anew; and the new id of each, which means something
+    /// for those that are kept.
     pub fn compacted(
         &self,
         roots: impl IntoIterator<Item = FormulaId>,
         variables: &IndexVec<VarId, VarId>,
-    ) -> (Pool, FxHashMap<FormulaId, FormulaId>) {
+    ) -> (Pool, IndexVec<FormulaId, FormulaId>) {
         let mut kept = vec![false; self.nodes.len()];
         let mut open: Vec<FormulaId> = roots.into_iter().collect();
         while let Some(id) = open.pop() {
@@ -378,22 +399,22 @@ impl Pool {
             }
         }
         let mut pool = Pool::default();
-        let mut new: FxHashMap<FormulaId, FormulaId> = FxHashMap::default();
+        let mut new: IndexVec<FormulaId, FormulaId> = self.ids().collect();
         for id in self.ids().filter(|id| kept[id.index()]) {
             let Node { formula, ty } = self.nodes[id.index()].clone();
             let formula = match formula {
                 Formula::Variable(v) => Formula::Variable(variables[v]),
                 Formula::Constant(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) => formula,
-                Formula::Not(a) => Formula::Not(new[&a]),
-                Formula::And(list) => Formula::And(list.iter().map(|a| new[a]).collect()),
-                Formula::Or(list) => Formula::Or(list.iter().map(|a| new[a]).collect()),
-                Formula::Xor(a, b) => Formula::Xor(new[&a], new[&b]),
-                Formula::Compare(op, a, b) => Formula::Compare(op, new[&a], new[&b]),
-                Formula::Arithmetic(op, a, b) => Formula::Arithmetic(op, new[&a], new[&b]),
-                Formula::Negate(a) => Formula::Negate(new[&a]),
-                Formula::Widen(a) => Formula::Widen(new[&a]),
+                Formula::Not(a) => Formula::Not(new[a]),
+                Formula::And(list) => Formula::And(list.iter().map(|a| new[*a]).collect()),
+                Formula::Or(list) => Formula::Or(list.iter().map(|a| new[*a]).collect()),
+                Formula::Xor(a, b) => Formula::Xor(new[a], new[b]),
+                Formula::Compare(op, a, b) => Formula::Compare(op, new[a], new[b]),
+                Formula::Arithmetic(op, a, b) => Formula::Arithmetic(op, new[a], new[b]),
+                Formula::Negate(a) => Formula::Negate(new[a]),
+                Formula::Widen(a) => Formula::Widen(new[a]),
             };
-            new.insert(id, pool.add(formula, ty));
+            new[id] = pool.add(formula, ty);
         }
         (pool, new)
     }

@@ -78,53 +78,92 @@ pub(crate) fn share(lowering: &mut Lowering, conditions: &mut IndexVec<Transitio
 
 /// Absorption in every formula of a program.
 pub(crate) fn absorb(program: &mut Program) {
-    let mut memo = FxHashMap::default();
-    let mut pool = std::mem::take(&mut program.pool);
+    let pool = std::mem::take(&mut program.pool);
+    let shorter = pool.ids().map(|_| None).collect();
+    let mut absorbing = Absorbing { pool, shorter };
     for section in [&mut program.first, &mut program.before, &mut program.micro_step, &mut program.after] {
-        absorb_in(&mut pool, &mut memo, section);
+        absorbing.block(section);
     }
-    program.pool = pool;
+    program.pool = absorbing.pool;
 }
 
-/// Statements nest no deeper than lowering nests them.
-fn absorb_in(pool: &mut Pool, memo: &mut FxHashMap<FormulaId, FormulaId>, statements: &mut [Statement]) {
-    for statement in statements {
-        match statement {
-            Statement::Heading(_) | Statement::Divide(_) => {}
-            Statement::Assign { value, .. } => *value = absorbed(pool, memo, *value),
-            Statement::CallTimer { input, .. } => *input = absorbed(pool, memo, *input),
-            Statement::Case { arms, .. } => arms.iter_mut().for_each(|arm| absorb_in(pool, memo, &mut arm.body)),
-            Statement::If { branches, otherwise } => {
-                for (when, body) in branches {
-                    // A condition that has become constant would need another statement, so it stays as it is.
-                    let shorter = absorbed(pool, memo, *when);
-                    if pool.as_truth(shorter).is_none() {
-                        *when = shorter;
+struct Absorbing {
+    pool: Pool,
+    /// The shorter form of each formula that has been looked at.
+    shorter: IndexVec<FormulaId, Option<FormulaId>>,
+}
+
+impl Absorbing {
+    /// Statements nest no deeper than lowering nests them.
+    fn block(&mut self, statements: &mut [Statement]) {
+        for statement in statements {
+            match statement {
+                Statement::Heading(_) | Statement::Divide(_) => {}
+                Statement::Assign { value, .. } => *value = self.formula(*value),
+                Statement::CallTimer { input, .. } => *input = self.formula(*input),
+                Statement::Case { arms, .. } => arms.iter_mut().for_each(|arm| self.block(&mut arm.body)),
+                Statement::If { branches, otherwise } => {
+                    for (when, body) in branches {
+                        // A condition that has become constant would need another statement, so it stays as it is.
+                        let shorter = self.formula(*when);
+                        if self.pool.as_truth(shorter).is_none() {
+                            *when = shorter;
+                        }
+                        self.block(body);
                     }
-                    absorb_in(pool, memo, body);
+                    self.block(otherwise);
                 }
-                absorb_in(pool, memo, otherwise);
             }
         }
     }
-}
 
-fn absorbed(pool: &mut Pool, memo: &mut FxHashMap<FormulaId, FormulaId>, root: FormulaId) -> FormulaId {
-    if let Some(known) = memo.get(&root) {
-        return *known;
+    /// The shorter form of a formula; those of its operands come first.
+    fn formula(&mut self, root: FormulaId) -> FormulaId {
+        let mut stack = vec![root];
+        while let Some(id) = stack.last().copied() {
+            if self.shorter[id].is_none() {
+                let waiting = stack.len();
+                stack.extend(self.pool.operands(id).filter(|operand| self.shorter[*operand].is_none()));
+                if stack.len() > waiting {
+                    continue;
+                }
+                self.shorter[id] = Some(self.one(id));
+            }
+            stack.pop();
+        }
+        self.of(root)
     }
-    let mut by: FxHashMap<FormulaId, FormulaId> = FxHashMap::default();
-    for id in pool.below(root) {
-        let inner = pool.rebuilt(id, &by);
-        let shorter = match pool.get(inner).clone() {
-            Formula::And(list) => junction(pool, &list, true),
-            Formula::Or(list) => junction(pool, &list, false),
-            _ => inner,
+
+    fn of(&self, id: FormulaId) -> FormulaId {
+        self.shorter[id].unwrap_or(id)
+    }
+
+    /// The shorter form of a formula whose operands have theirs.
+    fn one(&mut self, id: FormulaId) -> FormulaId {
+        let changed: FxHashMap<FormulaId, FormulaId> =
+            self.pool.operands(id).map(|o| (o, self.of(o))).filter(|(o, shorter)| o != shorter).collect();
+        let inner = if changed.is_empty() {
+            id
+        } else {
+            let operands = self.pool.operands(id).map(|o| (o, self.of(o))).collect();
+            self.pool.rebuilt(id, &operands)
         };
-        by.insert(id, shorter);
+        let dual = |of: &Formula, conjunction: bool| match of {
+            Formula::Or(_) => conjunction,
+            Formula::And(_) => !conjunction,
+            _ => false,
+        };
+        let (list, conjunction) = match self.pool.get(inner) {
+            Formula::And(list) => (list, true),
+            Formula::Or(list) => (list, false),
+            _ => return inner,
+        };
+        if !list.iter().any(|operand| dual(self.pool.get(*operand), conjunction)) {
+            return inner;
+        }
+        let list = list.clone();
+        junction(&mut self.pool, &list, conjunction)
     }
-    memo.insert(root, by[&root]);
-    by[&root]
 }
 
 /// A conjunction or disjunction without the operands that others make superfluous.

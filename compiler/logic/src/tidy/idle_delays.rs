@@ -38,6 +38,9 @@ impl Group {
 
 /// Lets timers rest in all sections that are gone through in every call.
 pub(crate) fn rest(program: &mut Program) {
+    if program.states.is_empty() || program.timers.len() <= FEW {
+        return;
+    }
     let of_state: FxHashMap<VarId, usize> =
         program.states.iter().enumerate().map(|(index, state)| (state.variable, index)).collect();
     let sections = [&mut program.before, &mut program.micro_step, &mut program.after].map(std::mem::take);

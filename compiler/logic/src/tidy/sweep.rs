@@ -20,7 +20,7 @@ pub(crate) fn sweep(program: &mut Program) {
         temporary: variables.map(|v| v.role == Role::Temporary).collect(),
         is: program.variables.iter().map(|_| false).collect(),
         changes: Vec::new(),
-        read: FxHashMap::default(),
+        read: Reads::default(),
     };
     let Program { first, before, micro_step, after, pool, repeat, .. } = program;
     needed.go_back(pool, after, true);
@@ -56,8 +56,18 @@ struct Needed {
     is: IndexVec<VarId, bool>,
     /// What has changed, and what it was before: to go back to the end of an `If` for its next branch.
     changes: Vec<(VarId, bool)>,
-    /// The temporaries that a formula reads.
-    read: FxHashMap<FormulaId, Vec<VarId>>,
+    read: Reads,
+}
+
+/// Which formulas read temporaries.
+#[derive(Default)]
+struct Reads {
+    /// Of each formula that was there when this was last asked.
+    any: Vec<bool>,
+    /// The number of the last walk that came by a formula, and that of the walk now.
+    seen: Vec<u32>,
+    walk: u32,
+    stack: Vec<FormulaId>,
 }
 
 impl Needed {
@@ -69,15 +79,29 @@ impl Needed {
     }
 
     fn reads(&mut self, pool: &Pool, id: FormulaId) {
-        let read = self.read.remove(&id).unwrap_or_else(|| {
-            let variables = pool.below(id).into_iter().filter_map(|f| match pool.get(f) {
-                Formula::Variable(v) => Some(*v),
-                _ => None,
-            });
-            variables.filter(|v| self.temporary[*v]).collect()
-        });
-        read.iter().for_each(|v| self.set(*v, true));
-        self.read.insert(id, read);
+        // Operands come first, and formulas are only added.
+        for new in (self.read.any.len()..pool.len()).map(FormulaId::from_usize) {
+            let reads = match pool.get(new) {
+                Formula::Variable(v) => self.temporary[*v],
+                _ => pool.operands(new).any(|operand| self.read.any[operand.index()]),
+            };
+            self.read.any.push(reads);
+            self.read.seen.push(0);
+        }
+        self.read.walk += 1;
+        let mut stack = std::mem::take(&mut self.read.stack);
+        stack.push(id);
+        while let Some(id) = stack.pop() {
+            let seen = std::mem::replace(&mut self.read.seen[id.index()], self.read.walk) == self.read.walk;
+            if seen || !self.read.any[id.index()] {
+                continue;
+            }
+            match pool.get(id) {
+                Formula::Variable(v) => self.set(*v, true),
+                _ => stack.extend(pool.operands(id)),
+            }
+        }
+        self.read.stack = stack;
     }
 
     /// From the end of statements to their start; the last time, assignments that nobody needs are taken out. Recurses as
@@ -286,9 +310,9 @@ fn renumber(program: &mut Program, dead: &IndexVec<VarId, bool>) {
     program.pool = pool;
     let Program { first, before, micro_step, after, .. } = program;
     for section in [first, before, micro_step, after] {
-        visit(section, &mut |_| (), &mut |f| *f = formulas[f]);
+        visit(section, &mut |_| (), &mut |f| *f = formulas[*f]);
     }
-    program.steps.iter_mut().for_each(|step| step.active = formulas[&step.active]);
+    program.steps.iter_mut().for_each(|step| step.active = formulas[step.active]);
 }
 
 /// Every variable that statements name themselves, and every formula that they hold.

@@ -70,7 +70,6 @@ impl Way {
 }
 
 /// Changes by number, and which can cause which.
-#[derive(Default)]
 pub(super) struct Causes {
     changes: IndexSet<Change, FxBuildHasher>,
     /// Cause, effect, and whether the effect comes in the next micro-step or in the same one.
@@ -80,6 +79,13 @@ pub(super) struct Causes {
 }
 
 impl Causes {
+    /// With room for what a net of this size usually has.
+    pub(super) fn new(net: &Net) -> Causes {
+        let size = 4 * (net.places.len() + net.transitions.len());
+        let changes = IndexSet::with_capacity_and_hasher(size, FxBuildHasher);
+        Causes { changes, edges: Vec::with_capacity(size), at_start: Vec::new() }
+    }
+
     /// `cause` can bring `effect` about in the same micro-step.
     pub(super) fn at_once(&mut self, cause: Change, effect: Change) {
         self.edge(cause, effect, false);

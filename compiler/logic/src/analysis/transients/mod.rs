@@ -78,7 +78,7 @@ pub(super) fn find(analysis: &Analysis) -> Transients {
     let net = analysis.net();
     let stable = Stable::new(net);
     let occasions = values::occasions(net, &stable);
-    let mut causes = Causes::default();
+    let mut causes = Causes::new(net);
     values::add(net, &occasions, &mut causes);
     let ways = situation::Ways::new(analysis, &stable, &occasions);
     situation::add(net, &ways, &mut causes);
