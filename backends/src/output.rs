@@ -10,10 +10,10 @@ use grafc_logic::sequence::Sequence;
 /// The error is what the stage said, if one of its messages is an error.
 pub trait Source {
     /// The scan program.
-    fn program(&self) -> Result<&Program, Diagnostics>;
+    fn program(&mut self) -> Result<&Program, Diagnostics>;
 
     /// The chart as a sequential function chart.
-    fn sequence(&self) -> Result<&Sequence, Diagnostics>;
+    fn sequence(&mut self) -> Result<&Sequence, Diagnostics>;
 }
 
 /// What a target has made.

@@ -78,7 +78,7 @@ macro_rules! targets {
             ///
             /// # Errors
             /// What the stages before said, if that is an error; what the target cannot do; or a fault of grafc.
-            pub fn emit(&self, source: &dyn Source) -> Result<Output, Diagnostics> {
+            pub fn emit(&self, source: &mut dyn Source) -> Result<Output, Diagnostics> {
                 match self {
                     $(Target::$Target(options) => crate::$folder::target::emit(source, options),)*
                 }

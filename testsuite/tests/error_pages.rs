@@ -58,7 +58,7 @@ fn diagnose(code: Code, chart: &Block, trace: Option<&Block>) -> BTreeSet<Code> 
         let options = grafc_import::Options::default();
         return codes(&grafc_import::import(FileId(0), &chart.text, options).1);
     }
-    let (checked, mut said) = grafc::pipeline::check(FileId(0), &chart.text, "example");
+    let (checked, mut said) = grafc::check(FileId(0), &chart.text, "example");
     match trace {
         Some(trace) => {
             let checked = checked.unwrap_or_else(|| panic!("{code:?}: the chart of the trace has errors: {said:?}"));

@@ -7,7 +7,7 @@
 //! meaning; that is what the other tests are for. `UPDATE_EXPECT=1` rewrites them.
 
 use expect_test::expect_file;
-use grafc::pipeline::{self, Options, Product};
+use grafc::{Options, Product};
 use grafc_backends::plcopen::{self, Body};
 use grafc_backends::{Target, awl, il, rust, st};
 use grafc_diagnostics::FileId;
@@ -52,7 +52,7 @@ impl Golden {
     /// What a chart becomes.
     fn made(&self, case: &Case, encoding: Encoding, simplify: bool, product: Product) -> String {
         let options = Options { lowering: Lowering { profile: case.profile, encoding, simplify }, product };
-        let (made, said) = pipeline::compile(FileId::default(), &case.text, &case.name, &options);
+        let (made, said) = grafc::compile(FileId::default(), &case.text, &case.name, &options);
         made.unwrap_or_else(|| panic!("{}: {said:?}", case.name)).text
     }
 

@@ -64,7 +64,7 @@ fn charts_and_reports_are_as_written_by_hand() {
         assert_eq!(chart, read(format!("{name}.gct")), "{name}");
         assert_eq!(lines(&text, &said), read(format!("{name}.report")).lines().collect::<Vec<_>>(), "{name}");
         is_canonical(&chart);
-        assert!(grafc::pipeline::check(FileId(0), &chart, name).0.is_some(), "{name}");
+        assert!(grafc::check(FileId(0), &chart, name).0.is_some(), "{name}");
     }
 }
 
@@ -330,7 +330,7 @@ fn damage(runs: u64) {
             Ok((chart, _)) => {
                 charts += 1;
                 is_canonical(&chart);
-                checked += usize::from(grafc::pipeline::check(FileId(0), &chart, "damaged").0.is_some());
+                checked += usize::from(grafc::check(FileId(0), &chart, "damaged").0.is_some());
             }
             Err(said) => {
                 errors += 1;
@@ -409,7 +409,7 @@ fn run_collection(rows: usize) {
 
 /// The chart is sound, and each exact encoding is written as Structured Text and does what the simulator does.
 fn runs(name: &str, text: &str, rows: usize) {
-    let (chart, said) = grafc::pipeline::check(FileId(0), text, name);
+    let (chart, said) = grafc::check(FileId(0), text, name);
     let chart: Chart = chart.unwrap_or_else(|| panic!("{name}: {said:?}"));
     let profile = Profile::default();
     let stimuli = random::trace(7, &chart, rows);

@@ -1,7 +1,7 @@
 //! PLCopen XML and the other files that hold Structured Text in a frame: each file written for the example charts is
 //! right by the rules of the project's own lint, and by the schema where it is at hand.
 
-use grafc::pipeline::{self, Options, Product};
+use grafc::{Options, Product};
 use grafc_backends::plcopen::{self, Body, Dialect};
 use grafc_backends::{Target, iec61131_10, il, scl, tcpou};
 use grafc_diagnostics::FileId;
@@ -230,7 +230,7 @@ transition Ж1 -> шаг : 2s/a__b or LONG or LONG2
 fn made(case: &Case, product: Product) -> String {
     let lowering = Lowering { profile: case.profile, encoding: Encoding::default(), simplify: true };
     let options = Options { lowering, product };
-    let (made, said) = pipeline::compile(FileId::default(), &case.text, &case.name, &options);
+    let (made, said) = grafc::compile(FileId::default(), &case.text, &case.name, &options);
     made.unwrap_or_else(|| panic!("{}: {said:?}", case.name)).text
 }
 

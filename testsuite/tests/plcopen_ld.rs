@@ -1,7 +1,7 @@
 //! Charts drawn as ladder diagrams: right by the lint and by other readers in every encoding; nothing stands on something
 //! else, and wires run from pin to pin.
 
-use grafc::pipeline::{self, Options, Product};
+use grafc::{Options, Product};
 use grafc_backends::Target;
 use grafc_backends::plcopen::{self, Body, Dialect};
 use grafc_diagnostics::FileId;
@@ -51,7 +51,7 @@ fn ladder(name: &str, text: &str, encoding: Encoding, evolution: Evolution) -> S
     let options = plcopen::Options { body: Body::Ld, header, ..plcopen::Options::default() };
     let lowering = Lowering { profile: Profile { evolution, ..Profile::default() }, encoding, simplify: true };
     let options = Options { lowering, product: Product::Code(Target::Plcopen(options)) };
-    let (made, said) = pipeline::compile(FileId::default(), text, "chart", &options);
+    let (made, said) = grafc::compile(FileId::default(), text, "chart", &options);
     made.unwrap_or_else(|| panic!("{name}: {said:?}")).text
 }
 

@@ -1,7 +1,7 @@
 //! Charts drawn as sequential function charts: what can be drawn is right by the lint and stands clear of itself; what
 //! cannot is refused with every reason.
 
-use grafc::pipeline::{self, Options, Product};
+use grafc::{Options, Product};
 use grafc_backends::Target;
 use grafc_backends::plcopen::{self, Body, Dialect};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId};
@@ -52,7 +52,7 @@ fn draw(text: &str, evolution: Evolution, dialect: Dialect) -> Result<String, Ve
     let product =
         Product::Code(Target::Plcopen(plcopen::Options { body: Body::Sfc, dialect, ..plcopen::Options::default() }));
     let options = Options { lowering: Lowering { profile, encoding: Encoding::default(), simplify: true }, product };
-    let (made, said) = pipeline::compile(FileId::default(), text, "chart", &options);
+    let (made, said) = grafc::compile(FileId::default(), text, "chart", &options);
     made.map(|made| made.text).ok_or_else(|| said.iter().cloned().collect())
 }
 

@@ -71,6 +71,6 @@ pub(crate) fn spelled(options: &Options) -> String {
     format!("--pou {pou} --block-number {} --mnemonics {}", options.number, options.mnemonics.name())
 }
 
-pub(crate) fn emit(source: &dyn Source, options: &Options) -> Result<Output, Diagnostics> {
+pub(crate) fn emit(source: &mut dyn Source, options: &Options) -> Result<Output, Diagnostics> {
     super::emit(source.program()?, options).map(Output::from)
 }

@@ -19,6 +19,6 @@ pub(crate) fn spelled(options: &Options) -> String {
     choices::spelled(options)
 }
 
-pub(crate) fn emit(source: &dyn Source, options: &Options) -> Result<Output, Diagnostics> {
+pub(crate) fn emit(source: &mut dyn Source, options: &Options) -> Result<Output, Diagnostics> {
     super::emit(source.program()?, options).map(Output::from)
 }

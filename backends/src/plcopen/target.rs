@@ -87,7 +87,7 @@ pub(crate) fn spelled(options: &Options) -> String {
     format!("--dialect {} --body {}{interval}", options.dialect.name(), options.body.name())
 }
 
-pub(crate) fn emit(source: &dyn Source, options: &Options) -> Result<Output, Diagnostics> {
+pub(crate) fn emit(source: &mut dyn Source, options: &Options) -> Result<Output, Diagnostics> {
     let text = match options.body {
         Body::St => super::emit(source.program()?, options),
         Body::Il => super::emit_il(source.program()?, options),

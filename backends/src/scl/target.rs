@@ -19,6 +19,6 @@ pub(crate) fn spelled(_: &Options) -> String {
     String::new()
 }
 
-pub(crate) fn emit(source: &dyn Source, options: &Options) -> Result<Output, Diagnostics> {
+pub(crate) fn emit(source: &mut dyn Source, options: &Options) -> Result<Output, Diagnostics> {
     super::emit(source.program()?, options).map(Output::from)
 }

@@ -39,11 +39,10 @@ impl Place {
 
     /// The name of a chart that does not give itself one.
     pub fn chart_name(&self) -> String {
-        let stem = match self {
-            Place::Standard => None,
-            Place::File(path) => path.file_stem().map(|stem| stem.to_string_lossy().into_owned()),
-        };
-        stem.unwrap_or_else(|| "chart".to_string())
+        match self {
+            Place::Standard => "chart".to_string(),
+            Place::File(path) => grafc::chart_name(path),
+        }
     }
 
     /// Whether both name one existing file, by whatever paths.

@@ -4,10 +4,12 @@
 //! cargo shows nothing else of a script that did its work, and errors on standard error, since cargo shows all of a
 //! script that did not.
 
+use crate::compile::compile;
+use crate::document::chart_name;
 use crate::fault;
 use crate::files::{self, Refusal, print};
 use crate::header::header;
-use crate::pipeline::{self, Options, Product};
+use crate::options::{Options, Product};
 use crate::sources;
 use grafc_backends::Target;
 use grafc_backends::rust::{self, Runtime};
@@ -180,8 +182,8 @@ impl Build {
     /// The file that was written.
     fn run(&self, report: &mut Report) -> Result<PathBuf, Failure> {
         print(&format!("cargo::rerun-if-changed={}\n", self.chart.display()))?;
-        let chart_name = self.chart.file_stem().map_or("chart".into(), |stem| stem.to_string_lossy());
-        let module = self.module.clone().unwrap_or_else(|| chart_name.clone().into_owned());
+        let name = chart_name(&self.chart);
+        let module = self.module.clone().unwrap_or_else(|| name.clone());
         let options = rust::Options { runtime: self.runtime, module: Some(module.clone()), ..rust::Options::default() };
         let mut target = Target::Rust(options);
         let path = self.folder()?.join(format!("{module}.{}", target.about().extension));
@@ -193,7 +195,7 @@ impl Build {
         target.set_header(header(&source, &self.lowering, &target));
 
         let options = Options { lowering: self.lowering, product: Product::Code(target) };
-        let made = report.compile(&self.chart, &chart_name, &options)?;
+        let made = report.compile(&self.chart, &name, &options)?;
         files::write(&path, &made)?;
         print(&report.warnings())?;
         Ok(path)
@@ -240,7 +242,7 @@ impl Report {
                 return Err(Failure::Chart);
             }
         };
-        let (made, said) = pipeline::compile(file, &self.sources.file(file).text, name, options);
+        let (made, said) = compile(file, &self.sources.file(file).text, name, options);
         self.said = said;
         self.said.sort_by_place();
         made.map(|made| made.text).ok_or(Failure::Chart)

@@ -1,17 +1,44 @@
-//! The grafc compiler as a library: the [`pipeline`] through all stages, and [`Build`] for build scripts.
+//! The grafc compiler as a library.
+//!
+//! - [`Build`] compiles a chart in a build script.
+//! - [`compile`] and [`check`] take a text through the stages, once.
+//! - [`Document`] holds a text that changes, with all that is known of it: for editors, and whatever else asks again and
+//!   again.
+//!
+//! The stages themselves are crates of their own; those whose types are met here are re-exported.
 //!
 //! Only [`Build`] and [`files`] read and write files, and print. All else is functions of their arguments alone.
 
 mod build_script;
+mod compile;
+mod document;
 pub mod fault;
 pub mod files;
+mod format;
 mod header;
-pub mod pipeline;
+mod options;
+mod simulate;
 mod sources;
+mod stages;
 
 pub use build_script::{Build, BuildError};
+pub use compile::{check, compile};
+pub use document::{Document, chart_name};
+pub use format::format;
 pub use grafc_backends::rust::Runtime;
-pub use grafc_logic::Encoding;
+pub use grafc_backends::{Output, Target};
+pub use grafc_logic::{Encoding, Options as Lowering};
 pub use grafc_model::reaction::Evolution;
 pub use header::header;
+pub use options::{Options, Product};
+pub use simulate::{Simulation, simulate};
 pub use sources::add;
+/// The examples of the book.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/library.md")]
+struct Book;
+
+pub use {
+    grafc_backends as backends, grafc_diagnostics as diagnostics, grafc_logic as logic, grafc_model as model,
+    grafc_net as net, grafc_syntax as syntax,
+};

@@ -2,7 +2,7 @@
 
 use super::Plant;
 use crate::executors::{ironplc, matiec, strucpp};
-use grafc::pipeline::{self, Product};
+use grafc::Product;
 use grafc_backends::{Target, awl, iec61131_10, il, plcopen, rust, scl, st, tcpou};
 use grafc_diagnostics::{Code, FileId};
 use grafc_logic::{Encoding, Options};
@@ -58,8 +58,8 @@ pub fn targets(plant: &Plant, compilers: &Compilers) -> Result<Written, String> 
     for encoding in Encoding::ALL {
         for product in products() {
             let lowering = Options { profile: Profile::default(), encoding, simplify: true };
-            let options = pipeline::Options { lowering, product };
-            let (made, said) = pipeline::compile(FileId::default(), &plant.text, &plant.name, &options);
+            let options = grafc::Options { lowering, product };
+            let (made, said) = grafc::compile(FileId::default(), &plant.text, &plant.name, &options);
             let Some(made) = made else {
                 if is_drawing(&options.product) && said.iter().any(|message| message.code == Code::E0503) {
                     written.undrawn += 1;

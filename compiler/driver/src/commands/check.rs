@@ -5,7 +5,6 @@ use crate::Exit;
 use crate::place::Place;
 use crate::report::{Failure, Format, Report, to_stderr};
 use clap::Args;
-use grafc::pipeline;
 
 const AFTER_HELP: &str = "\
 Example:
@@ -33,7 +32,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     for place in &args.charts {
         match report.load(place) {
             Ok(Some(file)) => {
-                let (_, said) = pipeline::check(file, &report.sources.file(file).text, &place.chart_name());
+                let (_, said) = grafc::check(file, &report.sources.file(file).text, &place.chart_name());
                 report.diagnostics.append(said);
             }
             Ok(None) => {}

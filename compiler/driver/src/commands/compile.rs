@@ -9,7 +9,7 @@ use crate::report::{Failure, Format, Report};
 use clap::builder::PossibleValuesParser;
 use clap::{ArgGroup, Args, ValueEnum};
 use grafc::header;
-use grafc::pipeline::{self, Options, Product};
+use grafc::{Options, Product};
 use grafc_logic::Encoding;
 use grafc_net::passes;
 
@@ -131,7 +131,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let mut report = Report::default();
     let mut made = None;
     if let Some(file) = report.load(chart)? {
-        let (output, said) = pipeline::compile(file, &report.sources.file(file).text, &chart.chart_name(), &options);
+        let (output, said) = grafc::compile(file, &report.sources.file(file).text, &chart.chart_name(), &options);
         report.diagnostics.append(said);
         made = output;
     }

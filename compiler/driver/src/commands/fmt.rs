@@ -6,7 +6,6 @@ use crate::place::Place;
 use crate::report::{Failure, Format, Report, to_stderr};
 use clap::Args;
 use grafc::files::print;
-use grafc::pipeline;
 
 const AFTER_HELP: &str = "\
 Example:
@@ -46,7 +45,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
 
 fn format(place: &Place, check: bool, report: &mut Report) -> Result<Exit, Failure> {
     let Some(file) = report.load(place)? else { return Ok(Exit::ChartErrors) };
-    let (formatted, said) = pipeline::format(file, &report.sources.file(file).text);
+    let (formatted, said) = grafc::format(file, &report.sources.file(file).text);
     report.diagnostics.append(said);
     let Some(formatted) = formatted else { return Ok(Exit::ChartErrors) };
     let changed = formatted != report.sources.file(file).text;

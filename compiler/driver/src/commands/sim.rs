@@ -7,7 +7,6 @@ use crate::place::Place;
 use crate::report::{Failure, Format, Report};
 use clap::Args;
 use grafc::files::print;
-use grafc::pipeline;
 
 const AFTER_HELP: &str = "\
 Example:
@@ -63,7 +62,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         let against = against.flatten().map(text);
         let profile = args.profile.profile();
         let name = args.chart.chart_name();
-        let (simulation, said) = pipeline::simulate(text(chart), &name, text(trace), against, profile);
+        let (simulation, said) = grafc::simulate(text(chart), &name, text(trace), against, profile);
         report.diagnostics.append(said);
         made = simulation;
     }

@@ -1,0 +1,77 @@
+//! The way from text to code, stage by stage.
+//!
+//! ```text
+//! text ─parse─▶ syntax tree ─check─▶ chart ─flatten─▶ flat net ─analyse─▶ what is proved ─compile─▶ scan program ─emit─▶ code
+//! ```
+//!
+//! Functions of their arguments alone: nothing is read, written or printed. A stage reports all it finds; after a
+//! stage that found an error, no other begins, save that a text with syntax errors is checked as far as it was read.
+//! What lies between two stages can be had as text.
+//!
+//! Here each stage is run once, and what it was made of is dropped as soon as may be. Who asks again and again about a
+//! text that changes takes a [`Document`](crate::Document).
+
+use crate::options::{Options, Product};
+use crate::stages::{Last, check as resolve, flatten, net_after, parse, warn};
+use grafc_backends::{Output, Source};
+use grafc_diagnostics::{Diagnostics, FileId};
+use grafc_logic::{Analysis, scan};
+use grafc_model::chart::Chart;
+use std::sync::Arc;
+
+/// As far as what is asked for. There is a text exactly if no message is an error; and none after a pass that is not run.
+pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) -> (Option<Output>, Diagnostics) {
+    let mut said = Diagnostics::new();
+    let made = make(file, text, default_name, options, &mut said);
+    (made.filter(|_| !said.has_errors()), said)
+}
+
+/// As far as the checked chart. There is one exactly if no message is an error.
+pub fn check(file: FileId, text: &str, default_name: &str) -> (Option<Chart>, Diagnostics) {
+    let mut said = Diagnostics::new();
+    let tree = parse(file, text, &mut said);
+    let chart = resolve(&tree, default_name, &mut said);
+    let net = chart.as_ref().and_then(|chart| flatten(chart, false, &mut said));
+    if let Some(net) = net {
+        warn(&Analysis::new(net), &mut said);
+    }
+    (chart.filter(|_| !said.has_errors()), said)
+}
+
+fn make(file: FileId, text: &str, default_name: &str, options: &Options, said: &mut Diagnostics) -> Option<Output> {
+    let Options { lowering, product } = options;
+
+    let tree = parse(file, text, said);
+    if let Product::Tree = product {
+        return Some(grafc_syntax::dump(&tree).into());
+    }
+    let chart = resolve(&tree, default_name, said)?;
+    drop(tree);
+    let mut net = Arc::new(flatten(&chart, false, said)?);
+    let mut analysis = Analysis::new(net.clone());
+    warn(&analysis, said);
+    if let Product::Chart = product {
+        return Some(grafc_model::dump(&chart).into());
+    }
+    if let Product::NetAfter(pass) = product {
+        return net_after(&chart, lowering.encoding.overlaps(), pass).map(Output::from);
+    }
+    if lowering.encoding.overlaps() {
+        // It was warned of the net that does what the rules say; this one is drawn for the encoding.
+        net = Arc::new(flatten(&chart, true, said)?);
+        analysis = Analysis::new(net.clone());
+    }
+    drop(chart);
+    if let Product::Net = product {
+        return Some(grafc_net::dump(&net).into());
+    }
+    let mut last = Last::new(net, analysis, lowering);
+    let made = match product {
+        Product::Code(target) => target.emit(&mut last),
+        Product::Equations => last.program().map(|program| scan::equations(program).into()),
+        Product::Program => last.program().map(|program| scan::dump(program).into()),
+        Product::Tree | Product::Chart | Product::NetAfter(_) | Product::Net => return None,
+    };
+    said.append(last.said);
+    made.map_err(|found| said.append(found)).ok()
+}

@@ -1,0 +1,31 @@
+//! What is asked of a compile.
+
+use grafc_backends::Target;
+
+/// What is made, and what it is to mean.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// How the chart becomes a program.
+    pub lowering: grafc_logic::Options,
+    /// What comes out.
+    pub product: Product,
+}
+
+/// What comes out: code, or what lies between two stages.
+#[derive(Clone, Debug)]
+pub enum Product {
+    /// Code.
+    Code(Target),
+    /// The syntax tree.
+    Tree,
+    /// The checked chart.
+    Chart,
+    /// The net after the pass of this name.
+    NetAfter(String),
+    /// The flat net.
+    Net,
+    /// The equations of the scan program.
+    Equations,
+    /// The scan program.
+    Program,
+}

@@ -1,0 +1,98 @@
+//! The stages, each as one function: it takes what the stage before gave, and adds what it has to say.
+
+use grafc_backends::Source;
+use grafc_diagnostics::{Diagnostics, FileId};
+use grafc_logic::scan::Program;
+use grafc_logic::sequence::Sequence;
+use grafc_logic::{Analysis, Options};
+use grafc_model::chart::Chart;
+use grafc_net::Net;
+use grafc_net::passes::{self, Pass};
+use grafc_syntax::ast;
+use std::sync::Arc;
+
+/// Text to syntax tree. There is always one: what cannot be read is left out.
+pub fn parse(file: FileId, text: &str, said: &mut Diagnostics) -> ast::Chart {
+    let (tree, found) = grafc_syntax::parse(file, text);
+    said.append(found);
+    tree
+}
+
+/// Syntax tree to chart, if no message is an error.
+pub fn check(tree: &ast::Chart, default_name: &str, said: &mut Diagnostics) -> Option<Chart> {
+    let (chart, found) = grafc_model::check(tree, default_name);
+    said.append(found);
+    // The author shall see all faults at once, in the order of the text.
+    said.sort_by_place();
+    chart.filter(|_| !said.has_errors())
+}
+
+/// Chart to flat net; for encodings in which steps overlap it is another one.
+pub fn flatten(chart: &Chart, overlap: bool, said: &mut Diagnostics) -> Option<Net> {
+    let mut net = grafc_net::build(chart);
+    passes::run(&mut net, overlap, said);
+    Some(net).filter(|_| !said.has_errors())
+}
+
+/// The net after a pass as a text; none if the pass is not run.
+pub fn net_after(chart: &Chart, overlap: bool, pass: &str) -> Option<String> {
+    let mut found = None;
+    let look = |ran: &Pass, net: &Net| found = found.take().or((ran.name == pass).then(|| grafc_net::dump(net)));
+    // What they have to say has been said.
+    passes::run_and_look(&mut grafc_net::build(chart), overlap, &mut Diagnostics::new(), look);
+    found
+}
+
+/// What may not be meant, as far as only proofs can tell.
+pub fn warn(analysis: &Analysis, said: &mut Diagnostics) {
+    said.append(grafc_logic::warn(analysis));
+    said.sort_by_place();
+}
+
+/// The last stages, of which each thing that is made asks for the one that it is made of.
+pub struct Last<'o> {
+    net: Arc<Net>,
+    /// Used up by the program.
+    analysis: Option<Analysis>,
+    options: &'o Options,
+    program: Option<Program>,
+    sequence: Option<Sequence>,
+    /// What the stages that were run had to say.
+    pub said: Diagnostics,
+}
+
+impl<'o> Last<'o> {
+    /// None has been run.
+    pub fn new(net: Arc<Net>, analysis: Analysis, options: &'o Options) -> Self {
+        Last { net, analysis: Some(analysis), options, program: None, sequence: None, said: Diagnostics::new() }
+    }
+}
+
+impl Source for Last<'_> {
+    fn program(&mut self) -> Result<&Program, Diagnostics> {
+        let program = match self.program.take() {
+            Some(program) => program,
+            None => {
+                let analysis = self.analysis.take().unwrap_or_else(|| Analysis::new(self.net.clone()));
+                let (program, found) = grafc_logic::compile(analysis, self.options);
+                if found.has_errors() {
+                    return Err(found);
+                }
+                self.said.append(found);
+                program
+            }
+        };
+        Ok(self.program.insert(program))
+    }
+
+    fn sequence(&mut self) -> Result<&Sequence, Diagnostics> {
+        let sequence = match self.sequence.take() {
+            Some(sequence) => sequence,
+            None => {
+                let analysis = self.analysis.get_or_insert_with(|| Analysis::new(self.net.clone()));
+                grafc_logic::sequence::sequence(analysis, self.options.profile)?
+            }
+        };
+        Ok(self.sequence.insert(sequence))
+    }
+}
