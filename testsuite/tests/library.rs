@@ -4,7 +4,10 @@ use fastrand::Rng;
 use grafc::backends::{plcopen, st};
 use grafc::{Document, Encoding, Lowering, Options, Product, Target, check, compile};
 use grafc_diagnostics::{Diagnostic, Diagnostics, FileId};
+use grafc_testsuite::binary::root;
 use grafc_testsuite::charts::{cases, charts_folder, vectors_folder};
+use std::collections::BTreeSet;
+use std::process::Command;
 
 fn list(said: &Diagnostics) -> Vec<Diagnostic> {
     let mut said = said.clone();
@@ -88,4 +91,21 @@ fn an_edited_document_is_as_one_that_was_never_another() {
         }
     }
     assert!(right > 0 && wrong > 0, "{right} right, {wrong} wrong");
+}
+
+/// What a project with a build script compiles for it, beside itself.
+#[test]
+fn a_build_script_takes_few_crates() {
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cargo.args(["tree", "--locked", "--package", "grafc", "--edges", "normal,build", "--prefix", "none"]);
+    let output = cargo.current_dir(root()).output().expect("cargo can be run");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let tree = String::from_utf8_lossy(&output.stdout);
+    let crates: BTreeSet<&str> = tree.lines().map(|line| line.trim_end_matches(" (*)")).collect();
+    assert!(crates.len() <= 59, "{} crates: {crates:#?}", crates.len());
+    let names: BTreeSet<&str> = crates.iter().filter_map(|one| one.split(' ').next()).collect();
+    assert!(names.contains("grafc-syntax"), "{names:?}");
+    for other in ["clap", "serde_json", "tempfile", "lalrpop", "grafc-import"] {
+        assert!(!names.contains(other), "{other} is for the command line, or for those who change the grammar");
+    }
 }

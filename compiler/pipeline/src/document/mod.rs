@@ -11,8 +11,11 @@
 //! The stages up to `checked` are cheap: they are what an editor asks for at each keystroke. From the analysis on there
 //! are proofs. A document can be shared between threads, so that one can wait for the proofs while another answers.
 
+mod emit;
+#[cfg(test)]
+mod tests;
+
 use crate::stages::flatten;
-use grafc_backends::{Output, Source, Target};
 use grafc_diagnostics::{Diagnostics, Edit, FileId, Misfit, SourceFile, SourceMap, Span, apply};
 use grafc_logic::scan::Program;
 use grafc_logic::sequence::{Sequence, sequence};
@@ -274,43 +277,9 @@ impl Document {
         });
         drawn.as_ref()
     }
-
-    /// What a target makes of the chart under the options.
-    ///
-    /// # Errors
-    /// All messages of a text with errors; or what a later stage or the target itself cannot do.
-    pub fn emit(&self, target: &Target) -> Result<Output, Diagnostics> {
-        target.emit(&mut Stages(self))
-    }
-}
-
-/// The stages as a target asks for them.
-struct Stages<'d>(&'d Document);
-
-impl Source for Stages<'_> {
-    fn program(&mut self) -> Result<&Program, Diagnostics> {
-        let Stages(document) = self;
-        match document.lowered() {
-            Some((program, said)) if !said.has_errors() => Ok(program),
-            Some((_, said)) => Err(said.clone()),
-            None => Err(document.diagnostics().clone()),
-        }
-    }
-
-    fn sequence(&mut self) -> Result<&Sequence, Diagnostics> {
-        let Stages(document) = self;
-        match document.drawn() {
-            Some(Ok(sequence)) => Ok(sequence),
-            Some(Err(said)) => Err(said.clone()),
-            None => Err(document.diagnostics().clone()),
-        }
-    }
 }
 
 /// The name of a chart that does not give itself one: that of its file.
 pub fn chart_name(file: &Path) -> String {
     file.file_stem().map_or("chart".to_string(), |stem| stem.to_string_lossy().into_owned())
 }
-
-#[cfg(test)]
-mod tests;

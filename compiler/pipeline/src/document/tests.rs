@@ -1,5 +1,5 @@
 use super::*;
-use grafc_backends::{plcopen, st};
+use grafc_backends::{Target, plcopen, st};
 use grafc_diagnostics::{Code, Place, Unit, render};
 use grafc_logic::Encoding;
 use grafc_model::symbols::{Entity, Mention};
