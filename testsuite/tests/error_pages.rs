@@ -1,7 +1,7 @@
 //! Each page in `docs/errors` against the compiler: its wrong example gives its code and nothing else, its right
 //! example gives nothing.
 
-use grafc_diagnostics::{Code, Diagnostics, FileId, Severity};
+use grafc_diagnostics::{Code, Diagnostics, FileId, Severity, apply};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::Profile;
 use grafc_testsuite::binary::{grafc, root};
@@ -151,6 +151,33 @@ fn wrong_examples_give_their_code_alone() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// A fix of a chart leaves no error but those that there were besides.
+#[test]
+fn fixes_of_wrong_examples_cure_them() {
+    let mut tried = BTreeSet::new();
+    for code in Code::ALL {
+        let wrong = examples(*code, "Wrong");
+        let Some(chart) = only(&wrong, "gct") else { continue };
+        let said = grafc::check(FileId(0), &chart.text, "example").1;
+        for diagnostic in &said {
+            let errors = |said: &Diagnostics| said.iter().filter(|d| d.code.severity() == Severity::Error).count();
+            let is_error = usize::from(diagnostic.code.severity() == Severity::Error);
+            for fix in &diagnostic.fixes {
+                let fixed = apply(FileId(0), &chart.text, &fix.edits).unwrap_or_else(|e| panic!("{code:?}: {e}"));
+                let now = grafc::check(FileId(0), &fixed, "example").1;
+                assert!(errors(&now) <= errors(&said) - is_error, "{code:?}: {fix:?} gives {now:#?}\n{fixed}");
+                let is_left = now.iter().any(|d| d.code == *code && d.message == diagnostic.message);
+                assert!(!is_left, "{code:?}: {fix:?} does not help\n{fixed}");
+                tried.insert(*code);
+            }
+        }
+    }
+    // The pages whose help is a change of the text.
+    use Code::*;
+    let pages = [E0101, E0108, E0201, E0211, E0306, E0310, E0312, E0316, E0318, E0319, E0320, E0321];
+    assert_eq!(tried, BTreeSet::from(pages));
 }
 
 #[test]

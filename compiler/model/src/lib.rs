@@ -8,6 +8,7 @@ pub mod chart;
 mod check;
 mod checks;
 pub mod dump;
+mod fixes;
 pub mod reaction;
 mod resolve;
 pub mod simulate;

@@ -1,7 +1,7 @@
 //! Cures for slips that other languages suggest.
 
 use crate::expected::contains;
-use crate::token::{Lexeme, Token};
+use crate::token::{Lexeme, Token, begins_item};
 use grafc_diagnostics::{FileId, Fix, Span};
 
 /// Where an item could not be read on.
@@ -155,10 +155,7 @@ fn in_brackets(slip: &Slip) -> Option<Fix> {
     let right = slip.lexemes.get(slip.at + 1).filter(|right| operand(right))?;
     let before = slip.at.checked_sub(2).and_then(|at| slip.lexemes.get(at))?;
     let stands_alone = around(before.token)
-        && slip
-            .lexemes
-            .get(slip.at + 2)
-            .is_none_or(|after| around(after.token) || crate::items::begins_item(after.token));
+        && slip.lexemes.get(slip.at + 2).is_none_or(|after| around(after.token) || begins_item(after.token));
     let fix = Fix::maybe("put the comparison in brackets").replace(slip.span(*left).before(), "[");
     stands_alone.then(|| fix.replace(slip.span(*right).behind(), "]"))
 }

@@ -9,9 +9,8 @@
 //! condition.
 
 use crate::ast::{Chart, Item};
-use crate::items::{begins_item, is_prefix};
 use crate::lexer;
-use crate::token::{Lexeme, Token};
+use crate::token::{Lexeme, Token, begins_item, is_prefix};
 use std::collections::HashSet;
 
 /// The actions of a step stand on its line up to this width.

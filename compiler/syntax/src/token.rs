@@ -205,6 +205,23 @@ impl Token {
     }
 }
 
+/// Whether an item begins with this word; it stands nowhere else, except for `step` behind a prefix.
+pub(crate) fn begins_item(token: Token) -> bool {
+    is_prefix(token) || may_stand_in_block(token) || is_top_level(token)
+}
+
+pub(crate) fn is_prefix(token: Token) -> bool {
+    matches!(token, Token::Initial | Token::Activated | Token::Enclosing | Token::Macro)
+}
+
+pub(crate) fn may_stand_in_block(token: Token) -> bool {
+    is_prefix(token) || matches!(token, Token::Step | Token::Transition | Token::Expansion)
+}
+
+fn is_top_level(token: Token) -> bool {
+    matches!(token, Token::Chart | Token::Input | Token::Output | Token::Var | Token::Const | Token::Grafcet)
+}
+
 /// Moves behind the `*)` that closes the comment, or to the end of the text. Comments nest.
 fn block_comment(lexer: &mut logos::Lexer<'_, Token>) {
     let bytes = lexer.remainder().as_bytes();

@@ -6,12 +6,14 @@
 //! Wrong: `grafcet G1 { activated step 1 }`
 //! Right: `grafcet G1 { initial step 1 }`, or `grafcet X9/G1 { activated step 1 }`
 
+use crate::chart::Node;
 use crate::resolve::Resolved;
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
+use grafc_syntax::ast::StepMark;
 
 /// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
-    for step in resolved.chart.steps.iter().filter(|step| step.activated) {
+    for (id, step) in resolved.chart.steps.iter_enumerated().filter(|(_, step)| step.activated) {
         let grafcet = &resolved.parts.grafcets[step.grafcet];
         let is_enclosed = grafcet.ast.is_some_and(|grafcet| !grafcet.path.is_empty());
         if !is_enclosed && !resolved.parts.is_stray(step.grafcet) {
@@ -20,10 +22,21 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
             let diagnostic = Diagnostic::new(Code::E0319, step.span, message).note(
                 "IEC 60848, table 10, symbol 41: a step with an activation link becomes active with the enclosing step",
             );
-            diagnostics.push(match step.initial {
+            let written = resolved.parts.step(Node::Step(id)).ast;
+            let fix = match step.initial {
+                true => Fix::certain("leave out `activated`"),
+                false => Fix::maybe("write `initial`"),
+            };
+            let fix = written.word(StepMark::Activated).map(|word| match step.initial {
+                true => fix.delete(word),
+                false => fix.replace(word, "initial"),
+            });
+            let mut diagnostic = match step.initial {
                 true => diagnostic.help("leave out `activated`"),
                 false => diagnostic.help("a step that is active at the start is `initial`"),
-            });
+            };
+            diagnostic.fixes.extend(fix);
+            diagnostics.push(diagnostic);
         }
     }
 }

@@ -6,6 +6,7 @@
 //! Wrong: `grafcet G1 { initial step 1 transition 1 -> 2 : a }  grafcet G2 { step 2 }`
 //! Right: `grafcet G1 { initial step 1 step 2 transition 1 -> 2 : a }`
 
+use crate::fixes::name_instead;
 use crate::resolve::Resolved;
 use crate::resolve::parts::Frame;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
@@ -34,7 +35,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         diagnostics.push(match gate(resolved, part.frame, there) {
             Some(macro_step) => diagnostic
                 .note("an expansion is entered by its entry step and left by its exit step, through the macro-step")
-                .help(format!("name the macro-step `{macro_step}` instead")),
+                .help(format!("name the macro-step `{macro_step}` instead"))
+                .fix(name_instead(name.span, macro_step)),
             None => diagnostic.note(
                 "IEC 60848, 7: grafcets act on each other by conditions, by forcing and by enclosing, not by arcs",
             ),

@@ -6,16 +6,22 @@
 //! Right: `input a : bool  initial step 1`
 
 use crate::resolve::Resolved;
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
 
 /// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     if resolved.parts.steps.is_empty() {
         let span = resolved.parts.grafcets.first().map(|grafcet| grafcet.span).unwrap_or_default();
-        diagnostics.push(
-            Diagnostic::new(Code::E0321, span, "the chart has no steps")
-                .help("begin with `initial step 1`, the step that is active at the start"),
-        );
+        let diagnostic = Diagnostic::new(Code::E0321, span, "the chart has no steps")
+            .help("begin with `initial step 1`, the step that is active at the start");
+        // Where there are blocks, the author has to say in which of them it belongs.
+        let is_implied = resolved.parts.grafcets.iter().all(|grafcet| grafcet.ast.is_none());
+        diagnostics.push(match is_implied && resolved.parts.transitions.is_empty() {
+            true => {
+                diagnostic.fix(Fix::maybe("add `initial step 1`").replace(resolved.parts.end, "\ninitial step 1\n"))
+            }
+            false => diagnostic,
+        });
     }
 }
 

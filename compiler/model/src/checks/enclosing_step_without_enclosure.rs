@@ -5,9 +5,11 @@
 //! Wrong: `enclosing step 9` alone
 //! Right: `enclosing step 9` and `grafcet X9/G4 { … }`
 
-use crate::chart::StepId;
+use crate::chart::{Node, StepId};
+use crate::fixes::without_mark;
 use crate::resolve::Resolved;
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
+use grafc_syntax::ast::StepMark;
 use index_vec::{IndexVec, index_vec};
 
 /// Applies the rule.
@@ -24,10 +26,12 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     }
     for (id, step) in chart.steps.iter_enumerated() {
         if step.enclosing && !encloses[id] && !resolved.scope.is_ambiguous(&step.label) {
+            let fix = Fix::maybe(format!("declare it as `step {}`", step.label));
             diagnostics.push(
                 Diagnostic::new(Code::E0320, step.span, format!("no grafcet is enclosed by step `{}`", step.label))
                     .note("IEC 60848, table 10, symbol 4: an enclosing step has at least one enclosure")
-                    .help(format!("add `grafcet X{}/… {{ … }}`, or declare it as `step {}`", step.label, step.label)),
+                    .help(format!("add `grafcet X{}/… {{ … }}`, or declare it as `step {}`", step.label, step.label))
+                    .fix(without_mark(fix, resolved.parts.step(Node::Step(id)).ast, StepMark::Enclosing)),
             );
         }
     }

@@ -8,7 +8,7 @@
 
 use crate::resolve::Resolved;
 use crate::resolve::scope::Label;
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix, Span};
 
 /// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
@@ -21,7 +21,11 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                 Diagnostic::new(Code::E0311, other.span, format!("`{name}` is enclosed by more than one step"))
                     .also(enclosing.span, "the step that encloses it directly")
                     .note("labels are unique over the chart, so steps further up need not be named")
-                    .help(format!("write `{}/{name}`", enclosing.text)),
+                    .help(format!("write `{}/{name}`", enclosing.text))
+                    .fix(
+                        Fix::certain(format!("write `{}/{name}`", enclosing.text))
+                            .delete(Span { end: enclosing.span.start, ..grafcet.path[0].span }),
+                    ),
             );
         }
         // A second block of the same name, with another path; with the same it is E0202.

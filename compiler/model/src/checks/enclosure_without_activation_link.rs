@@ -7,6 +7,8 @@
 //! Wrong: `enclosing step 2`, `grafcet X2/G2 { step 20 }`
 //! Right: `enclosing step 2`, `grafcet X2/G2 { activated step 20 }`
 
+use crate::chart::Node;
+use crate::fixes::mark;
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 
@@ -20,12 +22,13 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                 "no step of `{}` is activated with step `{}`, which encloses it",
                 grafcet.name, enclosing.label
             );
-            diagnostics.push(
-                Diagnostic::new(Code::E0310, grafcet.span, message)
-                    .also(enclosing.span, "the enclosing step is here")
-                    .note("IEC 60848, table 10, symbol 41: activation links say which enclosed steps become active with it")
-                    .help("mark the steps that begin the enclosure as `activated`"),
-            );
+            let first = grafcet.steps.first().map(|&id| resolved.parts.step(Node::Step(id)).ast);
+            let mut diagnostic = Diagnostic::new(Code::E0310, grafcet.span, message)
+                .also(enclosing.span, "the enclosing step is here")
+                .note("IEC 60848, table 10, symbol 41: activation links say which enclosed steps become active with it")
+                .help("mark the steps that begin the enclosure as `activated`");
+            diagnostic.fixes.extend(first.map(|step| mark(step, "activated")));
+            diagnostics.push(diagnostic);
         }
     }
 }

@@ -7,6 +7,7 @@
 //! Right: `force G2{E3}`
 
 use crate::chart::Node;
+use crate::fixes::name_instead;
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use grafc_syntax::ast;
@@ -25,7 +26,13 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                 .also(resolved.chart.macro_steps[id].span, "the macro-step is here")
                 .note("IEC 60848, symbol 42: a macro-step is active while a step of its expansion is");
                 diagnostics.push(match name.text.strip_prefix('M') {
-                    Some(rest) => diagnostic.help(format!("name a step of its expansion, such as `E{rest}`")),
+                    Some(rest) => {
+                        let diagnostic = diagnostic.help(format!("name a step of its expansion, such as `E{rest}`"));
+                        match resolved.chart.macro_steps[id].entry {
+                            Some(entry) => diagnostic.fix(name_instead(name.span, &resolved.chart.steps[entry].label)),
+                            None => diagnostic,
+                        }
+                    }
                     None => diagnostic,
                 });
             }

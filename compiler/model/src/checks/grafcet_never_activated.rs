@@ -6,7 +6,8 @@
 //! Wrong: `grafcet G2 { step 20 step 21 transition 20 -> 21 : a }`
 //! Right: `grafcet G2 { initial step 20 step 21 transition 20 -> 21 : a }`
 
-use crate::chart::GrafcetId;
+use crate::chart::{GrafcetId, Node};
+use crate::fixes::mark;
 use crate::resolve::Resolved;
 use crate::resolve::scope::Label;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
@@ -40,11 +41,13 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         let is_sure = !resolved.parts.is_stray(id) && !resolved.scope.is_ambiguous(&grafcet.name);
         if !activated[id] && !is_enclosed && is_sure {
             let what = if grafcet.steps.is_empty() { "has no steps" } else { "can never have an active step" };
-            diagnostics.push(
+            let first = grafcet.steps.first().map(|&id| resolved.parts.step(Node::Step(id)).ast);
+            let mut diagnostic =
                 Diagnostic::new(Code::E0312, grafcet.span, format!("the grafcet `{}` {what}", grafcet.name))
                     .note("it has no initial step, no source transition, and is not forced to a situation with steps")
-                    .help("mark the steps that are active at the start as `initial`"),
-            );
+                    .help("mark the steps that are active at the start as `initial`");
+            diagnostic.fixes.extend(first.map(|step| mark(step, "initial")));
+            diagnostics.push(diagnostic);
         }
     }
 }

@@ -7,10 +7,13 @@
 //! Right: `macro step M3  expansion M3 { step E3 step S3 transition E3 -> S3 : a }`
 
 use crate::chart::{MacroId, Node};
+use crate::fixes::{mark, without_mark};
 use crate::resolve::Resolved;
 use crate::resolve::parts::{ExpansionId, ExpansionPart, Frame};
 use crate::resolve::scope::{Label, kind};
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix, Span};
+use grafc_syntax::ast::{self, StepMark};
+use grafc_syntax::dump::plain_or_quoted;
 use index_vec::{IndexVec, index_vec};
 
 const ONE_OF_EACH: &str =
@@ -51,21 +54,31 @@ fn check_macro_step(resolved: &Resolved, id: MacroId, is_expanded: bool, diagnos
         return;
     };
     if !is_expanded && !resolved.scope.is_ambiguous(&label.text) {
-        diagnostics.push(
+        let diagnostic =
             Diagnostic::new(Code::E0306, label.span, format!("the macro-step `{}` has no expansion", label.text))
-                .help(format!("add `expansion {} {{ step E{rest} … step S{rest} }}`", label.text)),
-        );
+                .help(format!("add `expansion {} {{ step E{rest} … step S{rest} }}`", label.text));
+        let (entry, exit) = (format!("E{rest}"), format!("S{rest}"));
+        let is_free = [&entry, &exit].into_iter().all(|label| resolved.scope.label(label).is_none());
+        diagnostics.push(if is_free { diagnostic.fix(expansion(written, &entry, &exit)) } else { diagnostic });
     }
-    for (marked, word) in [(written.is_initial(), "initial"), (written.is_activated(), "activated")] {
-        if marked {
+    for (meaning, word) in [(StepMark::Initial, "initial"), (StepMark::Activated, "activated")] {
+        if written.word(meaning).is_some() {
             let message = format!("the macro-step `{}` cannot be `{word}`", label.text);
-            diagnostics.push(
-                Diagnostic::new(Code::E0306, label.span, message)
-                    .note("IEC 60848, table 10, symbol 42: a macro-step is active while a step of its expansion is")
-                    .help(format!("mark a step of its expansion as `{word}`")),
-            );
+            let mut diagnostic = Diagnostic::new(Code::E0306, label.span, message)
+                .note("IEC 60848, table 10, symbol 42: a macro-step is active while a step of its expansion is")
+                .help(format!("mark a step of its expansion as `{word}`"));
+            let entry = resolved.chart.macro_steps[id].entry.map(|entry| resolved.parts.step(Node::Step(entry)).ast);
+            diagnostic.fixes.extend(entry.map(|entry| without_mark(mark(entry, word), written, meaning)));
+            diagnostics.push(diagnostic);
         }
     }
+}
+
+/// An empty expansion behind its macro-step.
+fn expansion(macro_step: &ast::Step, entry: &str, exit: &str) -> Fix {
+    let [name, entry, exit] = [&macro_step.label.text, entry, exit].map(plain_or_quoted);
+    let block = format!("\nexpansion {name} {{ step {entry} step {exit} transition {entry} -> {exit} : 1 }}\n");
+    Fix::maybe("add an expansion").replace(macro_step.span.behind(), block)
 }
 
 /// The label without its `M`, if something is left of it.

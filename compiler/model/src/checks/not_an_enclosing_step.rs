@@ -7,6 +7,7 @@
 //! Right: `enclosing step 9`, `grafcet X9/G4 { … }`
 
 use crate::chart::Node;
+use crate::fixes::mark;
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 
@@ -25,7 +26,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                 diagnostic
                     .also(chart.steps[id].span, "declared here")
                     .note("IEC 60848, table 10, symbol 4: an enclosing step has a symbol of its own")
-                    .help(format!("declare it as `enclosing step {label}`")),
+                    .help(format!("declare it as `enclosing step {label}`"))
+                    .fix(mark(resolved.parts.step(Node::Step(id)).ast, "enclosing")),
             ),
             Some(Node::Macro(id)) => diagnostics.push(
                 diagnostic

@@ -1,6 +1,6 @@
 //! What the tests of the rules share.
 
-use grafc_diagnostics::{FileId, Severity};
+use grafc_diagnostics::{Diagnostics, FileId, Severity, apply};
 
 /// The codes of all messages on a chart.
 pub fn codes(text: &str) -> Vec<&'static str> {
@@ -12,7 +12,27 @@ pub fn codes(text: &str) -> Vec<&'static str> {
         !diagnostics.has_errors(),
         "a chart comes out if and only if nothing is wrong: {diagnostics:#?}"
     );
+    try_fixes(text, &diagnostics);
     diagnostics.iter().map(|diagnostic| diagnostic.code.as_str()).collect()
+}
+
+/// Each fix takes away its fault, and brings no other error.
+fn try_fixes(text: &str, found: &Diagnostics) {
+    for diagnostic in found {
+        for fix in &diagnostic.fixes {
+            let fixed = apply(FileId(0), text, &fix.edits).unwrap_or_else(|misfit| panic!("{misfit}: {fix:?}\n{text}"));
+            let mut left: Vec<&str> = found.iter().map(|other| other.message.as_str()).collect();
+            left.remove(left.iter().position(|message| *message == diagnostic.message).expect("it is among them"));
+            let (tree, mut now) = grafc_syntax::parse(FileId(0), &fixed);
+            now.append(crate::check(&tree, "test").1);
+            for new in now.iter().filter(|new| new.code.severity() == Severity::Error) {
+                match left.iter().position(|message| *message == new.message) {
+                    Some(place) => _ = left.remove(place),
+                    None => panic!("{fix:?} brings {:?}\n{text}\n{fixed}", new.message),
+                }
+            }
+        }
+    }
 }
 
 /// The chart breaks this rule once, and no other.
@@ -41,6 +61,7 @@ pub fn passes_with(warnings: &[&str], text: &str) {
 pub fn help(text: &str) -> Option<String> {
     let (tree, _) = grafc_syntax::parse(FileId(0), text);
     let (_, diagnostics) = crate::check(&tree, "test");
+    try_fixes(text, &diagnostics);
     let helps: Vec<String> = diagnostics.iter().filter_map(|diagnostic| diagnostic.help.clone()).collect();
     assert!(helps.len() <= 1, "{helps:?}");
     helps.into_iter().next()

@@ -101,7 +101,8 @@ impl Interpretation<'_, '_> {
                         self.chart.orders.push(Order { step, grafcet: id, situation, span: action.span });
                     }
                     Some(Label::Step(_) | Label::Macro(_)) | None => {
-                        self.fault(self.scope.unknown_grafcet(&grafcet.text, grafcet.span));
+                        let own = self.chart.steps.get(step).map(|step| step.grafcet);
+                        self.fault(self.scope.unknown_grafcet(&grafcet.text, grafcet.span, own));
                     }
                 }
             }

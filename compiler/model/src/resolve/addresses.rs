@@ -7,7 +7,7 @@
 use super::parts::Parts;
 use super::types;
 use crate::chart::{Type, Variable, VariableId, VariableKind};
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix, Span};
 use grafc_syntax::ast;
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
@@ -139,15 +139,27 @@ fn misfit(address: &Address, declaration: &ast::Declaration, span: Span) -> Opti
     if address.size != size {
         let ty = types::name(declaration.ty);
         let message = format!("a variable of type `{ty}` cannot be at `%{}{}`", address.area, address.size);
+        let written = resized(address, size);
         return Some(
-            Diagnostic::new(Code::E0212, span, message).also(declaration.ty_span, "the type is here").help(format!(
-                "`{ty}` takes the size `{size}`, as in `%{}{size}{}`",
-                address.area,
-                example(size)
-            )),
+            Diagnostic::new(Code::E0212, span, message)
+                .also(declaration.ty_span, "the type is here")
+                .help(format!("`{ty}` takes the size `{size}`, as in `%{}{size}{}`", address.area, example(size)))
+                .fix(Fix::maybe(format!("write `{written}`")).replace(span, written)),
         );
     }
     None
+}
+
+/// The address with another size: a bit has its place in a byte, and nothing else has.
+fn resized(address: &Address, size: char) -> String {
+    let mut numbers = address.numbers.clone();
+    match (address.size, size) {
+        (_, 'X') => numbers.push(0),
+        ('X', _) if numbers.len() > 1 => _ = numbers.pop(),
+        _ => {}
+    }
+    let numbers: Vec<String> = numbers.iter().map(u32::to_string).collect();
+    format!("%{}{size}{}", address.area, numbers.join("."))
 }
 
 fn example(size: char) -> &'static str {

@@ -9,9 +9,9 @@ use super::fold::fold;
 use super::parts::Parts;
 use super::scope::{Reference, Scope};
 use super::types;
-use crate::chart::{Mode, Value, Variable, VariableId, VariableKind};
+use crate::chart::{Mode, Type, Value, Variable, VariableId, VariableKind};
 use crate::symbols::Symbols;
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
 use grafc_syntax::ast;
 use index_vec::IndexVec;
 use rustc_hash::FxHashSet;
@@ -188,7 +188,15 @@ impl Evaluation<'_, '_> {
                 let variable = &self.variables[id];
                 let message = format!("the constant `{}` has no value", variable.name);
                 let diagnostic = Diagnostic::new(Code::E0211, variable.span, message);
-                self.diagnostics.push(diagnostic.help("give it one: `:= value` after the type"));
+                let zero = match declaration.ty {
+                    Type::Bool => "false",
+                    Type::Int | Type::Dint | Type::Uint | Type::Udint => "0",
+                    Type::Real | Type::Lreal => "0.0",
+                    Type::Time => "0s",
+                };
+                let fix = Fix::maybe(format!("give it the value `{zero}`"))
+                    .replace(declaration.ty_span.behind(), format!(" := {zero}"));
+                self.diagnostics.push(diagnostic.help("give it one: `:= value` after the type").fix(fix));
             }
             return;
         };

@@ -45,6 +45,8 @@ pub struct Parts<'a> {
     pub stray: Option<GrafcetId>,
     /// The bare steps and transitions in `stray`.
     pub bare: Vec<Span>,
+    /// The end of the text.
+    pub end: Span,
 }
 
 /// A partial grafcet.
@@ -105,6 +107,7 @@ impl<'a> Parts<'a> {
             holders: Vec::new(),
             stray: None,
             bare: Vec::new(),
+            end: chart.span.behind(),
         };
         let has_blocks = chart.items.iter().any(|item| matches!(item, ast::Item::Grafcet(_)));
         let top = (!has_blocks).then(|| Frame::Grafcet(parts.grafcets.push(GrafcetPart { ast: None, span: start })));

@@ -6,6 +6,7 @@
 use super::parts::Parts;
 use super::suggest::Suggestions;
 use crate::chart::{GrafcetId, MacroId, Node, StepId, VariableId};
+use crate::fixes::name_instead;
 use crate::symbols::{Entity, Form};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use grafc_syntax::ast;
@@ -199,10 +200,12 @@ impl<'a> Scope<'a> {
         }
         if let Some(label) = self.label(text) {
             let what = kind(label);
-            return diagnostic.help(format!("the activity of the {what} `{text}` is written `X{text}`"));
+            return diagnostic
+                .help(format!("the activity of the {what} `{text}` is written `X{text}`"))
+                .fix(name_instead(span, &format!("X{text}")));
         }
         if let Some(near) = self.suggestions.nearest(text, self.variable_names.iter().copied()) {
-            return diagnostic.help(format!("did you mean `{near}`?"));
+            return diagnostic.help(format!("did you mean `{near}`?")).fix(name_instead(span, near));
         }
         let implicit = ['X', 'T'].into_iter().find_map(|prefix| Some((prefix, text.strip_prefix(prefix)?)));
         let Some((prefix, rest)) = implicit else {
@@ -210,7 +213,10 @@ impl<'a> Scope<'a> {
         };
         let candidates = self.label_names.iter().filter(|(_, label)| prefix == 'X' || matches!(label, Label::Step(_)));
         match self.suggestions.nearest(rest, candidates.map(|&(name, _)| name)) {
-            Some(near) => diagnostic.help(format!("did you mean `{prefix}{near}`?")),
+            Some(near) => {
+                let near = format!("{prefix}{near}");
+                diagnostic.help(format!("did you mean `{near}`?")).fix(name_instead(span, &near))
+            }
             None => diagnostic.note(format!("no variable is declared by this name, and no step is labelled `{rest}`")),
         }
     }
@@ -224,14 +230,14 @@ impl<'a> Scope<'a> {
         if let Some(rest) = text.strip_prefix('X')
             && self.node(rest).is_some()
         {
-            return diagnostic.help(format!("a step is named by its label: `{rest}`"));
+            return diagnostic.help(format!("a step is named by its label: `{rest}`")).fix(name_instead(span, rest));
         }
         let candidates = self.label_names.iter().filter(|(_, label)| !matches!(label, Label::Grafcet(_)));
         self.with_suggestion(diagnostic, text, candidates)
     }
 
-    /// The error on a name that is none of a grafcet.
-    pub fn unknown_grafcet(&self, text: &str, span: Span) -> Diagnostic {
+    /// The error on a name that is none of a grafcet, where a step of the grafcet `own` forces it.
+    pub fn unknown_grafcet(&self, text: &str, span: Span, own: Option<GrafcetId>) -> Diagnostic {
         let diagnostic = Diagnostic::new(Code::E0302, span, format!("there is no grafcet `{text}`"));
         match self.label(text) {
             Some(label @ (Label::Step(_) | Label::Macro(_))) => {
@@ -239,7 +245,8 @@ impl<'a> Scope<'a> {
             }
             Some(Label::Grafcet(_)) | None => {}
         }
-        let candidates = self.label_names.iter().filter(|(_, label)| matches!(label, Label::Grafcet(_)));
+        let is_meant = |label: &Label| matches!(label, Label::Grafcet(id) if Some(*id) != own);
+        let candidates = self.label_names.iter().filter(|(_, label)| is_meant(label));
         self.with_suggestion(diagnostic, text, candidates)
     }
 
@@ -253,7 +260,10 @@ impl<'a> Scope<'a> {
         'a: 'n,
     {
         match self.suggestions.nearest(text, candidates.map(|&(name, _)| name)) {
-            Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
+            Some(near) => {
+                let fix = name_instead(diagnostic.primary.span, near);
+                diagnostic.help(format!("did you mean `{near}`?")).fix(fix)
+            }
             None => diagnostic,
         }
     }
@@ -369,7 +379,13 @@ mod tests {
         assert_eq!(near("initial step Filling transition Filling -> Filling : XFiling"), "did you mean `XFilling`?");
         assert_eq!(near("initial step Filling transition Filling -> Filing : 1"), "did you mean `Filling`?");
         assert_eq!(near("initial step 1 { force Mian{} }"), "");
-        assert_eq!(near("grafcet Main { initial step 1 { force Mian{} } }"), "did you mean `Main`?");
+        assert_eq!(
+            near("grafcet Main { initial step 1 { force Mian{} } }"),
+            "",
+            "a step does not force its own grafcet"
+        );
+        let forced = "grafcet Main { initial step 1 } grafcet G2 { initial step 2 { force Mian{} } }";
+        assert_eq!(near(forced), "did you mean `Main`?");
         assert_eq!(
             near("initial step Fill transition Fill -> Fill : Fill"),
             "the activity of the step `Fill` is written `XFill`"

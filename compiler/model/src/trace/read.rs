@@ -3,7 +3,7 @@
 use super::TIME;
 use crate::chart::{Chart, Type, Value, Variable, VariableKind};
 use crate::reaction::Stimulus;
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Fix, Span};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -198,7 +198,9 @@ fn unknown_column(name: &str, span: Span, chart: &Chart) -> Diagnostic {
         let diagnostic = Diagnostic::new(Code::E0602, span, format!("the chart has no input `{name}`"));
         let like = |v: &&Variable| v.kind == VariableKind::Input && v.name.to_lowercase() == name.to_lowercase();
         return match chart.variables.iter().find(like) {
-            Some(input) => diagnostic.help(format!("write `{}`", input.name)),
+            Some(input) => diagnostic
+                .help(format!("write `{}`", input.name))
+                .fix(Fix::certain(format!("write `{}`", input.name)).replace(span, input.name.as_str())),
             None => diagnostic,
         };
     };

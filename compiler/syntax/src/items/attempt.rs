@@ -1,9 +1,9 @@
 //! Runs the grammar over tokens: over one item, or over all that follow each other.
 
-use super::cut::{Cutter, Run, begins_item, may_stand_in_block};
+use super::cut::{Cutter, Run};
 use crate::builder::{Builder, Parsed};
 use crate::grammar::ItemsParser;
-use crate::token::{Lexeme, Token};
+use crate::token::{Lexeme, Token, begins_item, may_stand_in_block};
 use lalrpop_util::ParseError;
 use std::convert::Infallible;
 

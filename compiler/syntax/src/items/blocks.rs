@@ -1,10 +1,10 @@
 //! Blocks: grafcets and expansions, their braces, and what does not belong into them.
 
-use super::cut::{Run, is_prefix};
+use super::cut::Run;
 use super::reader::{Block, Frame, Reader};
 use crate::ast::Item;
 use crate::builder::Parsed;
-use crate::token::Token;
+use crate::token::{Token, is_prefix};
 use grafc_diagnostics::{Code, Diagnostic};
 
 /// Expansions within expansions beyond this depth are reported. Nobody draws so many, and a tree of bounded depth can be

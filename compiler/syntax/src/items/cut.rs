@@ -3,7 +3,7 @@
 //! An item begins with a reserved word and ends before the next one, with its own closing brace or before that of its
 //! block.
 
-use crate::token::{Lexeme, Token};
+use crate::token::{Lexeme, Token, begins_item, is_prefix};
 
 /// The tokens of one item.
 pub(super) struct Run {
@@ -94,21 +94,4 @@ impl Cutter<'_> {
             Some(at) => (before[at] == b'\n').then_some(blanks),
         }
     }
-}
-
-/// Whether an item begins with this word; it stands nowhere else, except for `step` behind a prefix.
-pub(crate) fn begins_item(token: Token) -> bool {
-    is_prefix(token) || may_stand_in_block(token) || is_top_level(token)
-}
-
-pub(crate) fn is_prefix(token: Token) -> bool {
-    matches!(token, Token::Initial | Token::Activated | Token::Enclosing | Token::Macro)
-}
-
-pub(super) fn may_stand_in_block(token: Token) -> bool {
-    is_prefix(token) || matches!(token, Token::Step | Token::Transition | Token::Expansion)
-}
-
-fn is_top_level(token: Token) -> bool {
-    matches!(token, Token::Chart | Token::Input | Token::Output | Token::Var | Token::Const | Token::Grafcet)
 }

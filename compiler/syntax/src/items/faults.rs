@@ -3,12 +3,12 @@
 //! One mistake, one message: nothing is said where the lexer has said something already.
 
 use super::attempt::Stop;
-use super::cut::{Run, begins_item};
+use super::cut::Run;
 use super::reader::Reader;
 use crate::cure::{self, Slip};
 use crate::expected;
 use crate::shown::shorten;
-use crate::token::Token;
+use crate::token::{Token, begins_item};
 use grafc_diagnostics::{Code, Diagnostic, Fix};
 
 impl Reader<'_> {

@@ -12,15 +12,13 @@ mod faults;
 mod reader;
 mod salvage;
 
-pub(crate) use cut::{begins_item, is_prefix};
-
 use self::attempt::{Stop, attempt, attempt_all, is_plain};
-use self::cut::{Cutter, Run, may_stand_in_block};
+use self::cut::{Cutter, Run};
 use self::reader::Reader;
 use crate::ast;
 use crate::builder::Parsed;
 use crate::lexer;
-use crate::token::Token;
+use crate::token::{Token, begins_item, may_stand_in_block};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
 
 /// Reads a whole text. It always gives a tree: what could not be read is left out and has been reported.

@@ -4,6 +4,7 @@
 
 use super::Work;
 use crate::chart::{DelayTime, Type, Value, VariableId, VariableKind};
+use crate::fixes::name_instead;
 use crate::resolve::scope::{Label, Reference};
 use grafc_diagnostics::{Code, Diagnostic, Span};
 use grafc_syntax::ast;
@@ -161,6 +162,7 @@ impl Work<'_, '_, '_> {
             )
             .note("a step is active only while the steps that enclose it are")
             .help(format!("write `{meant}`"))
+            .fix(name_instead(span, &meant))
         })
     }
 }

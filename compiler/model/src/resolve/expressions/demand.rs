@@ -2,6 +2,7 @@
 
 use super::{Detail, Kind, Need, Work};
 use crate::chart::Type;
+use crate::fixes::{name_instead, with_unit};
 use crate::resolve::scope::Reference;
 use crate::resolve::types;
 use grafc_diagnostics::{Code, Diagnostic};
@@ -134,7 +135,10 @@ impl Work<'_, '_, '_> {
                     self.report(
                         node,
                         match to {
-                            Type::Time => diagnostic.help("a time has a unit, as in `3s` or `500ms`"),
+                            Type::Time => {
+                                let diagnostic = diagnostic.help("a time has a unit, as in `3s` or `500ms`");
+                                self.with_unit(diagnostic, node)
+                            }
                             Type::Bool => diagnostic.note("of the numbers only `0` and `1` are Boolean constants"),
                             Type::Int | Type::Dint | Type::Uint | Type::Udint => {
                                 diagnostic.note("a fraction has no place in a whole number")
@@ -201,14 +205,34 @@ impl Work<'_, '_, '_> {
         }
     }
 
+    /// Offers a unit for a node that is a plain number.
+    pub(super) fn with_unit(&self, diagnostic: Diagnostic, node: usize) -> Diagnostic {
+        let node = self.bare(node);
+        match self.written(node).kind {
+            ExprKind::Integer(_) | ExprKind::Real(_) => diagnostic.fix(with_unit(self.written(node).span)),
+            ExprKind::Name(_)
+            | ExprKind::Duration(_)
+            | ExprKind::Bool(_)
+            | ExprKind::Paren(_)
+            | ExprKind::Predicate(_)
+            | ExprKind::Not(_)
+            | ExprKind::Negate(_)
+            | ExprKind::Rise(_)
+            | ExprKind::Fall(_)
+            | ExprKind::Binary(..)
+            | ExprKind::Delay(_)
+            | ExprKind::Error => diagnostic,
+        }
+    }
+
     fn number_as_condition(&self, node: usize) -> Diagnostic {
         let written = self.written(node);
         let message = format!("{} is a number, not a condition", self.spell(node));
         let diagnostic = Diagnostic::new(Code::E0206, written.span, message);
         match &written.kind {
-            ExprKind::Integer(number) if self.context.scope.node(&number.to_string()).is_some() => {
-                diagnostic.help(format!("the activity of step `{number}` is written `X{number}`"))
-            }
+            ExprKind::Integer(number) if self.context.scope.node(&number.to_string()).is_some() => diagnostic
+                .help(format!("the activity of step `{number}` is written `X{number}`"))
+                .fix(name_instead(written.span, &format!("X{number}"))),
             _ => diagnostic.note("of the numbers only `0` and `1` are Boolean constants"),
         }
     }

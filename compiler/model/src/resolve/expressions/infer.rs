@@ -5,7 +5,7 @@ use crate::chart::Type;
 use crate::resolve::scope::Reference;
 use crate::resolve::types;
 use crate::symbols::Wanted;
-use grafc_diagnostics::{Code, Diagnostic};
+use grafc_diagnostics::{Code, Diagnostic, Fix, Span};
 use grafc_syntax::ast::{BinaryOp, ExprKind};
 
 impl Work<'_, '_, '_> {
@@ -81,7 +81,14 @@ impl Work<'_, '_, '_> {
                 let diagnostic = Diagnostic::new(Code::E0205, span, message);
                 self.report(
                     node,
-                    if ty == Type::Bool { diagnostic.help("the opposite of a condition is `not`") } else { diagnostic },
+                    if ty == Type::Bool {
+                        let sign = Span { end: self.written(operand).span.start, ..span };
+                        diagnostic
+                            .help("the opposite of a condition is `not`")
+                            .fix(Fix::certain("write `not`").replace(sign, "not "))
+                    } else {
+                        diagnostic
+                    },
                 );
                 Kind::Faulty
             }
@@ -162,7 +169,23 @@ impl Work<'_, '_, '_> {
         self.report(
             node,
             if (a == time || b == time) && [a, b].contains(&Kind::Whole) {
-                diagnostic.help("a time has a unit, as in `3s` or `500ms`")
+                let number = if a == Kind::Whole { left } else { right };
+                let diagnostic = diagnostic.help("a time has a unit, as in `3s` or `500ms`");
+                match op {
+                    // Two times would not go together either.
+                    BinaryOp::Multiply | BinaryOp::Divide | BinaryOp::Modulo => diagnostic,
+                    BinaryOp::Add
+                    | BinaryOp::Subtract
+                    | BinaryOp::Equal
+                    | BinaryOp::NotEqual
+                    | BinaryOp::Less
+                    | BinaryOp::LessEqual
+                    | BinaryOp::Greater
+                    | BinaryOp::GreaterEqual
+                    | BinaryOp::And
+                    | BinaryOp::Or
+                    | BinaryOp::Xor => self.with_unit(diagnostic, number),
+                }
             } else if a == time || b == time {
                 diagnostic.note(
                     "times are added, subtracted and compared with times, multiplied and divided by whole numbers",
