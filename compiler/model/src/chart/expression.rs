@@ -4,7 +4,7 @@ use super::{ExprId, GrafcetId, MacroId, StepId, Type, Value, VariableId};
 use grafc_diagnostics::Span;
 
 /// An expression, its type and its place.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Expr {
     /// What it is.
     pub kind: ExprKind,
@@ -15,7 +15,7 @@ pub struct Expr {
 }
 
 /// The forms of expression. All children have smaller ids.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub enum ExprKind {
     /// A literal of type `ty`.
     Literal(Value),
