@@ -1,15 +1,15 @@
 //! The deliberate faults that `cargo run --release -p grafc-testsuite --bin mutants` tries still apply to the compiler.
 
+use grafc_testsuite::binary::root;
 use grafc_testsuite::mutants::run::suites;
-use grafc_testsuite::mutants::{Fault, all, faults_that_do_not_apply, with_faults};
+use grafc_testsuite::mutants::{Fault, Part, Places, all, faulty_files, places};
 use std::collections::BTreeSet;
-use std::path::Path;
 
 #[test]
 fn each_fault_has_its_place() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let complaints = faults_that_do_not_apply(&root);
+    let Places { found, complaints } = places(&root()).expect("the compiler's files");
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+    assert_eq!(found.len(), all().count());
 }
 
 #[test]
@@ -29,21 +29,30 @@ fn each_fault_is_one_and_has_a_name() {
 /// Each backend that has rules of its own has faults of its own, and tests that should notice them.
 #[test]
 fn each_backend_has_faults() {
-    for folder in ["st", "il", "awl", "rust", "plcopen/ld", "plcopen/sfc"] {
-        let folder = format!("backends/src/{folder}/");
-        let faults: Vec<&Fault> = all().filter(|fault| fault.file.starts_with(&folder)).collect();
-        assert!(faults.len() >= 4, "{folder}: {}", faults.len());
-        assert!(faults.iter().all(|fault| suites(fault).len() > 1), "{folder}");
+    for part in Part::ALL.into_iter().filter(|part| *part != Part::Shared) {
+        let faults: Vec<&Fault> = all().filter(|fault| fault.at.part == part).collect();
+        assert!(faults.len() >= 4, "{part:?}: {}", faults.len());
+        assert!(faults.iter().all(|fault| suites(fault).len() > 1), "{part:?}");
     }
 }
 
+/// Each file has its faults beside its right texts, and nothing else has changed.
 #[test]
-fn a_text_that_is_not_there_or_there_twice_is_told() {
-    let fault = all().next().expect("a fault");
-    assert!(fault.place("nothing of the kind").is_err());
-    assert!(fault.place(&fault.text.repeat(2)).is_err());
-    assert_eq!(fault.place(&format!("12{}", fault.text)), Ok(2));
-    // A file with faults in which none of them has its place.
-    assert!(with_faults(fault.file, "").is_err());
-    assert_eq!(with_faults("README.md", "as it was").as_deref(), Ok("as it was"));
+fn faults_stand_beside_what_is_right() {
+    let files = faulty_files(&root()).expect("faults that have their places");
+    let found = places(&root()).expect("the compiler's files").found;
+    for (file, faulty) in &files {
+        let right = std::fs::read_to_string(root().join(file)).expect("the file");
+        let own: Vec<_> = found.iter().filter(|(_, place)| place.file == *file).collect();
+        let chosen = faulty.matches("static CHOSEN: std::sync::LazyLock<bool>").count();
+        assert_eq!(chosen, own.len(), "{file}");
+        let mut done = 0;
+        for (fault, place) in own {
+            assert!(faulty.contains(&format!("name == {:?}", fault.name)), "{}", fault.name);
+            assert!(faulty.contains(&right[done..place.range.start]), "{}", fault.name);
+            assert!(faulty.contains(&right[place.range.clone()]), "{}", fault.name);
+            done = place.range.end;
+        }
+        assert!(faulty.ends_with(&right[done..]), "{file}");
+    }
 }

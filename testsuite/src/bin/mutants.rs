@@ -13,11 +13,12 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command")]
 
 use clap::Parser;
+use grafc_testsuite::binary::root;
 use grafc_testsuite::executors;
 use grafc_testsuite::mutants::run::{passes, patience, suites};
 use grafc_testsuite::mutants::workspace::{Suite, TestProgram, build, copy};
-use grafc_testsuite::mutants::{Fault, all};
-use std::path::{Path, PathBuf};
+use grafc_testsuite::mutants::{Fault, Places, all, places};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
@@ -27,7 +28,7 @@ struct Options {
     /// Only faults whose names have this part; several may be given
     #[arg(long, value_name = "PART")]
     only: Vec<String>,
-    /// List the faults and what they break
+    /// List the faults, where they are and what they break
     #[arg(long)]
     list: bool,
 }
@@ -62,9 +63,8 @@ enum Outcome {
 impl Bench {
     /// Builds what some faults need, and sees it pass without any.
     fn new(faults: &[&Fault]) -> Result<Bench, String> {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let workshop = root.join("target/mutants");
-        copy(&root, &workshop)?;
+        let workshop = root().join("target/mutants");
+        copy(&root(), &workshop)?;
         let mut bench = Bench { programs: Vec::new(), lacking: Vec::new(), log: workshop.join("target/log.txt") };
         let mut wanted: Vec<Suite> = Vec::new();
         for suite in faults.iter().flat_map(|fault| suites(fault)) {
@@ -108,13 +108,14 @@ impl Bench {
 
 /// Whether no fault went unnoticed.
 fn tried(options: &Options) -> Result<bool, String> {
-    let asked = |fault: &&Fault| options.only.is_empty() || options.only.iter().any(|part| fault.name.contains(part));
-    let faults: Vec<&Fault> = all().filter(asked).collect();
+    let asked = |fault: &Fault| options.only.is_empty() || options.only.iter().any(|part| fault.name.contains(part));
+    let faults: Vec<&Fault> = all().filter(|fault| asked(fault)).collect();
     if options.list {
-        for fault in faults {
-            println!("{}: {}", fault.name, fault.breaks);
+        let Places { found, complaints } = places(&root())?;
+        for (fault, place) in found.iter().filter(|(fault, _)| asked(fault)) {
+            println!("{}: {}: {}", place.file, fault.name, fault.breaks);
         }
-        return Ok(true);
+        return if complaints.is_empty() { Ok(true) } else { Err(complaints.join("\n")) };
     }
     let start = Instant::now();
     let bench = Bench::new(&faults)?;
@@ -126,7 +127,7 @@ fn tried(options: &Options) -> Result<bool, String> {
         let said = match bench.outcome(fault)? {
             Outcome::Noticed(suite) => format!("noticed by {}", suite.name()),
             Outcome::Unnoticed => {
-                unnoticed.push(format!("{} ({}): {}", fault.name, fault.file, fault.breaks));
+                unnoticed.push(format!("{} ({:?}): {}", fault.name, fault.at.part, fault.breaks));
                 "NOT NOTICED".to_owned()
             }
             Outcome::Undecided(missing) => {

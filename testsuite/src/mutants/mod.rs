@@ -1,38 +1,114 @@
 //! Deliberate faults of the compiler, to see whether the suite would notice.
 //!
-//! A fault is a text that occurs once in one file of the compiler, and what would stand there if the compiler had the
-//! fault. The project's own files know nothing of it: all faults are put into a copy of the workspace, each beside the
-//! right text, and an environment variable chooses the one that a run has. So the copy is built once, and a fault costs
-//! no more than the tests that it makes fail.
+//! A fault is a text of the compiler, and what would stand there if the compiler had the fault. The project's own files
+//! know nothing of it: all faults are put into a copy of the workspace, each beside the right text, and an environment
+//! variable chooses the one that a run has. So the copy is built once, and a fault costs no more than the tests that it
+//! makes fail.
 //!
-//! The texts are expressions or whole statements; `testsuite/tests/mutants.rs` sees to it that each is still there.
-//! `cargo run --release -p grafc-testsuite --bin mutants` tries them all.
+//! A switch in the compiler itself (`cfg` around a right and a wrong line) would not hang on texts. It would put two
+//! hundred wrong lines between the right ones, inside conditions and arguments, where rustfmt does not look and where a
+//! reader must tell them apart each time. So a fault stays a text, but one that hangs on as little as possible
+//! (`place`): tokens, not characters; in any file of a part of the compiler; in a function only where the text is in
+//! several; under other names of local variables, if need be. Code can be moved, laid out and renamed in this way without
+//! a word here. Whoever writes it otherwise writes the fault otherwise: `testsuite/tests/mutants.rs` says at once which
+//! fault has no place any more. `cargo run --release -p grafc-testsuite --bin mutants` tries them all.
 
 mod backends;
 mod bodies;
 mod encodings;
 mod lowering;
 mod net;
+pub mod place;
 mod proofs;
 pub mod run;
+mod tokens;
 pub mod workspace;
 
+use place::{Index, Place, Source, sources};
 use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Names the fault of a run.
 pub const VARIABLE: &str = "GRAFC_FAULT";
 
+/// A part of the compiler that has tests of its own.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Part {
+    /// What comes before the backends, and is judged by the simulator.
+    Compiler,
+    /// Structured Text.
+    StructuredText,
+    /// Instruction lists.
+    InstructionList,
+    /// The statement list of STEP 7.
+    StatementList,
+    /// Ladder diagrams.
+    Ladder,
+    /// Sequential function charts.
+    Chart,
+    /// Rust.
+    Rust,
+    /// What backends share.
+    Shared,
+}
+
+impl Part {
+    /// All of them.
+    pub const ALL: [Part; 8] = [
+        Part::Compiler,
+        Part::StructuredText,
+        Part::InstructionList,
+        Part::StatementList,
+        Part::Ladder,
+        Part::Chart,
+        Part::Rust,
+        Part::Shared,
+    ];
+
+    /// Where it lies, from the root of the workspace.
+    pub fn folders(self) -> &'static [&'static str] {
+        match self {
+            Part::Compiler => &["compiler/net/src", "compiler/formula/src", "compiler/logic/src"],
+            Part::StructuredText => &["backends/src/st"],
+            Part::InstructionList => &["backends/src/il"],
+            Part::StatementList => &["backends/src/awl"],
+            Part::Ladder => &["backends/src/plcopen/ld"],
+            Part::Chart => &["backends/src/plcopen/sfc"],
+            Part::Rust => &["backends/src/rust"],
+            Part::Shared => &["backends/src"],
+        }
+    }
+}
+
+/// Where the text of a fault is looked for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct At {
+    /// The part of the compiler.
+    pub part: Part,
+    /// The function, where the text is in several.
+    pub within: Option<&'static str>,
+}
+
+impl At {
+    const fn anywhere(part: Part) -> At {
+        At { part, within: None }
+    }
+
+    const fn within(self, function: &'static str) -> At {
+        At { within: Some(function), ..self }
+    }
+}
+
 /// One deliberate fault.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Fault {
     /// Its name, unique.
     pub name: &'static str,
-    /// The file, from the root of the workspace.
-    pub file: &'static str,
+    /// Where its text is looked for.
+    pub at: At,
     /// What goes wrong, and the rule of `docs/semantics.md` that is broken.
     pub breaks: &'static str,
-    /// An expression, or statements with their semicolons; it occurs once in the file.
+    /// An expression, or statements with their semicolons.
     pub text: &'static str,
     /// What stands there instead; nothing for statements that are left out.
     pub instead: &'static str,
@@ -45,19 +121,9 @@ pub fn all() -> impl Iterator<Item = &'static Fault> {
 }
 
 impl Fault {
-    /// Where the text is in the file; an error unless it occurs there once.
-    pub fn place(&self, content: &str) -> Result<usize, String> {
-        let mut places = content.match_indices(self.text).map(|(place, _)| place);
-        match (places.next(), places.next()) {
-            (Some(place), None) => Ok(place),
-            (None, _) => Err(format!("`{}`: its text is not in {}", self.name, self.file)),
-            (Some(_), Some(_)) => Err(format!("`{}`: its text occurs more than once in {}", self.name, self.file)),
-        }
-    }
-
     /// Both texts, and the choice between them.
-    fn both(&self) -> String {
-        let Fault { name, text, instead, .. } = self;
+    fn both(&self, text: &str, instead: &str) -> String {
+        let name = self.name;
         let chosen = format!(
             "{{ static CHOSEN: std::sync::LazyLock<bool> = \
              std::sync::LazyLock::new(|| std::env::var({VARIABLE:?}).is_ok_and(|name| name == {name:?})); *CHOSEN }}"
@@ -70,38 +136,60 @@ impl Fault {
     }
 }
 
-/// The content of a file with all its faults put in.
-pub fn with_faults(file: &str, content: &str) -> Result<String, String> {
-    let mut places: BTreeMap<usize, &Fault> = BTreeMap::new();
-    for fault in all().filter(|fault| fault.file == file) {
-        if let Some(other) = places.insert(fault.place(content)?, fault) {
-            return Err(format!("`{}` and `{}` are at the same place of {file}", fault.name, other.name));
-        }
-    }
-    let mut out = String::new();
-    let mut done = 0;
-    for (place, fault) in places {
-        let between = content.get(done..place).ok_or_else(|| format!("`{}` overlaps another fault", fault.name))?;
-        out.push_str(between);
-        out.push_str(&fault.both());
-        done = place + fault.text.len();
-    }
-    out.push_str(&content[done..]);
-    Ok(out)
+/// What was found in the workspace.
+pub struct Places {
+    /// The place of each fault that has one, file by file from the top.
+    pub found: Vec<(&'static Fault, Place)>,
+    /// What is wrong with the others.
+    pub complaints: Vec<String>,
 }
 
-/// Checks that every fault still applies to the workspace; what does not, line by line.
-pub fn faults_that_do_not_apply(root: &Path) -> Vec<String> {
-    let mut complaints = Vec::new();
-    let mut files: BTreeMap<&str, &Fault> = BTreeMap::new();
-    for fault in all() {
-        files.entry(fault.file).or_insert(fault);
-    }
-    for file in files.into_keys() {
-        match std::fs::read_to_string(root.join(file)) {
-            Err(error) => complaints.push(format!("{file}: {error}")),
-            Ok(content) => complaints.extend(with_faults(file, &content).err()),
+/// The place of each fault in the workspace.
+///
+/// # Errors
+/// What cannot be read.
+pub fn places(root: &Path) -> Result<Places, String> {
+    let (mut found, mut complaints) = (Vec::<(&Fault, Place)>::new(), Vec::new());
+    for part in Part::ALL {
+        let sources: Vec<Source> = sources(root, part)?;
+        let index = Index::new(&sources);
+        for fault in all().filter(|fault| fault.at.part == part) {
+            match index.place(fault) {
+                Ok(place) => found.push((fault, place)),
+                Err(said) => complaints.push(said),
+            }
         }
     }
-    complaints
+    found.sort_by(|(_, a), (_, b)| (&a.file, a.range.start).cmp(&(&b.file, b.range.start)));
+    for pair in found.windows(2) {
+        let ((one, a), (other, b)) = (&pair[0], &pair[1]);
+        if a.file == b.file && b.range.start < a.range.end {
+            complaints.push(format!("`{}` and `{}` are at the same place of {}", one.name, other.name, a.file));
+        }
+    }
+    Ok(Places { found, complaints })
+}
+
+/// The contents of all files that have faults, with all their faults put in.
+///
+/// # Errors
+/// What cannot be read, and which faults have no place.
+pub fn faulty_files(root: &Path) -> Result<BTreeMap<String, String>, String> {
+    let Places { found, complaints } = places(root)?;
+    if !complaints.is_empty() {
+        return Err(complaints.join("\n"));
+    }
+    let mut files: BTreeMap<String, String> = BTreeMap::new();
+    // From the end of each file, so that what is left to do stays where it is.
+    for (fault, Place { file, range, instead }) in found.iter().rev() {
+        if !files.contains_key(file) {
+            let content = std::fs::read_to_string(root.join(file)).map_err(|error| format!("{file}: {error}"))?;
+            files.insert(file.clone(), content);
+        }
+        if let Some(content) = files.get_mut(file) {
+            let both = fault.both(&content[range.clone()], instead);
+            content.replace_range(range.clone(), &both);
+        }
+    }
+    Ok(files)
 }

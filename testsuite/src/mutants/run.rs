@@ -1,7 +1,7 @@
 //! One run of the suite, or of as much of it as a fault can touch.
 
 use super::workspace::{Suite, TestProgram};
-use super::{Fault, VARIABLE};
+use super::{Fault, Part, VARIABLE};
 use crate::tools::Tool;
 use std::fs::File;
 use std::io;
@@ -72,15 +72,15 @@ const RUST: &[Suite] = &[
 
 /// What has to catch a fault.
 pub fn suites(fault: &Fault) -> &'static [Suite] {
-    let folders = [
-        ("backends/src/st/", STRUCTURED_TEXT),
-        ("backends/src/il/", INSTRUCTION_LIST),
-        ("backends/src/awl/", STATEMENT_LIST),
-        ("backends/src/plcopen/ld/", LADDER),
-        ("backends/src/plcopen/sfc/", CHART),
-        ("backends/", RUST),
-    ];
-    folders.iter().find(|(folder, _)| fault.file.starts_with(folder)).map_or(COMPILER, |(_, suites)| suites)
+    match fault.at.part {
+        Part::Compiler => COMPILER,
+        Part::StructuredText => STRUCTURED_TEXT,
+        Part::InstructionList => INSTRUCTION_LIST,
+        Part::StatementList => STATEMENT_LIST,
+        Part::Ladder => LADDER,
+        Part::Chart => CHART,
+        Part::Rust | Part::Shared => RUST,
+    }
 }
 
 /// How long a test program may take that has taken so long without a fault.

@@ -1,6 +1,6 @@
 //! The copy of the workspace that has all faults, each behind its choice, and the test programs built from it.
 
-use super::{all, with_faults};
+use super::faulty_files;
 use crate::tools::Tool;
 use std::fs;
 use std::io;
@@ -14,7 +14,7 @@ const LEFT_OUT: [&str; 3] = ["target", ".git", "fuzz"];
 /// no more than it must; what the workspace does not have any more goes.
 pub fn copy(root: &Path, to: &Path) -> Result<(), String> {
     let told = |path: &Path, error: io::Error| format!("{}: {error}", path.display());
-    let faulty: Vec<&str> = all().map(|fault| fault.file).collect();
+    let mut faulty = faulty_files(root)?;
     let mut folders = vec![PathBuf::new()];
     while let Some(folder) = folders.pop() {
         let from = root.join(&folder);
@@ -39,9 +39,8 @@ pub fn copy(root: &Path, to: &Path) -> Result<(), String> {
                 continue;
             }
             let mut content = fs::read(entry.path()).map_err(|error| told(&entry.path(), error))?;
-            if let Some(file) = path.to_str().filter(|file| faulty.contains(file)) {
-                let text = String::from_utf8(content).map_err(|error| format!("{file}: {error}"))?;
-                content = with_faults(file, &text)?.into_bytes();
+            if let Some(text) = path.to_str().and_then(|file| faulty.remove(file)) {
+                content = text.into_bytes();
             }
             let copy = to.join(&path);
             if fs::read(&copy).ok().as_ref() != Some(&content) {
