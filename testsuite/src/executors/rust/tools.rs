@@ -1,9 +1,13 @@
 //! rustc.
 
+use crate::binary::root;
 use crate::programs::call;
 use crate::tools::{Tool, or_skip};
 use std::path::{Path, PathBuf};
 use std::process::Command;
+
+/// What a test compiles has all checks that rustc can put in.
+const CHECKED: [&str; 4] = ["--edition", "2024", "-C", "debug-assertions=on"];
 
 /// rustc, if it can be called.
 pub struct Tools {
@@ -34,9 +38,18 @@ impl Tools {
         &self.version
     }
 
-    /// Compiles `main.rs` with all checks that rustc can put in.
+    /// Compiles `main.rs` with all checks that rustc can put in. It may use the run-time crate.
     pub(super) fn rustc(&self, folder: &Path) -> Result<(), String> {
-        self.call(folder, &["--edition", "2024", "-C", "debug-assertions=on", "-o", "main", "main.rs"]).map(|_| ())
+        let with = ["--extern", "grafc_runtime=libgrafc_runtime.rlib"];
+        self.call(folder, &[&CHECKED[..], &with, &["-o", "main", "main.rs"]].concat()).map(|_| ())
+    }
+
+    /// Compiles the run-time crate, as it is without its features.
+    pub(super) fn runtime(&self, folder: &Path) -> Result<(), String> {
+        let crate_type = ["--crate-name", "grafc_runtime", "--crate-type", "rlib"];
+        let library = root().join("runtime-support/src/lib.rs");
+        let library = library.to_str().ok_or("a path that is no text")?;
+        self.call(folder, &[&CHECKED[..], &crate_type, &[library]].concat()).map(|_| ())
     }
 
     /// A call of rustc, still without arguments.
