@@ -1,33 +1,23 @@
 //! The `grafc` binary, for tests that run it as a user does.
 
+#[cfg(unix)]
+use std::os::unix::process::CommandExt as _;
 use std::path::PathBuf;
 use std::process::Command;
-use std::sync::OnceLock;
 
-/// The path of the binary, built now if it is not up to date.
+/// A call of the binary, still without arguments.
 ///
-/// Cargo builds the binary of another package for a test only by chance, so this asks for it.
-pub fn grafc() -> PathBuf {
-    static BINARY: OnceLock<PathBuf> = OnceLock::new();
-    BINARY.get_or_init(build).clone()
-}
-
-fn build() -> PathBuf {
-    // The test lies in `target/PROFILE/deps`, the binary belongs into `target/PROFILE`.
+/// It is a binary of this package, so that cargo has built it before the test; its name, which messages show, is the
+/// true one.
+pub fn grafc() -> Command {
+    // The test lies in `target/PROFILE/deps`, the binary in `target/PROFILE`.
     let test = std::env::current_exe().expect("the path of the test");
     let folder = test.ancestors().nth(2).expect("a test lies in `target/PROFILE/deps`");
-    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.args(["build", "--quiet", "--package", "grafc-cli", "--bin", "grafc"]);
-    cargo.current_dir(root());
-    if folder.file_name().is_some_and(|name| name == "release") {
-        cargo.arg("--release");
-    }
-    if let Some(target) = folder.parent() {
-        cargo.arg("--target-dir").arg(target);
-    }
-    let status = cargo.status().expect("cargo can be run");
-    assert!(status.success(), "the binary cannot be built");
-    folder.join(format!("grafc{}", std::env::consts::EXE_SUFFIX))
+    #[allow(unused_mut, reason = "elsewhere it keeps its name")]
+    let mut command = Command::new(folder.join(format!("grafc-under-test{}", std::env::consts::EXE_SUFFIX)));
+    #[cfg(unix)]
+    command.arg0("grafc");
+    command
 }
 
 /// The root of the workspace.

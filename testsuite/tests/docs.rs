@@ -5,7 +5,6 @@ use grafc_testsuite::binary::{grafc, root};
 use grafc_testsuite::excerpts;
 use grafc_testsuite::markdown::{blocks, matches, pages, write_files};
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 /// The pages that readers start from, and all in `docs`; the pages of the codes have a test of their own.
 fn book() -> Vec<(PathBuf, String)> {
@@ -83,7 +82,7 @@ fn the_first_command_of_the_readme_compiles_a_chart() {
 }
 
 fn run(folder: &Path, arguments: &str) -> (Option<i32>, String) {
-    let output = Command::new(grafc())
+    let output = grafc()
         .args(arguments.split_whitespace())
         .current_dir(folder)
         .env("NO_COLOR", "1")

@@ -8,7 +8,6 @@ use grafc_testsuite::binary::{grafc, root};
 use grafc_testsuite::markdown::{Block, blocks};
 use grafc_testsuite::runs::simulate;
 use std::collections::BTreeSet;
-use std::process::Command;
 
 /// Codes whose pages cannot show an example, and why. Their pages say so too.
 const WITHOUT_EXAMPLE: &[(Code, &str)] = &[
@@ -84,7 +83,7 @@ fn codes(said: &Diagnostics) -> BTreeSet<Code> {
 fn compile(chart: &str, options: &[&str]) -> BTreeSet<Code> {
     let folder = tempfile::tempdir().expect("a temporary folder");
     std::fs::write(folder.path().join("example.gct"), chart).expect("a file in it");
-    let mut command = Command::new(grafc());
+    let mut command = grafc();
     let output = command
         .current_dir(folder.path())
         .args(["example.gct", "-o", "example.st"])
@@ -200,8 +199,7 @@ fn right_examples_give_nothing() {
 fn bytes_that_are_not_utf8() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     std::fs::write(folder.path().join("old.gct"), b"initial step f\xFCllen").expect("a file in it");
-    let output =
-        Command::new(grafc()).current_dir(folder.path()).args(["check", "old.gct"]).output().expect("grafc runs");
+    let output = grafc().current_dir(folder.path()).args(["check", "old.gct"]).output().expect("grafc runs");
     assert_eq!(output.status.code(), Some(1));
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(said.contains("error[E0110]"), "{said}");

@@ -19,7 +19,7 @@ fn the_programs_of_the_page_do_what_it_shows() {
     for block in blocks.iter().filter(|b| b.language == "console") {
         for (command, shown) in block.commands() {
             let printed = match command.split_once(' ') {
-                Some(("grafc", arguments)) => run(Command::new(grafc()).args(arguments.split(' ')), folder.path()),
+                Some(("grafc", arguments)) => run(grafc().args(arguments.split(' ')), folder.path()),
                 Some(("rustc", arguments)) => run(tools.command().args(arguments.split(' ')), folder.path()),
                 Some(("cargo", "run")) => continue,
                 None if command.starts_with("./") => {
