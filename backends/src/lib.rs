@@ -12,6 +12,8 @@ pub mod iec61131_10;
 pub mod il;
 pub mod keywords;
 mod limits;
+mod lines;
+mod map;
 pub mod namer;
 mod output;
 pub mod plcopen;
@@ -24,5 +26,6 @@ mod transliterate;
 mod writer;
 mod xml;
 
+pub use map::{Element, Kind, Map};
 pub use output::{Output, Source};
 pub use target::{About, Target};

@@ -82,12 +82,12 @@ impl Check<'_> {
         for statement in statements {
             match statement {
                 Statement::Heading(_) => {}
-                Statement::Assign { target, value, remark: _ } => self.formula(Some(*target), *value),
-                Statement::Divide(Division { target, modulo: _, dividend, divisor, flag: _ }) => {
+                Statement::Assign { target, value, .. } => self.formula(Some(*target), *value),
+                Statement::Divide(Division { target, dividend, divisor, .. }) => {
                     self.formula(Some(*target), *dividend);
                     self.formula(Some(*target), *divisor);
                 }
-                Statement::CallTimer { timer: _, input } => self.formula(None, *input),
+                Statement::CallTimer { input, .. } => self.formula(None, *input),
                 Statement::Case { of, arms } => {
                     if arms.is_empty() {
                         self.fault(Some(*of), "a choice has no arms");

@@ -1,5 +1,7 @@
 //! What a target is made of, and what comes out.
 
+use crate::lines::Lines;
+use crate::map::Map;
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::scan::Program;
 use grafc_logic::sequence::Sequence;
@@ -14,6 +16,11 @@ pub trait Source {
 
     /// The chart as a sequential function chart.
     fn sequence(&mut self) -> Result<&Sequence, Diagnostics>;
+
+    /// Whether somebody asks which lines come from which element of the chart.
+    fn wants_map(&self) -> bool {
+        false
+    }
 }
 
 /// What a target has made.
@@ -22,10 +29,19 @@ pub trait Source {
 pub struct Output {
     /// The text of the file.
     pub text: String,
+    /// Which lines of it come from which element of the chart, if that was asked for and the target knows.
+    pub map: Option<Map>,
+}
+
+impl Output {
+    /// A text, and its map if somebody asks for one.
+    pub(crate) fn mapped(program: &Program, wants_map: bool, (text, lines): (String, Lines)) -> Self {
+        Output { text, map: wants_map.then(|| Map::new(program, &lines)) }
+    }
 }
 
 impl From<String> for Output {
     fn from(text: String) -> Self {
-        Output { text }
+        Output { text, map: None }
     }
 }

@@ -1,7 +1,7 @@
 //! The targets, in one list.
 //!
-//! A target is a folder with a file `target.rs`, which holds what this list asks of it: `NAME`, `TITLE`, `EXTENSION` and
-//! `CHOICES`; `options` makes its options of what was chosen, `spelled` says them as a command line would, and `emit`
+//! A target is a folder with a file `target.rs`, which holds what this list asks of it: `NAME`, `TITLE`, `EXTENSION`,
+//! `MAPPED` and `CHOICES`; `options` makes its options of what was chosen, `spelled` says them as a command line would, and `emit`
 //! writes.
 
 use crate::choice::{Choice, Chosen, Refusal};
@@ -17,6 +17,8 @@ pub struct About {
     pub title: &'static str,
     /// What the name of a file ends with, without the dot.
     pub extension: &'static str,
+    /// Whether it can say which lines come from which element of the chart.
+    pub mapped: bool,
     /// What it leaves to choose.
     pub choices: &'static [&'static Choice],
     make: fn(&Chosen) -> Result<Target, Refusal>,
@@ -46,6 +48,7 @@ macro_rules! targets {
                 name: crate::$folder::target::NAME,
                 title: crate::$folder::target::TITLE,
                 extension: crate::$folder::target::EXTENSION,
+                mapped: crate::$folder::target::MAPPED,
                 choices: crate::$folder::target::CHOICES,
                 make: |chosen| crate::$folder::target::options(chosen).map(Target::$Target),
             },)*];

@@ -1,6 +1,8 @@
 //! Lines of text: indentation, blank lines, comments.
 
 use crate::comment::wrap;
+use crate::lines::{Lines, Trace};
+use grafc_logic::scan::Origin;
 
 /// No line of ours is longer, if it can be broken at all, save where the indentation leaves too little.
 const WIDTH: usize = 100;
@@ -45,17 +47,54 @@ pub(crate) struct Writer {
     blank: bool,
     /// Nothing stands in the block yet: a blank line would look odd.
     fresh: bool,
+    /// Notes which lines come from what, if somebody asks.
+    trace: Option<Box<Trace>>,
 }
 
 impl Writer {
     /// No text yet.
     pub fn new(comments: &'static Comments) -> Self {
-        Writer { out: String::new(), comments, indent: 0, blank: false, fresh: true }
+        Writer { out: String::new(), comments, indent: 0, blank: false, fresh: true, trace: None }
+    }
+
+    /// Notes from here on which lines come from what, if that is wanted.
+    pub fn traced(mut self, wanted: bool) -> Self {
+        self.trace = wanted.then(Box::default);
+        self
+    }
+
+    /// Whether it notes which lines come from what.
+    pub fn is_traced(&self) -> bool {
+        self.trace.is_some()
+    }
+
+    /// What comes now, and what came until now.
+    pub fn origin(&mut self, origin: Origin) -> Origin {
+        self.trace.as_mut().map_or(Origin::Chart, |trace| trace.set(origin))
+    }
+
+    /// Something inside of what comes until now, which is returned: the chart as a whole is no news.
+    pub fn inner_origin(&mut self, origin: Origin) -> Origin {
+        let outer = self.origin(origin);
+        self.origin(origin.or(outer));
+        outer
+    }
+
+    /// What else comes until another origin is set.
+    pub fn also(&mut self, origin: Origin) {
+        if let Some(trace) = &mut self.trace {
+            trace.also(origin);
+        }
     }
 
     /// The text.
     pub fn finish(self) -> String {
         self.out
+    }
+
+    /// The text, and which lines of it come from what.
+    pub fn finish_traced(self) -> (String, Lines) {
+        (self.out, self.trace.map(|trace| trace.finish()).unwrap_or_default())
     }
 
     /// How long the text is, in bytes.
@@ -90,11 +129,7 @@ impl Writer {
 
     /// Starts a line; the text follows by [`Writer::text`].
     pub fn start(&mut self) {
-        if self.blank && !self.fresh {
-            self.out.push('\n');
-        }
-        self.blank = false;
-        self.fresh = false;
+        self.blank_line();
         self.out.extend(std::iter::repeat_n(' ', self.indent));
     }
 
@@ -106,6 +141,21 @@ impl Writer {
     /// Ends a line.
     pub fn end(&mut self) {
         self.out.push('\n');
+        if let Some(trace) = &mut self.trace {
+            trace.complete(&self.out);
+        }
+    }
+
+    /// The blank line that is due.
+    fn blank_line(&mut self) {
+        if self.blank && !self.fresh {
+            self.out.push('\n');
+            if let Some(trace) = &mut self.trace {
+                trace.skip(&self.out);
+            }
+        }
+        self.blank = false;
+        self.fresh = false;
     }
 
     /// A whole line.
@@ -123,7 +173,7 @@ impl Writer {
 
     /// A text that is written apart, as deep inside.
     pub fn apart(&self) -> Writer {
-        Writer { indent: self.indent, ..Writer::new(self.comments) }
+        Writer { indent: self.indent, ..Writer::new(self.comments) }.traced(self.is_traced())
     }
 
     /// A block that was written apart.
@@ -131,12 +181,11 @@ impl Writer {
         if block.out.is_empty() {
             return;
         }
-        if self.blank && !self.fresh {
-            self.out.push('\n');
-        }
+        self.blank_line();
         self.out.push_str(&block.out);
-        self.blank = false;
-        self.fresh = false;
+        if let (Some(trace), Some(inner)) = (&mut self.trace, block.trace) {
+            trace.append(*inner, &self.out);
+        }
     }
 
     /// What follows is one level deeper.

@@ -10,7 +10,7 @@ use crate::iec::names::{Names, remark};
 use crate::keywords::Family;
 use crate::writer::Writer;
 use grafc_formula::{Type, Value};
-use grafc_logic::scan::{Program, Role, Variable};
+use grafc_logic::scan::{Origin, Program, Role, Variable};
 use rustc_hash::FxHashMap;
 
 /// The name in the header of a block has no more characters.
@@ -73,7 +73,9 @@ fn head(out: &mut Writer, title: &str) {
 fn interface(out: &mut Writer, program: &Program, names: &AwlNames, parts: &[Local]) {
     let initial: FxHashMap<&str, &Variable> =
         program.variables.iter_enumerated().map(|(id, v)| (names.variables[id].as_str(), v)).collect();
-    let mut blocks = declarations::interface(program, &Names::new(program, Family::StatementList), Vec::new());
+    let origins = out.is_traced().then(|| program.origins());
+    let given = Names::new(program, Family::StatementList);
+    let mut blocks = declarations::interface_from(program, &given, origins.as_ref(), Vec::new());
     blocks.sort_by_key(|block| match block.kind {
         Kind::Input => 0,
         Kind::Output => 1,
@@ -103,6 +105,7 @@ fn interface(out: &mut Writer, program: &Program, names: &AwlNames, parts: &[Loc
                 out.comment(heading);
             }
             for entry in entries {
+                out.origin(entry.origin);
                 let comment = entry.comment.as_deref();
                 match &entry.ty {
                     EntryType::Elementary(ty) => {
@@ -119,6 +122,7 @@ fn interface(out: &mut Writer, program: &Program, names: &AwlNames, parts: &[Loc
                     EntryType::Block(_) => {}
                 }
             }
+            out.origin(Origin::Chart);
         }
         match block.kind {
             Kind::Input => {
@@ -207,7 +211,7 @@ fn organization_block(out: &mut Writer, program: &Program, options: &Options, na
     out.line("restart : BOOL;");
     out.close("END_VAR");
     out.line("BEGIN");
-    let mut code = Code::new(mnemonics);
+    let mut code = Code::new(mnemonics, out.is_traced());
     if names.clock.is_some() {
         code.network("the clock of the CPU");
         code.instruction("CALL", "SFC 64 (RET_VAL := #now)");

@@ -40,10 +40,10 @@ pub(super) struct Code {
 
 impl Code {
     /// No instructions yet.
-    pub fn new(mnemonics: Mnemonics) -> Self {
+    pub fn new(mnemonics: Mnemonics, traced: bool) -> Self {
         Code {
             mnemonics,
-            out: Writer::new(&writer::STL),
+            out: Writer::new(&writer::STL).traced(traced),
             count: 0,
             parts: Vec::new(),
             rlo: None,

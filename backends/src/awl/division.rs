@@ -41,7 +41,7 @@ impl Numbers<'_> {
 
     /// A division under the guards that it needs.
     pub fn divide(self, code: &mut Code, names: &mut AwlNames, division: &Division) {
-        let Division { target, modulo, dividend: a, divisor: b, flag } = *division;
+        let Division { target, modulo, dividend: a, divisor: b, flag, .. } = *division;
         let result = self.program.variables[target].ty;
         let (target, flag) = (names.variable(target), names.variable(flag));
         let guard = self.program.guard(division);

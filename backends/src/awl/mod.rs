@@ -35,6 +35,7 @@ mod timers;
 use crate::iec::names::Names;
 use crate::keywords::Family;
 use crate::limits;
+use crate::lines::Lines;
 use crate::namer::Namer;
 use crate::transliterate::ascii;
 use crate::writer::{self, Writer};
@@ -69,15 +70,21 @@ impl Default for Options {
 /// An error is a type that S7-300 and S7-400 do not have, a time or a block that is too long for them, or a fault of
 /// grafc.
 pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
-    let (names, code) = body(program, options.mnemonics)?;
-    let mut out = Writer::new(&writer::STL);
+    write(program, options, false).map(|(text, _)| text)
+}
+
+/// The same, and which lines come from what, if that is wanted.
+fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, Lines), Diagnostics> {
+    let (names, code) = body(program, options.mnemonics, traced)?;
+    let mut out = Writer::new(&writer::STL).traced(traced);
     blocks::write(&mut out, program, options, &names, code);
-    Ok(ascii(&out.finish()))
+    let (text, lines) = out.finish_traced();
+    Ok((ascii(&text), lines))
 }
 
 /// How many instructions the function block of [`emit`] has.
 pub fn instructions(program: &Program) -> Result<u64, Diagnostics> {
-    Ok(body(program, Mnemonics::default())?.1.count)
+    Ok(body(program, Mnemonics::default(), false)?.1.count)
 }
 
 /// The names that [`emit`] gives to the variables of a program.
@@ -95,11 +102,11 @@ pub fn restart_input(program: &Program) -> String {
     AwlNames::new(program).restart
 }
 
-fn body(program: &Program, mnemonics: Mnemonics) -> Result<(AwlNames, Code), Diagnostics> {
+fn body(program: &Program, mnemonics: Mnemonics, traced: bool) -> Result<(AwlNames, Code), Diagnostics> {
     limits::check(program)?;
     fit::check(program)?;
     let mut names = AwlNames::new(program);
-    let code = statements::body(program, &mut names, mnemonics);
+    let code = statements::body(program, &mut names, mnemonics, traced);
     fit::check_length(program, &code)?;
     Ok((names, code))
 }

@@ -5,15 +5,17 @@ use super::conditions::Conditions;
 use super::numbers::{Numbers, literal};
 use super::{AwlNames, Mnemonics, restart, timers};
 use grafc_formula::{FormulaId, Type, Value};
-use grafc_logic::scan::{Arm, Program, Repeat, Statement, VarId, is_empty};
+use grafc_logic::scan::{Arm, Origins, Program, Repeat, Statement, VarId, is_empty, origin_of};
 
 /// So many arms of a choice are tried one after the other; of more, a jump passes over half.
 const FEW_ARMS: usize = 8;
 
 /// The instructions of one call.
-pub(super) fn body(program: &Program, names: &mut AwlNames, mnemonics: Mnemonics) -> Code {
+pub(super) fn body(program: &Program, names: &mut AwlNames, mnemonics: Mnemonics, traced: bool) -> Code {
     let (conditions, numbers) = (Conditions::new(program), Numbers::new(program));
-    let mut body = Body { program, names, conditions, numbers, code: Code::new(mnemonics), depth: 0 };
+    let origins = traced.then(|| program.origins());
+    let code = Code::new(mnemonics, traced);
+    let mut body = Body { program, names, conditions, numbers, code, depth: 0, origins };
     if let Some(clock) = &body.names.clock {
         clock.update(&mut body.code);
     }
@@ -39,9 +41,18 @@ struct Body<'p, 'n> {
     code: Code,
     /// How many statements stand around.
     depth: usize,
+    /// Where variables come from, if somebody asks.
+    origins: Option<Origins>,
 }
 
 impl Body<'_, '_> {
+    /// What an assignment is about, beside what it comes from.
+    fn about(&mut self, target: VarId, value: FormulaId) {
+        if let Some(origins) = &self.origins {
+            self.code.out.also(origins.written(&self.program.pool, target, value));
+        }
+    }
+
     fn condition(&mut self, id: FormulaId) {
         match self.program.pool.as_truth(id) {
             Some(truth) => self.code.truth(truth),
@@ -93,15 +104,20 @@ impl Body<'_, '_> {
     fn block(&mut self, statements: &[Statement], after: Option<&str>) {
         for (place, statement) in statements.iter().enumerate() {
             let after = after.filter(|_| place + 1 == statements.len());
+            let outer = self.code.out.inner_origin(statement.origin());
             match statement {
-                Statement::Heading(text) if self.depth == 0 => self.code.network(text),
-                Statement::Heading(text) => self.code.heading(text),
-                Statement::Assign { target, value, remark } => {
-                    self.code.remark(remark.as_deref());
+                Statement::Heading(heading) if self.depth == 0 => self.code.network(heading.text()),
+                Statement::Heading(heading) => self.code.heading(heading.text()),
+                Statement::Assign { target, value, origin, told } => {
+                    self.about(*target, *value);
+                    self.code.remark(self.program.remark(*origin, *told).as_deref());
                     self.assign(*target, *value);
                 }
-                Statement::Divide(division) => self.numbers.divide(&mut self.code, self.names, division),
-                Statement::CallTimer { timer, input } => {
+                Statement::Divide(division) => {
+                    self.about(division.target, division.dividend);
+                    self.numbers.divide(&mut self.code, self.names, division);
+                }
+                Statement::CallTimer { timer, input, .. } => {
                     let timer_of = &self.program.timers[*timer];
                     self.code.remark(timer_of.comment.as_deref());
                     self.condition(*input);
@@ -110,6 +126,7 @@ impl Body<'_, '_> {
                 Statement::Case { of, arms } => self.case(*of, arms, after),
                 Statement::If { branches, otherwise } => self.branch(branches, otherwise, after),
             }
+            self.code.out.origin(outer);
         }
     }
 
@@ -164,7 +181,8 @@ impl Body<'_, '_> {
         for (place, arm) in arms.iter().enumerate() {
             let is_last = place + 1 == arms.len();
             let next = if is_last { done.to_owned() } else { self.code.new_label() };
-            self.code.remark(arm.remark.as_deref());
+            let outer = self.code.out.inner_origin(arm.origin);
+            self.code.remark(self.program.remark(arm.origin, arm.told).as_deref());
             self.compare(of, "==", arm.value);
             self.code.jump_unless(&next);
             self.inner(&arm.body, done);
@@ -174,6 +192,7 @@ impl Body<'_, '_> {
             if !is_last {
                 self.code.label(next);
             }
+            self.code.out.origin(outer);
         }
     }
 
@@ -186,16 +205,21 @@ impl Body<'_, '_> {
             && is_empty(otherwise)
             && let Some(bits) = self.bits(body)
         {
+            let outer = self.code.out.inner_origin(origin_of(body));
             self.condition(*condition);
             self.code.rlo = None;
-            for (target, truth, remark) in bits {
-                self.code.remark(remark);
+            for (statement, target, value, truth) in bits {
+                self.code.out.origin(statement.origin().or(outer));
+                self.about(target, value);
+                self.code.remark(self.remark(statement).as_deref());
                 self.code.instruction(if truth { "S" } else { "R" }, &self.names.variable(target));
             }
+            self.code.out.origin(outer);
             return;
         }
         let done = after.map_or_else(|| self.code.new_label(), str::to_owned);
         for (place, (condition, body)) in branches.iter().enumerate() {
+            let outer = self.code.out.inner_origin(origin_of(body));
             let is_last = place + 1 == branches.len() && is_empty(otherwise);
             let next = if is_last { done.clone() } else { self.code.new_label() };
             self.condition(*condition);
@@ -205,6 +229,7 @@ impl Body<'_, '_> {
                 self.code.jump(&done);
                 self.code.label(next);
             }
+            self.code.out.origin(outer);
         }
         self.inner(otherwise, &done);
         if after.is_none() {
@@ -213,10 +238,10 @@ impl Body<'_, '_> {
     }
 
     /// What a body sets and resets, if it does nothing else: then there is no need to jump.
-    fn bits<'s>(&self, body: &'s [Statement]) -> Option<Vec<(VarId, bool, Option<&'s str>)>> {
+    fn bits<'s>(&self, body: &'s [Statement]) -> Option<Vec<(&'s Statement, VarId, FormulaId, bool)>> {
         let bit = |statement: &'s Statement| match statement {
-            Statement::Assign { target, value, remark } => {
-                Some((*target, self.program.pool.as_truth(*value)?, remark.as_deref()))
+            Statement::Assign { target, value, .. } => {
+                Some((statement, *target, *value, self.program.pool.as_truth(*value)?))
             }
             Statement::Heading(_)
             | Statement::Divide(_)
@@ -225,5 +250,17 @@ impl Body<'_, '_> {
             | Statement::If { .. } => None,
         };
         body.iter().map(bit).collect()
+    }
+
+    /// What is said beside an assignment.
+    fn remark(&self, statement: &Statement) -> Option<String> {
+        match statement {
+            Statement::Assign { origin, told, .. } => self.program.remark(*origin, *told),
+            Statement::Heading(_)
+            | Statement::Divide(_)
+            | Statement::CallTimer { .. }
+            | Statement::Case { .. }
+            | Statement::If { .. } => None,
+        }
     }
 }

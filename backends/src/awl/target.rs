@@ -10,6 +10,7 @@ use grafc_diagnostics::Diagnostics;
 pub(crate) const NAME: &str = "awl";
 pub(crate) const TITLE: &str = "Siemens STL (AWL), a source file for STEP 7: S7-300, S7-400";
 pub(crate) const EXTENSION: &str = "awl";
+pub(crate) const MAPPED: bool = true;
 pub(crate) const CHOICES: &[&Choice] = &[&POU, &BLOCK_NUMBER, &MNEMONICS];
 
 static BLOCK_NUMBER: Choice = Choice {
@@ -72,5 +73,7 @@ pub(crate) fn spelled(options: &Options) -> String {
 }
 
 pub(crate) fn emit(source: &mut dyn Source, options: &Options) -> Result<Output, Diagnostics> {
-    super::emit(source.program()?, options).map(Output::from)
+    let wants_map = source.wants_map();
+    let program = source.program()?;
+    super::write(program, options, wants_map).map(|written| Output::mapped(program, wants_map, written))
 }

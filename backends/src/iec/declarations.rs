@@ -5,7 +5,7 @@ use super::names::{Names, remark};
 use crate::comment::clean;
 use crate::writer::Writer;
 use grafc_formula::Type;
-use grafc_logic::scan::{Program, Role, State, VarId, Variable};
+use grafc_logic::scan::{Origin, Origins, Program, Role, State, VarId, Variable};
 use rustc_hash::FxHashMap;
 
 /// Comments of neighbouring declarations start in one column, unless a declaration is longer than this.
@@ -90,12 +90,21 @@ pub(crate) struct Entry {
     pub initial: Option<String>,
     /// What stands beside it, clean.
     pub comment: Option<String>,
+    /// Where the variable comes from, if somebody asks.
+    pub origin: Origin,
 }
 
 impl Entry {
     /// A variable of an elementary type, without anything beside it.
     pub fn plain(name: String, ty: Type) -> Entry {
-        Entry { name, address: None, ty: EntryType::Elementary(ty), initial: None, comment: None }
+        Entry {
+            name,
+            address: None,
+            ty: EntryType::Elementary(ty),
+            initial: None,
+            comment: None,
+            origin: Origin::Chart,
+        }
     }
 
     fn text(&self) -> String {
@@ -116,9 +125,20 @@ impl Entry {
 
 /// All declarations of the function block; `more` are further values that live within one call.
 pub(crate) fn interface(program: &Program, names: &Names, more: Vec<Entry>) -> Vec<Block> {
+    interface_from(program, names, None, more)
+}
+
+/// The same; with `origins` it is noted where variables come from.
+pub(crate) fn interface_from(
+    program: &Program,
+    names: &Names,
+    origins: Option<&Origins>,
+    more: Vec<Entry>,
+) -> Vec<Block> {
+    let of_variable = |id: VarId| origins.map_or(Origin::Chart, |origins| origins.variables[id]);
     let entries = |wanted: fn(&Variable) -> bool| -> Vec<Entry> {
-        let all = program.variables.iter_enumerated();
-        all.filter(|(_, variable)| wanted(variable)).map(|(id, variable)| entry(id, variable, names)).collect()
+        let all = program.variables.iter_enumerated().filter(|(_, variable)| wanted(variable));
+        all.map(|(id, variable)| Entry { origin: of_variable(id), ..entry(id, variable, names) }).collect()
     };
     let timers = program.timers.iter_enumerated().map(|(id, timer)| Entry {
         name: names.timers[id].clone(),
@@ -126,6 +146,7 @@ pub(crate) fn interface(program: &Program, names: &Names, more: Vec<Entry>) -> V
         ty: EntryType::Timer,
         initial: None,
         comment: timer.comment.as_deref().map(clean).filter(|text| !text.is_empty()),
+        origin: origins.map_or(Origin::Chart, |origins| origins.timers[id]),
     });
     let mut within = entries(|v| v.role == Role::Temporary);
     within.extend(more);
@@ -134,7 +155,7 @@ pub(crate) fn interface(program: &Program, names: &Names, more: Vec<Entry>) -> V
     published.extend(entries(|v| matches!(v.role, Role::Flag(_))));
     let local = vec![
         ("internal variables", entries(|v| v.role == Role::Internal && !v.is_published())),
-        ("steps", steps(program, names)),
+        ("steps", steps(program, names, of_variable)),
         ("timers", timers.collect()),
         ("memory from call to call", entries(|v| v.role == Role::Memory)),
         ("values within one call", within),
@@ -163,15 +184,16 @@ pub(super) fn entry(id: VarId, variable: &Variable, names: &Names) -> Entry {
         ty: EntryType::Elementary(variable.ty),
         initial: shown.then(|| literals::initial(variable.initial, variable.ty)),
         comment,
+        origin: Origin::Chart,
     }
 }
 
 /// The situation: a variable a step, or one that says which of several steps is active.
-fn steps(program: &Program, names: &Names) -> Vec<Entry> {
+fn steps(program: &Program, names: &Names, of_variable: impl Fn(VarId) -> Origin) -> Vec<Entry> {
     let states: FxHashMap<VarId, &State> = program.states.iter().map(|state| (state.variable, state)).collect();
     let all = program.variables.iter_enumerated().filter(|(_, v)| matches!(v.role, Role::Step | Role::State));
     let with_values = |(id, variable)| {
-        let mut entry = entry(id, variable, names);
+        let mut entry = Entry { origin: of_variable(id), ..entry(id, variable, names) };
         if let Some(state) = states.get(&id) {
             let values = values(state);
             entry.comment = Some(entry.comment.map_or_else(|| values.clone(), |text| format!("{text}: {values}")));
@@ -221,7 +243,9 @@ fn section(out: &mut Writer, entries: &[Entry]) {
     let lengths = commented.map(|entry| out.indent() + entry.text().len());
     let column = lengths.filter(|length| *length <= FURTHEST_COLUMN).max().unwrap_or(0);
     let mut entries = entries.iter().peekable();
+    let outer = out.origin(Origin::Chart);
     while let Some(entry) = entries.next() {
+        out.origin(entry.origin);
         let text = entry.text();
         let length = out.indent() + text.len();
         if let Some(comment) = &entry.comment {
@@ -246,9 +270,11 @@ fn section(out: &mut Writer, entries: &[Entry]) {
             let Some(next) = entries.next_if(|next| fits(next)) else { break };
             out.text(", ");
             out.text(&next.name);
+            out.also(next.origin);
             length += 2 + next.name.len();
         }
         out.text(&text[entry.name.len()..]);
         out.end();
     }
+    out.origin(outer);
 }

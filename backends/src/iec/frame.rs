@@ -5,7 +5,7 @@ use super::literals::time;
 use super::names::Names;
 use super::{Options, Pou};
 use crate::writer::Writer;
-use grafc_logic::scan::{Program, Role, VarId, Variable};
+use grafc_logic::scan::{Origin, Program, Role, VarId, Variable};
 
 /// Writes what stands around the function block; `body` is given the names of inputs and of what is published, and
 /// writes the statements of the program, which wire the instance to them.
@@ -67,6 +67,7 @@ pub(crate) fn variables(program: &Program, names: &Names) -> Vec<Block> {
         ty: EntryType::Block(names.block.clone()),
         initial: None,
         comment: None,
+        origin: Origin::Chart,
     });
     vec![local(located), local(plain)]
 }

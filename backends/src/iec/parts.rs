@@ -3,6 +3,7 @@
 use super::declarations::{self, Block, Entry};
 use super::frame;
 use super::names::{Names, remark};
+use crate::lines::Lines;
 use grafc_logic::scan::Program;
 
 /// All parts.
@@ -13,8 +14,9 @@ pub(crate) struct Parts {
     pub description: Option<String>,
     /// Its variables.
     pub interface: Vec<Block>,
-    /// Its statements.
+    /// Its statements, and which lines of them come from what, if somebody asks.
     pub body: String,
+    pub lines: Lines,
     /// The name of the program.
     pub program: String,
     /// The variables of the program.
@@ -60,6 +62,7 @@ impl Parts {
             description: remark(&program.name, &names.block, program.comment.as_deref()),
             interface: declarations::interface(program, &names, more),
             body,
+            lines: Lines::default(),
             program_variables: frame::variables(program, &names),
             program_body,
             language,

@@ -26,6 +26,7 @@ pub use crate::iec::{Options, Pou};
 use crate::iec::{declarations, frame, names};
 use crate::keywords::Family;
 use crate::limits;
+use crate::lines::Lines;
 use crate::writer::{self, Writer};
 use code::Code;
 use declarations::Entry;
@@ -42,16 +43,22 @@ const LONG: usize = 16_000;
 ///
 /// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
 pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
+    write(program, options, false).map(|(text, _)| text)
+}
+
+/// The same, and which lines come from what, if that is wanted.
+fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, Lines), Diagnostics> {
     limits::check(program)?;
     let mut names = Names::new(program, Family::InstructionList);
-    let (body, parts) = self::body(program, &mut names);
-    let mut out = Writer::new(&writer::IEC);
+    let (body, parts) = self::body(program, &mut names, traced);
+    let mut out = Writer::new(&writer::IEC).traced(traced);
     out.block_comment(options.header.iter().map(|line| clean(line)));
     out.blank();
     out.comment(&names::remark(&program.name, &names.block, program.comment.as_deref()).unwrap_or_default());
     out.line(&format!("FUNCTION_BLOCK {}", names.block));
     out.blank();
-    declarations::write(&mut out, &declarations::interface(program, &names, parts));
+    let origins = traced.then(|| program.origins());
+    declarations::write(&mut out, &declarations::interface_from(program, &names, origins.as_ref(), parts));
     out.blank();
     out.append(body);
     out.blank();
@@ -60,23 +67,23 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
         let body = call(out.apart(), &names.instance, inputs, published);
         out.append(body);
     });
-    Ok(out.finish())
+    Ok(out.finish_traced())
 }
 
 /// The parts of a program.
 pub(crate) fn parts(program: &Program) -> Result<Parts, Diagnostics> {
     limits::check(program)?;
     let mut names = Names::new(program, Family::InstructionList);
-    let (body, parts) = self::body(program, &mut names);
+    let (body, parts) = self::body(program, &mut names, false);
     let (inputs, published) = frame::wired(program, &names);
     let program_body = call(Writer::new(&writer::IEC), &names.instance, &inputs, &published);
     Ok(Parts::new(program, names, Language::Il, parts, body.finish(), program_body.finish()))
 }
 
 /// The instructions of the function block, and the declarations of what holds parts of formulas.
-fn body(program: &Program, names: &mut Names) -> (Writer, Vec<Entry>) {
-    let body = statements::body(program, names);
-    let mut out = Writer::new(&writer::IEC);
+fn body(program: &Program, names: &mut Names, traced: bool) -> (Writer, Vec<Entry>) {
+    let body = statements::body(program, names, traced);
+    let mut out = Writer::new(&writer::IEC).traced(traced);
     if body.out.len() > LONG {
         out.comment("this label tells MATIEC that a long instruction list begins");
         out.line(&format!("{}:", names.namer.name("no_end_action")));
@@ -104,7 +111,7 @@ fn call(out: Writer, instance: &str, inputs: &[&str], published: &[&str]) -> Wri
 /// How many instructions the function block of [`emit`] has.
 pub fn instructions(program: &Program) -> Result<u64, Diagnostics> {
     limits::check(program)?;
-    Ok(statements::body(program, &mut Names::new(program, Family::InstructionList)).count)
+    Ok(statements::body(program, &mut Names::new(program, Family::InstructionList), false).count)
 }
 
 /// The names that [`emit`] gives to the variables of a program.

@@ -10,16 +10,18 @@ use crate::iec::names::Names;
 use crate::writer::{self, Writer};
 use grafc_formula::{FormulaId, Value};
 use grafc_logic::scan::{
-    Arm, ByMinusOne, Division, Guard, Limit, Program, Repeat, Statement, TimerId, VarId, is_empty,
+    Arm, ByMinusOne, Division, Guard, Limit, Origins, Program, Repeat, Statement, TimerId, VarId, is_empty, origin_of,
+    origin_of_end,
 };
 
 /// So many arms of a choice are tried one after the other; of more, a jump passes over half.
 const FEW_ARMS: usize = 8;
 
 /// The instructions of one call.
-pub(super) fn body(program: &Program, names: &mut Names) -> Code {
-    let code = Code::new(Writer::new(&writer::IEC));
-    let mut body = Body { program, names, expressions: Expressions::new(program), code };
+pub(super) fn body(program: &Program, names: &mut Names, traced: bool) -> Code {
+    let code = Code::new(Writer::new(&writer::IEC).traced(traced));
+    let origins = traced.then(|| program.origins());
+    let mut body = Body { program, names, expressions: Expressions::new(program), code, origins };
     body.block(&program.first, None);
     body.block(&program.before, None);
     match program.repeat {
@@ -40,9 +42,18 @@ struct Body<'p, 'n> {
     names: &'n mut Names,
     expressions: Expressions<'p>,
     code: Code,
+    /// Where variables come from, if somebody asks.
+    origins: Option<Origins>,
 }
 
 impl Body<'_, '_> {
+    /// What an assignment is about, beside what it comes from.
+    fn about(&mut self, target: VarId, value: FormulaId) {
+        if let Some(origins) = &self.origins {
+            self.code.out.also(origins.written(&self.program.pool, target, value));
+        }
+    }
+
     fn name(&self, id: VarId) -> String {
         self.names.variables[id].clone()
     }
@@ -97,17 +108,23 @@ impl Body<'_, '_> {
     fn block(&mut self, statements: &[Statement], after: Option<&str>) {
         for (place, statement) in statements.iter().enumerate() {
             let after = after.filter(|_| place + 1 == statements.len());
+            let outer = self.code.out.inner_origin(statement.origin());
             match statement {
-                Statement::Heading(text) => self.code.heading(text),
-                Statement::Assign { target, value, remark } => {
-                    self.code.remark(remark.as_deref());
+                Statement::Heading(heading) => self.code.heading(heading.text()),
+                Statement::Assign { target, value, origin, told } => {
+                    self.about(*target, *value);
+                    self.code.remark(self.program.remark(*origin, *told).as_deref());
                     self.assign(*target, *value);
                 }
-                Statement::Divide(division) => self.divide(division),
-                Statement::CallTimer { timer, input } => self.call_timer(*timer, *input),
+                Statement::Divide(division) => {
+                    self.about(division.target, division.dividend);
+                    self.divide(division);
+                }
+                Statement::CallTimer { timer, input, .. } => self.call_timer(*timer, *input),
                 Statement::Case { of, arms } => self.case(*of, arms, after),
                 Statement::If { branches, otherwise } => self.branch(branches, otherwise, after),
             }
+            self.code.out.origin(outer);
         }
     }
 
@@ -136,7 +153,7 @@ impl Body<'_, '_> {
 
     /// A division under the guards that it needs.
     fn divide(&mut self, division: &Division) {
-        let Division { target, modulo, dividend: a, divisor: b, flag } = *division;
+        let Division { target, modulo, dividend: a, divisor: b, flag, .. } = *division;
         let (ty, result) = (self.program.pool.ty(b), self.program.variables[target].ty);
         let guard = self.program.guard(division);
         if guard == Guard::Never {
@@ -215,7 +232,8 @@ impl Body<'_, '_> {
         for (place, arm) in arms.iter().enumerate() {
             let is_last = place + 1 == arms.len();
             let next = if is_last { done.to_owned() } else { self.new_label("next") };
-            self.code.remark(arm.remark.as_deref());
+            let outer = self.code.out.inner_origin(arm.origin);
+            self.code.remark(self.program.remark(arm.origin, arm.told).as_deref());
             self.code.operation("LD", &self.names.variables[of]);
             self.code.operation("EQ", &arm.value.to_string());
             self.code.jump_unless(&next);
@@ -226,6 +244,7 @@ impl Body<'_, '_> {
             if !is_last {
                 self.code.label(&next);
             }
+            self.code.out.origin(outer);
         }
     }
 
@@ -236,6 +255,7 @@ impl Body<'_, '_> {
         }
         let done = after.map_or_else(|| self.new_label("done"), str::to_owned);
         for (place, (condition, body)) in branches.iter().enumerate() {
+            let outer = self.code.out.inner_origin(origin_of(body));
             let is_last = place + 1 == branches.len() && is_empty(otherwise);
             let next = if is_last { done.clone() } else { self.new_label("next") };
             self.load(*condition);
@@ -246,10 +266,13 @@ impl Body<'_, '_> {
                 self.code.label(&next);
                 self.code.known = Some(Known::Truth(false));
             }
+            self.code.out.origin(outer);
         }
         self.block(otherwise, Some(&done));
         if after.is_none() {
+            let outer = self.code.out.inner_origin(origin_of_end(branches, otherwise));
             self.code.label(&done);
+            self.code.out.origin(outer);
         }
     }
 }

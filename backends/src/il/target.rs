@@ -9,6 +9,7 @@ use grafc_diagnostics::Diagnostics;
 pub(crate) const NAME: &str = "il";
 pub(crate) const TITLE: &str = "IEC 61131-3 instruction list";
 pub(crate) const EXTENSION: &str = "il";
+pub(crate) const MAPPED: bool = true;
 pub(crate) const CHOICES: &[&Choice] = &[&POU, &TASK_INTERVAL];
 
 pub(crate) fn options(chosen: &Chosen) -> Result<Options, Refusal> {
@@ -20,5 +21,7 @@ pub(crate) fn spelled(options: &Options) -> String {
 }
 
 pub(crate) fn emit(source: &mut dyn Source, options: &Options) -> Result<Output, Diagnostics> {
-    super::emit(source.program()?, options).map(Output::from)
+    let wants_map = source.wants_map();
+    let program = source.program()?;
+    super::write(program, options, wants_map).map(|written| Output::mapped(program, wants_map, written))
 }

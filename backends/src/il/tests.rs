@@ -1,10 +1,10 @@
 //! Instruction lists, read line by line.
 
 use super::{Options, emit, instructions};
-use crate::st::tests::{Build, assign, body, case, four_steps, heading, noted, when};
+use crate::st::tests::{Build, assign, body, call, four_steps, heading, when};
 use expect_test::expect;
 use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
-use grafc_logic::scan::{Division, Flag, Preset, Program, Repeat, Role, Statement, VarId};
+use grafc_logic::scan::{Division, Flag, Heading, Origin, Preset, Program, Repeat, Role, Statement, Told, VarId};
 
 /// The body of the function block as one line: `LD a, ST y`. Its instructions are as many as are counted.
 fn list(program: &Program) -> String {
@@ -219,7 +219,8 @@ fn a_choice_tries_its_arms() {
         // From the last to the first.
         let arms = (1..=count).rev().map(|value| grafc_logic::scan::Arm {
             value,
-            remark: None,
+            origin: Origin::Chart,
+            told: Told::Nothing,
             body: vec![if value == 2 { b.set(at, 1) } else { assign(y, yes) }],
         });
         let arms = arms.collect();
@@ -248,7 +249,14 @@ fn a_division_is_guarded() {
     let divide = |ty: Type, modulo: bool| {
         body(&[("n", ty), ("k", ty)], ty, |b, i, target| {
             let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
-            vec![Statement::Divide(Division { target, modulo, dividend: i[0], divisor: i[1], flag })]
+            vec![Statement::Divide(Division {
+                target,
+                modulo,
+                dividend: i[0],
+                divisor: i[1],
+                flag,
+                origin: Origin::Chart,
+            })]
         })
     };
     assert_eq!(
@@ -272,7 +280,7 @@ fn a_division_is_guarded() {
         let program = body(&[("k", Type::Dint)], Type::Dint, |b, i, target| {
             let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
             let dividend = b.pool().constant(Value::Int(value), Type::Dint);
-            vec![Statement::Divide(Division { target, modulo, dividend, divisor: i[0], flag })]
+            vec![Statement::Divide(Division { target, modulo, dividend, divisor: i[0], flag, origin: Origin::Chart })]
         });
         list(&program)
     };
@@ -282,7 +290,14 @@ fn a_division_is_guarded() {
     let by_nothing = body(&[("n", Type::Int)], Type::Int, |b, i, target| {
         let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
         let divisor = b.pool().constant(Value::Int(0), Type::Int);
-        vec![Statement::Divide(Division { target, modulo: false, dividend: i[0], divisor, flag })]
+        vec![Statement::Divide(Division {
+            target,
+            modulo: false,
+            dividend: i[0],
+            divisor,
+            flag,
+            origin: Origin::Chart,
+        })]
     });
     assert_eq!(list(&by_nothing), "LD 0, ST y, LD TRUE, ST DIV0");
 }
@@ -293,11 +308,7 @@ fn a_timer_is_given_its_inputs_before_it_is_called() {
         let timer = b.timer("on_a", Some(Preset { ms: 1500, constant: None }), "");
         let unbounded = b.timer("T2", None, "");
         let (both, done) = (b.pool().and([i[0], i[1]]), b.pool().timer_done(timer));
-        vec![
-            Statement::CallTimer { timer, input: both },
-            assign(y, done),
-            Statement::CallTimer { timer: unbounded, input: i[0] },
-        ]
+        vec![call(timer, both), assign(y, done), call(unbounded, i[0])]
     });
     assert_eq!(
         list(&program),
@@ -322,7 +333,7 @@ fn a_long_body_is_announced() {
     let begins = |assignments: usize| {
         let program = body(&BITS, Type::Bool, |_, i, y| (0..assignments).map(|n| assign(y, i[n % 5])).collect());
         let text = emit(&program, &Options::default()).expect("it can be written");
-        text.contains("\nno_end_action:\n\n(* body *)\n    LD    a\n")
+        text.contains("\nno_end_action:\n\n(* outputs *)\n    LD    a\n")
     };
     // An assignment takes 24 bytes.
     assert!(!begins(600) && begins(700));
@@ -346,17 +357,16 @@ fn comments_stand_where_the_reader_looks() {
     let program = body(&BITS, Type::Bool, |b, i, y| {
         let at = b.var(Role::State, "at_G1", Type::Int);
         let both = b.pool().and([i[0], i[1]]);
-        let long =
-            "a remark that is far too long to stand behind anything, so it stands on a line before what it is for";
-        let arms = [(1, "step 1", vec![when(both, vec![noted(y, both, "1 -> 2"), noted(y, i[2], long)])])];
-        vec![case(at, arms), heading("outputs *) of\nthe chart")]
+        let long = "2 -> 1: a remark that is *) far too long to stand behind anything, so it stands on a line before what it is for";
+        let arms = [(1, "step 1", vec![when(both, vec![b.noted(y, both, "1 -> 2"), b.noted(y, i[2], long)])])];
+        vec![b.case(at, arms), heading(Heading::Situation)]
     });
     let text = emit(&program, &Options { header: vec!["from a.gct".to_owned()], ..Options::default() });
     let text = text.expect("it can be written");
     let (_, lines) = text.rsplit_once("END_VAR\n").expect("declarations");
     expect![[r#"
 
-        (* body *)
+        (* outputs *)
             LD    at_G1                   (* step 1 *)
             EQ    1
             JMPCN done
@@ -366,13 +376,13 @@ fn comments_stand_where_the_reader_looks() {
             LD    a                       (* 1 -> 2 *)
             AND   b
             ST    y
-        (* a remark that is far too long to stand behind anything, so it stands on a line before what it
-           is for *)
+        (* 2 -> 1: a remark that is * ) far too long to stand behind anything, so it stands on a line
+           before what it is for *)
             LD    c
             ST    y
         done:
 
-        (* outputs * ) of the chart *)
+        (* situation *)
 
         END_FUNCTION_BLOCK
     "#]]

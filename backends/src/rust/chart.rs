@@ -9,7 +9,7 @@ use super::parts::Parts;
 use super::places::{Places, flag_name};
 use super::{saved, scan, situation};
 use crate::writer::Writer;
-use grafc_logic::scan::{Flag, Program, Role, VarId};
+use grafc_logic::scan::{Flag, Origin, Origins, Program, Role, VarId};
 
 /// All flags.
 const FLAGS: [Flag; 4] = [Flag::Livelock, Flag::AllocConflict, Flag::ForceConflict, Flag::Div0];
@@ -66,16 +66,22 @@ impl Chart<'_> {
             }
             out.comment(about);
             for id in group {
+                let of_variable = |origins: &Origins| origins.variables[id];
+                let outer = out.origin(self.places.origins.as_ref().map_or(Origin::Chart, of_variable));
                 if let Some(comment) = &self.program.variables[id].comment {
                     doc(out, &crate::comment::clean(comment));
                 }
                 out.line(&format!("{}: {},", self.names.variables[id], self.type_of(id)));
+                out.origin(outer);
             }
         }
         if !self.program.timers.is_empty() {
             out.comment("delays");
-            for timer in &self.names.timers {
+            for (id, timer) in self.names.timers.iter_enumerated() {
+                let outer =
+                    out.origin(self.places.origins.as_ref().map_or(Origin::Chart, |origins| origins.timers[id]));
                 out.line(&format!("{timer}: Timer,"));
+                out.origin(outer);
             }
         }
         out.comment("what can be seen from outside");

@@ -5,15 +5,17 @@ use super::literals::{literal, type_name, zero};
 use super::names::{Names, remark};
 use crate::writer::Writer;
 use grafc_formula::Type;
-use grafc_logic::scan::{Program, Role, Variable};
+use grafc_logic::scan::{Origin, Program, Role, Variable};
 
 /// Writes the constants of the chart.
 pub(super) fn constants(out: &mut Writer, program: &Program, names: &Names) {
     for (id, variable) in program.of_role(Role::Constant) {
         out.blank();
+        let outer = out.origin(Origin::declaration(id));
         document(out, &names.variables[id], variable);
         let value = literal(variable.initial, variable.ty);
         out.line(&format!("pub const {}: {} = {value};", names.variables[id], type_name(variable.ty)));
+        out.origin(outer);
     }
 }
 
@@ -70,8 +72,10 @@ fn structure(out: &mut Writer, program: &Program, names: &Names, role: Role, nam
     }
     out.open(&format!("pub struct {name} {{"));
     for (id, variable) in program.of_role(role) {
+        let outer = out.origin(Origin::declaration(id));
         document(out, &names.variables[id], variable);
         out.line(&format!("pub {}: {},", names.variables[id], type_name(variable.ty)));
+        out.origin(outer);
     }
     out.close("}");
 }

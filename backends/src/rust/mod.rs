@@ -33,6 +33,7 @@ mod uses;
 
 use crate::comment::clean;
 use crate::limits;
+use crate::lines::Lines;
 use crate::writer::{self, Writer};
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::scan::Program;
@@ -98,13 +99,19 @@ const LINTS: &str = "\
 ///
 /// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
 pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
+    write(program, options, false).map(|(text, _)| text)
+}
+
+/// The same, and which lines come from what, if that is wanted.
+fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, Lines), Diagnostics> {
     limits::check(program)?;
     let names = Names::new(program);
     let mut places = Places::new(program, &names);
+    places.origins = traced.then(|| program.origins());
     let parts = Parts::new(program, &places, options.longest_function.max(1));
     places.share(&parts.shared);
     let needs = runtime::Needs::of(program);
-    let mut out = Writer::new(&writer::RUST);
+    let mut out = Writer::new(&writer::RUST).traced(traced);
     if let Some(module) = &options.module {
         out.open(&format!("pub mod {} {{", names::module(module)));
     }
@@ -122,7 +129,7 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
     if options.module.is_some() {
         out.close("}");
     }
-    Ok(out.finish())
+    Ok(out.finish_traced())
 }
 
 /// The names that [`emit`] gives.

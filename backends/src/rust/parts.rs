@@ -9,7 +9,7 @@ use super::places::Places;
 use super::uses::{Uses, shared};
 use crate::limits;
 use grafc_formula::FormulaId;
-use grafc_logic::scan::{Arm, Program, Statement, VarId};
+use grafc_logic::scan::{Arm, Origin, Program, Statement, Told, VarId};
 use rustc_hash::FxHashSet;
 
 /// Programs with so many times more statements than one function should have are parted.
@@ -22,11 +22,20 @@ const FORMULA: usize = 8;
 /// What stands above the function of a micro-step.
 const MICRO_STEP: &str = "one micro-step; true if another is needed";
 
+/// What stands above a function.
+#[derive(Clone, Copy)]
+pub(super) enum About {
+    /// These words.
+    Words(&'static str),
+    /// What is said of where it comes from.
+    Origin(Origin, Told),
+}
+
 /// A function.
 #[derive(Default)]
 pub(super) struct Function<'p> {
     /// What stands above its statements.
-    pub about: Option<&'p str>,
+    pub about: Option<About>,
     /// What it does.
     pub code: Vec<Code<'p>>,
     /// What it needs, together with the functions that it calls.
@@ -72,7 +81,8 @@ impl<'p> Parts<'p> {
             let function = splitter.reserve();
             let mut code = splitter.block(&program.micro_step);
             code.push(Code::Again(repeat.again));
-            splitter.functions[function] = Function { about: Some(MICRO_STEP), code, ..Function::default() };
+            splitter.functions[function] =
+                Function { about: Some(About::Words(MICRO_STEP)), code, ..Function::default() };
             function
         });
         match micro_step {
@@ -171,7 +181,7 @@ struct Splitter<'p, 'a> {
     functions: Vec<Function<'p>>,
     tables: Vec<Table>,
     /// The last heading.
-    about: Option<&'p str>,
+    about: Option<About>,
 }
 
 impl<'p> Splitter<'p, '_> {
@@ -188,8 +198,8 @@ impl<'p> Splitter<'p, '_> {
                 self.outline(&mut out, &mut run, run_weight);
                 run_weight = 0;
             }
-            if let Statement::Heading(text) = statement {
-                self.about = Some(text);
+            if let Statement::Heading(heading) = statement {
+                self.about = Some(About::Words(heading.text()));
             }
             match statement {
                 Statement::If { branches, otherwise } if weight > self.longest => {
@@ -234,7 +244,7 @@ impl<'p> Splitter<'p, '_> {
         let first = self.functions.len();
         self.tables.push(Table { arms: vec![None; state.variants.len()], first, needs: Needs::default() });
         for arm in arms {
-            self.about = arm.remark.as_deref();
+            self.about = Some(About::Origin(arm.origin, arm.told));
             let function = self.reserve();
             self.tables[table].arms[state.place(arm.value)] = Some(function);
             self.functions[function].table = Some(table);

@@ -3,7 +3,7 @@
 use super::literals::literal;
 use super::names::{Names, StateNames};
 use grafc_formula::{Formula, FormulaId, Type, Value};
-use grafc_logic::scan::{Flag, Held, Program, Role, StepId, TimerId, VarId};
+use grafc_logic::scan::{Flag, Held, Origins, Program, Role, StepId, TimerId, VarId};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
@@ -11,6 +11,8 @@ use rustc_hash::FxHashMap;
 pub(super) struct Places<'p> {
     program: &'p Program,
     names: &'p Names,
+    /// Where variables come from, if somebody asks.
+    pub origins: Option<Origins>,
     /// How each variable is read.
     read: IndexVec<VarId, String>,
     /// The state whose values each variable holds.
@@ -29,7 +31,8 @@ impl<'p> Places<'p> {
                 Held::State(..) => None,
             }));
         }
-        let mut places = Places { program, names, read: IndexVec::new(), state: program.state_of(), packed };
+        let mut places =
+            Places { program, names, origins: None, read: IndexVec::new(), state: program.state_of(), packed };
         for id in program.variables.indices() {
             let text = places.spell(id);
             places.read.push(text);

@@ -5,7 +5,7 @@ use super::items::doc;
 use super::names::{Names, StateNames};
 use crate::comment::clean;
 use crate::writer::Writer;
-use grafc_logic::scan::Program;
+use grafc_logic::scan::{Origin, Program};
 
 /// rustfmt puts many literals on a line if none is longer, without its quotes.
 const SHORT: usize = 10;
@@ -22,8 +22,10 @@ pub(super) fn steps(out: &mut Writer, program: &Program, names: &Names) {
     out.line(&format!("#[derive(Clone, Copy, {}PartialEq, Eq, Hash)]", derived(many)));
     out.open("pub enum Step {");
     for (s, step) in program.steps.iter_enumerated() {
+        let outer = out.origin(Origin::Step(s));
         doc(out, &about(&step.label, step.comment.as_deref()));
         out.line(&format!("{},", names.steps[s]));
+        out.origin(outer);
     }
     out.close("}");
     out.blank();
@@ -99,13 +101,16 @@ pub(super) fn states(out: &mut Writer, program: &Program, names: &Names) {
         let mut in_order = state.values.iter();
         for (value, variant) in &names.variants {
             // The variants of steps are in the order of the values.
-            let step = if state.idle == Some(*value) { None } else { in_order.next().map(|(s, _)| &program.steps[*s]) };
+            let id = if state.idle == Some(*value) { None } else { in_order.next().map(|(s, _)| *s) };
+            let step = id.map(|s| &program.steps[s]);
+            let outer = out.origin(id.map_or(Origin::Chart, Origin::Step));
             debug_assert_eq!(step.map(|s| &s.label), step_of(*value).map(|s| &s.label));
             match step {
                 Some(step) => doc(out, &about(&step.label, step.comment.as_deref())),
                 None => out.line("/// none of them"),
             }
             out.line(&format!("{variant},"));
+            out.origin(outer);
         }
         out.close("}");
         if many {

@@ -8,6 +8,7 @@ use grafc_diagnostics::Diagnostics;
 pub(crate) const NAME: &str = "rust";
 pub(crate) const TITLE: &str = "A Rust module, without std and allocation";
 pub(crate) const EXTENSION: &str = "rs";
+pub(crate) const MAPPED: bool = true;
 pub(crate) const CHOICES: &[&Choice] = &[&RUNTIME];
 
 static RUNTIME: Choice = Choice {
@@ -47,5 +48,7 @@ pub(crate) fn spelled(options: &Options) -> String {
 }
 
 pub(crate) fn emit(source: &mut dyn Source, options: &Options) -> Result<Output, Diagnostics> {
-    super::emit(source.program()?, options).map(Output::from)
+    let wants_map = source.wants_map();
+    let program = source.program()?;
+    super::write(program, options, wants_map).map(|written| Output::mapped(program, wants_map, written))
 }

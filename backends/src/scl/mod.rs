@@ -10,12 +10,13 @@ pub(crate) mod target;
 use crate::comment::clean;
 use crate::iec::declarations::{Block, Entry, EntryType, Kind};
 use crate::iec::parts::Parts;
+use crate::lines::Lines;
 use crate::st::{self, Style};
 use crate::transliterate::ascii;
 use crate::writer::{self, Writer};
 use grafc_diagnostics::Diagnostics;
 use grafc_formula::Type;
-use grafc_logic::scan::Program;
+use grafc_logic::scan::{Origin, Program};
 
 /// What the caller may choose.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -28,14 +29,20 @@ pub struct Options {
 ///
 /// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
 pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
-    let parts = st::parts(program, Style { mark: "#", comments: &writer::SCL })?;
-    let mut out = Writer::new(&writer::SCL);
+    write(program, options, false).map(|(text, _)| text)
+}
+
+/// The same, and which lines come from what, if that is wanted.
+fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, Lines), Diagnostics> {
+    let parts = st::parts(program, Style { mark: "#", comments: &writer::SCL, traced })?;
+    let mut out = Writer::new(&writer::SCL).traced(traced);
     function_block(&mut out, &parts, &options.header);
     out.blank();
     out.line(&format!("DATA_BLOCK \"{0}_DB\" \"{0}\"", parts.block));
     out.line("BEGIN");
     out.line("END_DATA_BLOCK");
-    Ok(ascii(&out.finish()))
+    let (text, lines) = out.finish_traced();
+    Ok((ascii(&text), lines))
 }
 
 fn function_block(out: &mut Writer, parts: &Parts, header: &[String]) {
@@ -53,12 +60,17 @@ fn function_block(out: &mut Writer, parts: &Parts, header: &[String]) {
     out.block_comment(header.iter().map(|line| clean(line)));
     out.comment(parts.description.as_deref().unwrap_or_default());
     out.blank();
+    let origins = parts.lines.by_line(if out.is_traced() { parts.body.lines().count() } else { 0 });
+    let mut origins = origins.into_iter();
     for line in parts.body.lines() {
+        out.origin(Origin::Chart);
+        origins.next().unwrap_or_default().into_iter().for_each(|origin| out.also(origin));
         match line {
             "" => out.blank(),
             line => out.line(line),
         }
     }
+    out.origin(Origin::Chart);
     out.leave();
     out.line("END_FUNCTION_BLOCK");
 }
@@ -70,6 +82,7 @@ fn declarations(out: &mut Writer, block: &Block) {
     out.open(block.kind.keyword());
     for entry in block.entries() {
         let text = declaration(entry);
+        out.origin(entry.origin);
         out.start();
         out.text(&text);
         if let Some(comment) = &entry.comment {
@@ -77,6 +90,7 @@ fn declarations(out: &mut Writer, block: &Block) {
         }
         out.end();
     }
+    out.origin(Origin::Chart);
     out.close("END_VAR");
 }
 

@@ -8,6 +8,7 @@ use grafc_diagnostics::Diagnostics;
 pub(crate) const NAME: &str = "scl";
 pub(crate) const TITLE: &str = "Siemens SCL, a source file for TIA Portal";
 pub(crate) const EXTENSION: &str = "scl";
+pub(crate) const MAPPED: bool = true;
 /// The form leaves no choice.
 pub(crate) const CHOICES: &[&Choice] = &[];
 
@@ -20,5 +21,7 @@ pub(crate) fn spelled(_: &Options) -> String {
 }
 
 pub(crate) fn emit(source: &mut dyn Source, options: &Options) -> Result<Output, Diagnostics> {
-    super::emit(source.program()?, options).map(Output::from)
+    let wants_map = source.wants_map();
+    let program = source.program()?;
+    super::write(program, options, wants_map).map(|written| Output::mapped(program, wants_map, written))
 }

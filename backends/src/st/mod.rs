@@ -16,6 +16,7 @@ pub use crate::iec::{Options, Pou};
 use crate::iec::{declarations, frame, names};
 use crate::keywords::Family;
 use crate::limits;
+use crate::lines::Lines;
 use crate::writer::{self, Comments, Writer};
 use expressions::Expressions;
 use grafc_diagnostics::Diagnostics;
@@ -29,16 +30,21 @@ use rustc_hash::FxHashMap;
 ///
 /// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
 pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
+    write(program, options, false).map(|(text, _)| text)
+}
+
+/// The same, and which lines come from what, if that is wanted.
+fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, Lines), Diagnostics> {
     limits::check(program)?;
     let names = Names::new(program, Family::Iec);
     let expressions = Expressions::new(program, &names);
-    let mut out = Writer::new(&writer::IEC);
+    let mut out = Writer::new(&writer::IEC).traced(traced);
     out.block_comment(options.header.iter().map(|line| clean(line)));
     function_block(&mut out, program, &names, &expressions);
     frame::write(&mut out, program, &names, options, |out, inputs, published| {
         call::write(out, &names.instance, inputs, published);
     });
-    Ok(out.finish())
+    Ok(out.finish_traced())
 }
 
 /// The names that [`emit`] gives to the variables of a program.
@@ -53,11 +59,13 @@ pub(crate) struct Style {
     pub mark: &'static str,
     /// What stands around comments.
     pub comments: &'static Comments,
+    /// Whether somebody asks which lines come from what.
+    pub traced: bool,
 }
 
 impl Default for Style {
     fn default() -> Self {
-        Style { mark: "", comments: &writer::IEC }
+        Style { mark: "", comments: &writer::IEC, traced: false }
     }
 }
 
@@ -66,10 +74,13 @@ pub(crate) fn parts(program: &Program, style: Style) -> Result<Parts, Diagnostic
     limits::check(program)?;
     let names = Names::new(program, Family::Iec);
     let marked = names.marked(style.mark);
-    let mut body = Writer::new(style.comments);
+    let mut body = Writer::new(style.comments).traced(style.traced);
     statements::write(&mut body, program, &marked, &Expressions::new(program, &marked));
+    let (body, lines) = body.finish_traced();
     let call = self::call(program, &names);
-    Ok(Parts::new(program, names, Language::St, Vec::new(), body.finish(), call))
+    let origins = style.traced.then(|| program.origins());
+    let interface = declarations::interface_from(program, &names, origins.as_ref(), Vec::new());
+    Ok(Parts { interface, lines, ..Parts::new(program, names, Language::St, Vec::new(), body, call) })
 }
 
 /// The statements that come first and before a micro-step.
@@ -119,7 +130,8 @@ fn function_block(out: &mut Writer, program: &Program, names: &Names, expression
     out.comment(&names::remark(&program.name, &names.block, program.comment.as_deref()).unwrap_or_default());
     out.line(&format!("FUNCTION_BLOCK {}", names.block));
     out.blank();
-    declarations::write(out, &declarations::interface(program, names, Vec::new()));
+    let origins = out.is_traced().then(|| program.origins());
+    declarations::write(out, &declarations::interface_from(program, names, origins.as_ref(), Vec::new()));
     statements::write(out, program, names, expressions);
     out.blank();
     out.line("END_FUNCTION_BLOCK");

@@ -6,11 +6,14 @@ use crate::iec::literals::{literal, zero};
 use crate::iec::names::Names;
 use crate::writer::Writer;
 use grafc_formula::{Formula, FormulaId, Value};
-use grafc_logic::scan::{Arm, ByMinusOne, Division, Guard, Program, Repeat, Statement, TimerId, VarId, is_empty};
+use grafc_logic::scan::{
+    Arm, ByMinusOne, Division, Guard, Origins, Program, Repeat, Statement, TimerId, Told, VarId, is_empty, origin_of,
+    origin_of_end,
+};
 
 /// Writes the statements of one call.
 pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, expressions: &Expressions) {
-    let body = Body { program, names, expressions };
+    let body = Body::new(out, program, names, expressions);
     out.blank();
     body.block(out, &program.first);
     body.block(out, &program.before);
@@ -27,7 +30,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, expressi
 
 /// Writes what comes first and before a micro-step.
 pub(super) fn before(out: &mut Writer, program: &Program, names: &Names, expressions: &Expressions) {
-    let body = Body { program, names, expressions };
+    let body = Body::new(out, program, names, expressions);
     body.block(out, &program.first);
     body.block(out, &program.before);
 }
@@ -36,9 +39,22 @@ struct Body<'p> {
     program: &'p Program,
     names: &'p Names,
     expressions: &'p Expressions<'p>,
+    /// Where variables come from, if somebody asks.
+    origins: Option<Origins>,
 }
 
-impl Body<'_> {
+impl<'p> Body<'p> {
+    fn new(out: &Writer, program: &'p Program, names: &'p Names, expressions: &'p Expressions<'p>) -> Self {
+        Body { program, names, expressions, origins: out.is_traced().then(|| program.origins()) }
+    }
+
+    /// What an assignment is about, beside what it comes from.
+    fn about(&self, out: &mut Writer, target: VarId, value: FormulaId) {
+        if let Some(origins) = &self.origins {
+            out.also(origins.written(&self.program.pool, target, value));
+        }
+    }
+
     fn name(&self, id: VarId) -> &str {
         &self.names.variables[id]
     }
@@ -74,22 +90,28 @@ impl Body<'_> {
         // The column of the remarks of this run of assignments, and where the run ends.
         let (mut column, mut end) = (0, 0);
         for (place, statement) in statements.iter().enumerate() {
+            let outer = out.inner_origin(statement.origin());
             match statement {
-                Statement::Heading(text) => {
+                Statement::Heading(heading) => {
                     out.blank();
-                    out.comment(&clean(text));
+                    out.comment(heading.text());
                 }
-                Statement::Assign { target, value, remark } => {
+                Statement::Assign { target, value, origin, told } => {
                     if place >= end {
                         (column, end) = self.remark_column(out, statements, place);
                     }
-                    self.assign(out, *target, *value, remark.as_deref(), column);
+                    self.about(out, *target, *value);
+                    self.assign(out, *target, *value, self.program.remark(*origin, *told), column);
                 }
-                Statement::Divide(division) => self.divide(out, division),
-                Statement::CallTimer { timer, input } => self.call_timer(out, *timer, *input),
+                Statement::Divide(division) => {
+                    self.about(out, division.target, division.dividend);
+                    self.divide(out, division);
+                }
+                Statement::CallTimer { timer, input, .. } => self.call_timer(out, *timer, *input),
                 Statement::Case { of, arms } => self.case(out, *of, arms),
                 Statement::If { branches, otherwise } => self.branch(out, branches, otherwise),
             }
+            out.origin(outer);
         }
     }
 
@@ -102,18 +124,18 @@ impl Body<'_> {
     fn remark_column(&self, out: &Writer, statements: &[Statement], start: usize) -> (usize, usize) {
         let mut column = 0;
         for (place, statement) in statements.iter().enumerate().skip(start) {
-            let Statement::Assign { target, value, remark } = statement else { return (column, place) };
+            let Statement::Assign { target, value, told, .. } = statement else { return (column, place) };
             let length = self.length(out.indent(), *target, *value);
-            if remark.is_some() && length <= out.furthest_remark() {
+            if *told != Told::Nothing && length <= out.furthest_remark() {
                 column = column.max(length);
             }
         }
         (column, statements.len())
     }
 
-    fn assign(&self, out: &mut Writer, target: VarId, value: FormulaId, remark: Option<&str>, column: usize) {
+    fn assign(&self, out: &mut Writer, target: VarId, value: FormulaId, remark: Option<String>, column: usize) {
         let length = self.length(out.indent(), target, value);
-        let remark = remark.map(clean).filter(|text| !text.is_empty());
+        let remark = remark.map(|text| clean(&text)).filter(|text| !text.is_empty());
         if length > out.width() {
             out.comment(&remark.unwrap_or_default());
             out.line(&format!("{} :=", self.name(target)));
@@ -139,7 +161,7 @@ impl Body<'_> {
 
     /// A division under the guards that it needs.
     fn divide(&self, out: &mut Writer, division: &Division) {
-        let Division { target, modulo, dividend: a, divisor: b, flag } = *division;
+        let Division { target, modulo, dividend: a, divisor: b, flag, .. } = *division;
         let (ty, result) = (self.program.pool.ty(b), self.program.variables[target].ty);
         let guard = self.program.guard(division);
         if guard != Guard::Never {
@@ -230,8 +252,10 @@ impl Body<'_> {
     fn case(&self, out: &mut Writer, of: VarId, arms: &[Arm]) {
         out.open(&format!("CASE {} OF", self.name(of)));
         for arm in arms {
+            let outer = out.inner_origin(arm.origin);
             let label = format!("{}:", arm.value);
-            let remark = arm.remark.as_deref().map(clean).filter(|text| !text.is_empty());
+            let remark = self.program.remark(arm.origin, arm.told);
+            let remark = remark.map(|text| clean(&text)).filter(|text| !text.is_empty());
             let length = out.indent() + label.len();
             let behind = remark.as_deref().filter(|text| out.fits_behind(length, text));
             out.start();
@@ -246,6 +270,7 @@ impl Body<'_> {
             }
             self.block(out, &arm.body);
             out.leave();
+            out.origin(outer);
         }
         out.close("END_CASE;");
     }
@@ -253,6 +278,7 @@ impl Body<'_> {
     fn branch(&self, out: &mut Writer, branches: &[(FormulaId, Vec<Statement>)], otherwise: &[Statement]) {
         let mut word = "IF";
         for (condition, body) in branches {
+            let outer = out.inner_origin(origin_of(body));
             if out.indent() + word.len() + self.expressions.width(*condition) + 6 <= out.width() {
                 out.start();
                 out.text(word);
@@ -268,16 +294,21 @@ impl Body<'_> {
             out.enter();
             self.block(out, body);
             out.leave();
+            out.origin(outer);
             word = "ELSIF";
         }
         if branches.is_empty() {
             return self.block(out, otherwise);
         }
         if !is_empty(otherwise) {
+            let outer = out.inner_origin(origin_of(otherwise));
             out.open("ELSE");
             self.block(out, otherwise);
             out.leave();
+            out.origin(outer);
         }
+        let outer = out.inner_origin(origin_of_end(branches, otherwise));
         out.line("END_IF;");
+        out.origin(outer);
     }
 }

@@ -94,7 +94,7 @@ fn argument(choice: &'static Choice) -> Arg {
 }
 
 /// Targets in a sentence: `a`, `b` and `c`.
-fn sentence(targets: impl Iterator<Item = &'static About>, before: &str) -> String {
+pub fn sentence(targets: impl Iterator<Item = &'static About>, before: &str) -> String {
     let names: Vec<String> = targets.map(|about| format!("`{before}{}`", about.name)).collect();
     match names.split_last() {
         Some((last, [])) => last.clone(),

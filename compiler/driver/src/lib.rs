@@ -6,6 +6,7 @@ mod arguments;
 mod choices;
 pub mod command_line;
 mod commands;
+mod map;
 mod place;
 mod report;
 

@@ -53,6 +53,18 @@ impl Place {
         }
     }
 
+    /// Whether what is written to one would be written to the other, whether or not it is there yet.
+    pub fn is_same_place(&self, other: &Place) -> bool {
+        match (self, other) {
+            (Place::Standard, Place::Standard) => true,
+            (Place::File(a), Place::File(b)) => {
+                let absolute = |path| std::path::absolute(path).ok();
+                files::is_same_file(a, b) || absolute(a).is_some_and(|a| Some(a) == absolute(b))
+            }
+            (Place::Standard, Place::File(_)) | (Place::File(_), Place::Standard) => false,
+        }
+    }
+
     /// Everything that is there.
     pub fn read(&self) -> Result<Vec<u8>, Refusal> {
         match self {

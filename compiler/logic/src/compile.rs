@@ -11,7 +11,7 @@ use crate::encode::stored::heading;
 use crate::encode::task::Task;
 use crate::lower::Lowering;
 use crate::options::{Encoding, Options};
-use crate::scan::{Flag, Limit, Program, Repeat, Role};
+use crate::scan::{Elements, Flag, Heading, Limit, Program, Repeat, Role};
 use crate::tidy::{absorb, idle_delays, long_chains, sweep};
 use crate::warn::overlap;
 use grafc_diagnostics::Diagnostics;
@@ -62,7 +62,7 @@ pub fn compile(analysis: Analysis, options: &Options) -> (Program, Diagnostics) 
     });
 
     let mut micro_step = Vec::new();
-    heading(&mut micro_step, "conditions", std::mem::take(&mut cx.statements));
+    heading(&mut micro_step, Heading::Conditions, std::mem::take(&mut cx.statements));
     let mut input_event = InputEvent::default();
     let task = Task {
         encoding: options.encoding,
@@ -77,7 +77,7 @@ pub fn compile(analysis: Analysis, options: &Options) -> (Program, Diagnostics) 
     micro_step.extend(encode::micro_step(&mut lowering, &mut cx, &task, &mut input_event));
     // Timers of durations are known only now that every moment that reads them has been lowered.
     let mut after = Vec::new();
-    heading(&mut after, "outputs", outputs::statements(&mut lowering, followers.as_ref()));
+    heading(&mut after, Heading::Outputs, outputs::statements(&mut lowering, followers.as_ref()));
     micro_step.extend(lowering.call_step_timers());
     if repeat.is_some() {
         micro_step.extend(input_event.over(&mut lowering));
@@ -92,6 +92,7 @@ pub fn compile(analysis: Analysis, options: &Options) -> (Program, Diagnostics) 
         comment: net.comment.clone(),
         steps: lowering.situation.of_chart(&net),
         states: lowering.situation.states(),
+        elements: Elements::of(&net),
         variables: lowering.symbols.table,
         timers: lowering.timers,
         pool: lowering.pool,

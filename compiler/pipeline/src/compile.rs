@@ -68,6 +68,10 @@ fn make(file: FileId, text: &str, default_name: &str, options: &Options, said: &
     let mut last = Last::new(net, analysis, lowering);
     let made = match product {
         Product::Code(target) => target.emit(&mut last),
+        Product::Mapped(target) => {
+            last.wants_map = true;
+            target.emit(&mut last)
+        }
         Product::Equations => last.program().map(|program| scan::equations(program).into()),
         Product::Program => last.program().map(|program| scan::dump(program).into()),
         Product::Tree | Product::Chart | Product::NetAfter(_) | Product::Net => return None,

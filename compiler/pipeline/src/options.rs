@@ -16,6 +16,8 @@ pub struct Options {
 pub enum Product {
     /// Code.
     Code(Target),
+    /// Code, and which lines of it come from which element of the chart, if the target knows.
+    Mapped(Target),
     /// The syntax tree.
     Tree,
     /// The checked chart.

@@ -57,6 +57,8 @@ pub struct Last<'o> {
     options: &'o Options,
     program: Option<Program>,
     sequence: Option<Sequence>,
+    /// Whether somebody asks which lines come from which element of the chart.
+    pub wants_map: bool,
     /// What the stages that were run had to say.
     pub said: Diagnostics,
 }
@@ -64,7 +66,8 @@ pub struct Last<'o> {
 impl<'o> Last<'o> {
     /// None has been run.
     pub fn new(net: Arc<Net>, analysis: Analysis, options: &'o Options) -> Self {
-        Last { net, analysis: Some(analysis), options, program: None, sequence: None, said: Diagnostics::new() }
+        let (program, sequence, said) = (None, None, Diagnostics::new());
+        Last { net, analysis: Some(analysis), options, program, sequence, wants_map: false, said }
     }
 }
 
@@ -94,5 +97,9 @@ impl Source for Last<'_> {
             }
         };
         Ok(self.sequence.insert(sequence))
+    }
+
+    fn wants_map(&self) -> bool {
+        self.wants_map
     }
 }

@@ -23,7 +23,7 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "edge-not-known-at-start",
         at: COMPILER,
         breaks: "what is true at the start is a rising edge afterwards (R10)",
-        text: "body.push(Statement::Assign { target: old, value, remark: None });",
+        text: "body.push(Statement::assign(origin, old, value));",
         instead: "",
     },
     Fault {
@@ -247,14 +247,14 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "no-conflict-of-literals",
         at: COMPILER,
         breaks: "two literals assigned at once raise no ALLOC_CONFLICT (R7)",
-        text: "out.extend(raise_conflict(lowering, conflict));",
+        text: "out.extend(raise_conflict(lowering, Origin::Actions(variable), conflict));",
         instead: "",
     },
     Fault {
         name: "no-conflict-of-values",
         at: COMPILER,
         breaks: "two values assigned at once raise no ALLOC_CONFLICT (R7)",
-        text: "body.extend(raise_conflict(lowering, conflict));",
+        text: "body.extend(raise_conflict(lowering, trigger.origin, conflict));",
         instead: "",
     },
     Fault {

@@ -5,7 +5,7 @@ mod numbers;
 mod whole;
 
 use super::{Mnemonics, Options, emit, instructions};
-use crate::st::tests::{Build, assign, body, nested, nested_deeply, noted, when};
+use crate::st::tests::{Build, assign, body, call, nested, nested_deeply, when};
 use grafc_diagnostics::Code;
 use grafc_formula::{Comparison, FormulaId, Type, Value};
 use grafc_logic::scan::{Flag, Limit, Preset, Program, Repeat, Role, Statement};
@@ -62,7 +62,7 @@ fn a_timer_reads_the_clock() {
     let ends = b.timer("d_go", Some(Preset { ms: 1500, constant: None }), "1500ms/go");
     let go = b.read(go);
     let done = b.pool().timer_done(ends);
-    b.program.after = vec![Statement::CallTimer { timer: ends, input: go }, assign(y, done)];
+    b.program.after = vec![call(ends, go), assign(y, done)];
     let program = b.program;
     assert!(text(&program).contains(
         "    L     #NOW;\n      L     #last_now;\n      -D;\n      AD    DW#16#7FFFFFFF;\n      L     #clock;\n      +D;\n      T     #clock;\n"
@@ -86,7 +86,7 @@ fn a_timer_measures() {
     let since = b.timer("T_go", None, "");
     let go = b.read(go);
     let elapsed = b.pool().timer_elapsed(since);
-    b.program.after = vec![Statement::CallTimer { timer: since, input: go }, assign(y, elapsed)];
+    b.program.after = vec![call(since, go), assign(y, elapsed)];
     assert_eq!(
         list(&b.program),
         "A #go, FP #T_go_run, JCN M002, L #clock, T #T_go_start, M002: A #T_go_run, JC M003, L L#0, JU M004, \
@@ -102,7 +102,7 @@ fn the_loop_has_a_bound() {
         let go = b.bit(Role::Input, "go");
         let flag = b.bit(Role::Flag(Flag::Livelock), "LIVELOCK");
         let go = b.read(go);
-        b.program.micro_step = vec![noted(again, go, "on and on")];
+        b.program.micro_step = vec![b.noted(again, go, "1 -> 1: on and on")];
         b.program.repeat = Some(Repeat { again, limit: Some(Limit { count, bound, flag }) });
         list(&b.program)
     };
@@ -203,7 +203,7 @@ fn names_fit_into_the_language() {
 /// Labels are four characters long however many there are, and no two are the same.
 #[test]
 fn labels() {
-    let mut code = super::code::Code::new(Mnemonics::default());
+    let mut code = super::code::Code::new(Mnemonics::default(), false);
     let labels: Vec<String> = (0..12_999).map(|_| code.new_label()).collect();
     assert!(code.labels_suffice());
     assert!(labels.iter().all(|label| label.len() == 4 && label.is_ascii()));

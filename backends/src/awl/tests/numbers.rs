@@ -3,7 +3,7 @@
 use super::list;
 use crate::st::tests::{Build, assign, body};
 use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
-use grafc_logic::scan::{Division, Flag, Role, Statement};
+use grafc_logic::scan::{Division, Flag, Origin, Role, Statement};
 
 #[test]
 fn numbers() {
@@ -117,7 +117,14 @@ fn a_division_is_guarded() {
     let divide = |ty: Type, modulo: bool| {
         list(&body(&[("n", ty), ("k", ty)], ty, |b, i, target| {
             let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
-            vec![Statement::Divide(Division { target, modulo, dividend: i[0], divisor: i[1], flag })]
+            vec![Statement::Divide(Division {
+                target,
+                modulo,
+                dividend: i[0],
+                divisor: i[1],
+                flag,
+                origin: Origin::Chart,
+            })]
         }))
     };
     assert_eq!(

@@ -120,7 +120,7 @@ fn four_steps_in_full() {
         TITLE =one call
         M001: AN    #started;
               JCN   M002;
-        // first call
+        // memory of edges
               S     #started;
               A     #start;
               =     #old_start;
@@ -132,7 +132,7 @@ fn four_steps_in_full() {
               T     #micro_steps;
 
         NETWORK
-        TITLE =delays
+        TITLE =conditions
               A     #X3;                          // stir_time/X3
               FP    #stirred_run;
               JCN   M004;
@@ -148,18 +148,18 @@ fn four_steps_in_full() {
               =     #stirred;
 
         NETWORK
-        TITLE =clearing of transitions
-              A     #X1;                          // 1 -> 2 : rise start
+        TITLE =transitions that clear
+              A     #X1;                          // 1 -> 2: rise start
               A     #start;
               AN    #old_start;
               =     #clear_1;
-              A     #X2;                          // 2 -> 3 : high
+              A     #X2;                          // 2 -> 3: high
               A     #high;
               =     #clear_2;
-              A     #X3;                          // 3 -> 4 : stir_time/X3
+              A     #X3;                          // 3 -> 4: stir_time/X3
               A     #stirred;
               =     #clear_3;
-              A     #X4;                          // (4) 4 -> 1 : not low
+              A     #X4;                          // 4 -> 1: not low
               AN    #low;
               =     #clear_4;
 
@@ -209,13 +209,13 @@ fn four_steps_in_full() {
         TITLE =stored actions
               A     #clear_2;
               JCN   M005;
-              L     #batches;                     // on clearing
+              L     #batches;                     // 2 -> 3: on clearing
               L     1;
               +I;
               T     #batches;
 
         NETWORK
-        TITLE =new situation
+        TITLE =situation
         M005: A     #next_1;
               =     #X1;
               A     #next_2;
@@ -243,7 +243,7 @@ fn four_steps_in_full() {
               =     #INLET;
               A     #X3;
               =     #STIRRER;
-              A     #X4;                          // until empty
+              A     #X4;                          // 4 ->: until empty
               =     #OUTLET;
               BE;
         END_FUNCTION_BLOCK

@@ -26,7 +26,7 @@ impl Ladder<'_> {
         let (name, ty) = (self.name(of), self.program.variables[of].ty);
         let mut chosen = Vec::with_capacity(arms.len());
         for arm in arms {
-            self.comment(arm.remark.as_deref().unwrap_or_default());
+            self.comment(&self.program.remark(arm.origin, arm.told).unwrap_or_default());
             let value = literal(Value::Int(arm.value), ty);
             let contact = self.comparison(Comparison::Equal, [name.clone(), value]);
             chosen.push(match guard {
@@ -38,7 +38,7 @@ impl Ladder<'_> {
             });
         }
         for (arm, contact) in arms.iter().zip(chosen) {
-            self.comment(arm.remark.as_deref().unwrap_or_default());
+            self.comment(&self.program.remark(arm.origin, arm.told).unwrap_or_default());
             self.block(&arm.body, Some(&contact));
         }
     }
@@ -102,7 +102,7 @@ impl Ladder<'_> {
         let mut targets = FxHashSet::default();
         for statement in body {
             match statement {
-                Statement::Assign { target, value, remark: _ } => {
+                Statement::Assign { target, value, .. } => {
                     let storage = if self.program.pool.as_truth(*value)? { Storage::Set } else { Storage::Reset };
                     let coil = Coil { name: self.name(*target), storage };
                     if !targets.insert(*target) {
@@ -126,8 +126,10 @@ impl Ladder<'_> {
 
     /// What a body says of itself stands above its condition.
     fn announce(&mut self, body: &[Statement]) {
-        if let Some(Statement::Assign { remark: Some(text), .. }) = body.first() {
-            self.comment(text);
+        if let Some(Statement::Assign { origin, told, .. }) = body.first()
+            && let Some(text) = self.program.remark(*origin, *told)
+        {
+            self.comment(&text);
         }
     }
 }

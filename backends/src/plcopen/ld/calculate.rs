@@ -74,7 +74,7 @@ impl Ladder<'_> {
 
     /// A division under the guards that it needs.
     pub fn divide(&mut self, division: &Division, guard: Option<&Contact>) {
-        let Division { target, modulo, dividend: a, divisor: b, flag } = *division;
+        let Division { target, modulo, dividend: a, divisor: b, flag, .. } = *division;
         let (ty, result) = (self.program.pool.ty(b), self.program.variables[target].ty);
         let needed = self.program.guard(division);
         let behind =

@@ -136,5 +136,5 @@ fn nothing(ladder: &mut Ladder) {
 
 /// A local variable of a type, with a few words on it.
 fn local(name: &str, ty: EntryType, note: &str) -> Entry {
-    Entry { name: name.to_owned(), address: None, ty, initial: None, comment: Some(note.to_owned()) }
+    Entry { ty, comment: Some(note.to_owned()), ..Entry::plain(name.to_owned(), Type::Bool) }
 }

@@ -37,8 +37,9 @@ impl Ladder<'_> {
             self.known.clear();
             let shared = open.take().filter(|_| self.comments.is_empty());
             match statement {
-                Statement::Heading(text) => self.comment(text),
-                Statement::Assign { target, value, remark } => {
+                Statement::Heading(heading) => self.comment(heading.text()),
+                Statement::Assign { target, value, origin, told } => {
+                    let remark = self.program.remark(*origin, *told);
                     let constant = self.program.pool.as_truth(*value);
                     match (guard, constant, shared) {
                         (Some(_), Some(truth), Some(rung)) if remark.is_none() => {
@@ -59,7 +60,7 @@ impl Ladder<'_> {
                     }
                 }
                 Statement::Divide(division) => self.divide(division, guard),
-                Statement::CallTimer { timer, input } => self.call_timer(*timer, *input, guard),
+                Statement::CallTimer { timer, input, .. } => self.call_timer(*timer, *input, guard),
                 Statement::Case { of, arms } => self.case(*of, arms, guard),
                 Statement::If { branches, otherwise } => self.branch(branches, otherwise, guard),
             }

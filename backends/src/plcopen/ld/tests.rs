@@ -4,9 +4,9 @@ use super::rung::{Contact, End, Item, Rung, Sink, Storage};
 use super::{Names, Repeated, draw, emit};
 use crate::keywords::Family;
 use crate::plcopen::Options;
-use crate::st::tests::{Build, assign, body, case, four_steps, noted, when};
+use crate::st::tests::{Build, assign, body, call, four_steps, when};
 use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
-use grafc_logic::scan::{Division, Flag, Preset, Program, Role, Statement, VarId};
+use grafc_logic::scan::{Division, Flag, Origin, Preset, Program, Role, Statement, VarId};
 
 fn rungs(program: &Program) -> Vec<Rung> {
     let mut names = Names::new(program, Family::Iec);
@@ -231,15 +231,15 @@ fn constants_share_the_rung_of_their_condition() {
         let joins = b.pool().and([read[0], read[1]]);
         vec![
             // What the condition reads is written last.
-            when(leaves, vec![noted(x, no, "x -> y"), assign(y, yes)]),
+            when(leaves, vec![b.noted(x, no, "x -> y"), assign(y, yes)]),
             // Of two things that it reads one would be written too early.
-            when(joins, vec![noted(x, no, "x, z ->"), assign(z, no)]),
+            when(joins, vec![b.noted(x, no, "x, z ->"), assign(z, no)]),
         ]
     });
     assert_eq!(lines(&program), ["x a -> S y, R x", "x z -> part_1", "part_1 -> R x, R z"]);
     let comments: Vec<Vec<String>> = rungs(&program).into_iter().map(|rung| rung.comments).collect();
     let [first, second] = ["x -> y", "x, z ->"].map(str::to_owned);
-    assert_eq!(comments, [vec!["body".to_owned(), first], vec![second], vec![]]);
+    assert_eq!(comments, [vec!["outputs".to_owned(), first], vec![second], vec![]]);
 }
 
 #[test]
@@ -293,7 +293,7 @@ fn a_choice_compares_before_it_writes() {
     let at = b.var(Role::State, "at_G1", Type::Int);
     let y = b.bit(Role::Output, "y");
     let (yes, to_two) = (b.pool().truth(true), b.set(at, 2));
-    b.program.after = vec![case(at, [(1, "step 1", vec![to_two]), (2, "step 2", vec![assign(y, yes)])])];
+    b.program.after = vec![b.case(at, [(1, "step 1", vec![to_two]), (2, "step 2", vec![assign(y, yes)])])];
     assert_eq!(
         lines(&b.program),
         [
@@ -331,7 +331,14 @@ fn comparisons_have_rungs_of_their_own() {
 fn a_division_is_guarded() {
     let program = body(&[("n", Type::Dint), ("k", Type::Dint)], Type::Dint, |b, i, target| {
         let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
-        vec![Statement::Divide(Division { target, modulo: false, dividend: i[0], divisor: i[1], flag })]
+        vec![Statement::Divide(Division {
+            target,
+            modulo: false,
+            dividend: i[0],
+            divisor: i[1],
+            flag,
+            origin: Origin::Chart,
+        })]
     });
     assert_eq!(
         lines(&program),
@@ -347,7 +354,14 @@ fn a_division_is_guarded() {
     let by_nothing = body(&[("n", Type::Int)], Type::Int, |b, i, target| {
         let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
         let divisor = b.pool().constant(Value::Int(0), Type::Int);
-        vec![Statement::Divide(Division { target, modulo: false, dividend: i[0], divisor, flag })]
+        vec![Statement::Divide(Division {
+            target,
+            modulo: false,
+            dividend: i[0],
+            divisor,
+            flag,
+            origin: Origin::Chart,
+        })]
     });
     assert_eq!(lines(&by_nothing), ["-> MOVE(EN, IN = 0) OUT -> y", "-> S DIV0"]);
 }
@@ -384,10 +398,7 @@ fn a_timer_that_waits_once_always_waits() {
     let program = body(&[("a", Type::Bool), ("b", Type::Bool)], Type::Bool, |b, i, _| {
         let timer = b.timer("on_a", Some(Preset { ms: 1500, constant: None }), "");
         let not_a = b.pool().not(i[0]);
-        vec![
-            when(i[1], vec![Statement::CallTimer { timer, input: i[0] }]),
-            Statement::CallTimer { timer, input: not_a },
-        ]
+        vec![when(i[1], vec![call(timer, i[0])]), call(timer, not_a)]
     });
     assert_eq!(
         lines(&program),
@@ -405,11 +416,7 @@ fn a_timer_has_its_variable() {
         let timer = b.timer("on_a", Some(Preset { ms: 1500, constant: None }), "");
         let (unbounded, never) = (b.timer("T2", None, ""), b.pool().truth(false));
         let (both, done) = (b.pool().and([i[0], i[1]]), b.pool().timer_done(timer));
-        vec![
-            Statement::CallTimer { timer, input: both },
-            assign(y, done),
-            Statement::CallTimer { timer: unbounded, input: never },
-        ]
+        vec![call(timer, both), assign(y, done), call(unbounded, never)]
     });
     assert_eq!(
         lines(&program),
@@ -430,11 +437,12 @@ fn the_loop_calls_the_rungs() {
     let high = program.variables.iter_enumerated().find(|(_, v)| v.name == "high").map(|(id, _)| id).expect("an input");
     let high = program.pool.variable(high, Type::Bool);
     let event = program.variables.push(variable(Role::Temporary, "event", Type::Bool));
-    program.before = vec![Statement::CallTimer { timer, input: high }, assign(event, high)];
+    program.before = vec![call(timer, high), assign(event, high)];
     let target = program.variables.push(variable(Role::Output, "n", Type::Int));
     let flag = program.variables.push(variable(Role::Flag(Flag::Div0), "DIV0", Type::Bool));
     let dividend = program.pool.variable(target, Type::Int);
-    let divide = Statement::Divide(Division { target, modulo: false, dividend, divisor: dividend, flag });
+    let divide =
+        Statement::Divide(Division { target, modulo: false, dividend, divisor: dividend, flag, origin: Origin::Chart });
     program.after.push(divide);
     let all = lines(&program);
     let called = "high -> TON stirred(IN, PT = stir_time) Q -> stirred_Q";

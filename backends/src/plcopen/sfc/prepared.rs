@@ -92,11 +92,9 @@ impl Units {
 
         let mut outer = interface(program, &names, Vec::new());
         let drawn = Entry {
-            name: instance.clone(),
-            address: None,
             ty: EntryType::Block(block.clone()),
-            initial: None,
             comment: Some("the chart".to_owned()),
+            ..Entry::plain(instance.clone(), Type::Bool)
         };
         for block in &mut outer {
             if block.kind == Kind::Local {

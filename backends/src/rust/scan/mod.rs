@@ -8,13 +8,13 @@ use super::interface::fields;
 use super::literals::{literal, type_name, zero};
 use super::locals::{Locals, ROOT};
 use super::names::Names;
-use super::parts::{Parts, Table};
+use super::parts::{About, Parts, Table};
 use super::places::Places;
 use super::steps::list;
 use crate::comment::clean;
 use crate::writer::Writer;
 use grafc_formula::{Type, Value};
-use grafc_logic::scan::{Program, VarId};
+use grafc_logic::scan::{Origin, Program, VarId};
 use std::cell::Cell;
 use std::iter;
 
@@ -38,7 +38,16 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
         if index == 0 {
             body.scan(out, &function.code, function.needs);
         } else {
-            out.comment(&function.about.map(clean).unwrap_or_default());
+            let about = match function.about {
+                Some(About::Words(words)) => Some(words.to_owned()),
+                Some(About::Origin(origin, told)) => program.remark(origin, told),
+                None => None,
+            };
+            let outer = out.origin(match function.about {
+                Some(About::Origin(origin, _)) => origin,
+                Some(About::Words(_)) | None => Origin::Chart,
+            });
+            out.comment(&about.map(|text| clean(&text)).unwrap_or_default());
             // Else the functions would be put together again.
             if !parts.only_finds(index) {
                 out.line("#[inline(never)]");
@@ -53,6 +62,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
             out.open(&format!("fn {}(&mut self{parameters}){gives} {{", parts.name(index)));
             body.function(out, &function.code, function.needs);
             out.close("}");
+            out.origin(outer);
         }
     }
 }
@@ -134,10 +144,12 @@ impl Body<'_> {
                 Code::If(branches, otherwise) => {
                     let mut head = "if";
                     for (condition, body) in branches {
+                        let outer = out.inner_origin(origin_of(body));
                         self.expressions.condition(out, head, *condition);
                         out.enter();
                         self.code(out, self.block(), body);
                         out.leave();
+                        out.origin(outer);
                         head = "} else if";
                     }
                     let inside = self.block();
@@ -222,6 +234,15 @@ impl Body<'_> {
                 None => out.line(&format!("let mut {name}: {} = {};", type_name(ty), zero(ty))),
             }
         }
+    }
+}
+
+/// Where a branch comes from, whose statements may be elsewhere.
+fn origin_of(body: &[Code]) -> Origin {
+    match body.first() {
+        Some(Code::Plain(statement)) => statement.origin(),
+        Some(Code::Loop(_) | Code::Again(_) | Code::Call(_) | Code::If(..) | Code::Arms(..) | Code::Table(..))
+        | None => Origin::Chart,
     }
 }
 

@@ -6,7 +6,7 @@ use crate::rust::expressions::{SMALL, WIDTH};
 use crate::rust::literals::type_name;
 use crate::writer::Writer;
 use grafc_formula::{Arithmetic, Formula, FormulaId, Type};
-use grafc_logic::scan::{Arm, Division, Statement, TimerId, VarId, is_empty};
+use grafc_logic::scan::{Arm, Division, Statement, TimerId, VarId, is_empty, origin_of, origin_of_end};
 
 impl Body<'_> {
     /// A block of statements, in a block of the text.
@@ -19,25 +19,36 @@ impl Body<'_> {
     }
 
     pub(super) fn statement(&self, out: &mut Writer, block: usize, place: usize, statement: &Statement) {
+        let outer = out.inner_origin(statement.origin());
         match statement {
-            Statement::Heading(text) => {
+            Statement::Heading(heading) => {
                 out.blank();
-                out.comment(&clean(text));
+                out.comment(heading.text());
             }
-            Statement::Assign { target, value, remark } => {
-                out.comment(&remark.as_deref().map(clean).unwrap_or_default());
+            Statement::Assign { target, value, origin, told } => {
+                self.about(out, *target, *value);
+                out.comment(&self.program.remark(*origin, *told).map(|text| clean(&text)).unwrap_or_default());
                 let declares = self.locals.with(block, place, *target);
                 self.assign(out, declares, *target, *value);
             }
             Statement::Divide(division) => {
+                self.about(out, division.target, division.dividend);
                 self.divide(out, self.locals.with(block, place, division.target), division);
             }
-            Statement::CallTimer { timer, input } => self.call_timer(out, *timer, *input),
+            Statement::CallTimer { timer, input, .. } => self.call_timer(out, *timer, *input),
             Statement::Case { of, arms } => {
                 let inside = |out: &mut Writer, place: usize| self.statements(out, &arms[place].body);
                 self.arms(out, *of, &arms.iter().collect::<Vec<_>>(), inside);
             }
             Statement::If { branches, otherwise } => self.branch(out, branches, otherwise),
+        }
+        out.origin(outer);
+    }
+
+    /// What an assignment is about, beside what it comes from.
+    fn about(&self, out: &mut Writer, target: VarId, value: FormulaId) {
+        if let Some(origins) = &self.places.origins {
+            out.also(origins.written(&self.program.pool, target, value));
         }
     }
 
@@ -92,7 +103,7 @@ impl Body<'_> {
 
     /// A division; the functions of the run-time support have the guards.
     fn divide(&self, out: &mut Writer, declares: Option<bool>, division: &Division) {
-        let Division { target, modulo, dividend, divisor, flag } = *division;
+        let Division { target, modulo, dividend, divisor, flag, .. } = *division;
         let pool = &self.program.pool;
         let ty = self.program.variables[target].ty;
         let function = if modulo { "remainder" } else { "divide" };
@@ -136,20 +147,25 @@ impl Body<'_> {
 
     /// An arm a value, under what the value stands for; a single arm is an `if`.
     pub(super) fn arms(&self, out: &mut Writer, of: VarId, arms: &[&Arm], inside: impl Fn(&mut Writer, usize)) {
-        let remark = |arm: &Arm| arm.remark.as_deref().map(clean).unwrap_or_default();
+        let remark = |arm: &Arm| self.program.remark(arm.origin, arm.told).map(|text| clean(&text)).unwrap_or_default();
         let label = |arm: &Arm| self.places.variant(of, arm.value).unwrap_or_else(|| arm.value.to_string());
         if let [arm] = arms {
+            let outer = out.inner_origin(arm.origin);
             out.comment(&remark(arm));
             out.open(&format!("if {} == {} {{", self.places.read(of), label(arm)));
             inside(out, 0);
-            return out.close("}");
+            out.close("}");
+            out.origin(outer);
+            return;
         }
         out.open(&format!("match {} {{", self.places.read(of)));
         for (place, arm) in arms.iter().enumerate() {
+            let outer = out.inner_origin(arm.origin);
             out.comment(&remark(arm));
             out.open(&format!("{} => {{", label(arm)));
             inside(out, place);
             out.close("}");
+            out.origin(outer);
         }
         if self.places.state(of).is_none_or(|state| state.variants.len() > arms.len()) {
             out.line("_ => {}");
@@ -160,20 +176,26 @@ impl Body<'_> {
     fn branch(&self, out: &mut Writer, branches: &[(FormulaId, Vec<Statement>)], otherwise: &[Statement]) {
         let mut head = "if";
         for (condition, body) in branches {
+            let outer = out.inner_origin(origin_of(body));
             self.expressions.condition(out, head, *condition);
             out.enter();
             self.statements(out, body);
             out.leave();
+            out.origin(outer);
             head = "} else if";
         }
         if is_empty(otherwise) {
             self.block();
         } else {
+            let outer = out.inner_origin(origin_of(otherwise));
             out.open("} else {");
             self.statements(out, otherwise);
             out.leave();
+            out.origin(outer);
         }
+        let outer = out.inner_origin(origin_of_end(branches, otherwise));
         out.line("}");
+        out.origin(outer);
     }
 }
 

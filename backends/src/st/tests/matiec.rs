@@ -4,12 +4,12 @@
 //! `iec2c` must be on the search path with its library beside it (or `MATIEC_LIB` must name the library); otherwise
 //! these tests say that they checked nothing.
 
-use super::{Build, assign, body, four_steps, nested, nested_deeply};
+use super::{Build, assign, body, call, four_steps, nested, nested_deeply};
 use crate::iec::{Options, Pou};
 use crate::{il, st};
 use grafc_diagnostics::Diagnostics;
 use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
-use grafc_logic::scan::{Division, Flag, Preset, Program, Role, Statement, VarId};
+use grafc_logic::scan::{Division, Flag, Origin, Preset, Program, Role, Statement, VarId};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -247,8 +247,9 @@ fn all_forms() {
             let compared = p.compare(op, value, constant);
             out.push(assign(truth, compared));
         }
-        let divide =
-            |modulo, dividend, divisor| Statement::Divide(Division { target: result, modulo, dividend, divisor, flag });
+        let divide = |modulo, dividend, divisor| {
+            Statement::Divide(Division { target: result, modulo, dividend, divisor, flag, origin: Origin::Chart })
+        };
         match ty {
             Type::Time => out.extend(variables[..4].iter().map(|(_, number)| divide(false, value, *number))),
             Type::Real | Type::Lreal => {
@@ -277,11 +278,18 @@ fn all_forms() {
         let late = p.compare(Comparison::Greater, elapsed, variables[6].1);
         let both = p.and([done, late]);
         let differ = p.xor(done, both);
-        out.push(Statement::CallTimer { timer, input: late });
+        out.push(call(timer, late));
         out.extend([assign(truth, both), assign(truth, differ), assign(variables[6].0, elapsed)]);
     }
     let zero = b.pool().constant(Value::Int(0), Type::Int);
-    out.push(Statement::Divide(Division { target: result_int, modulo: true, dividend: int, divisor: zero, flag }));
+    out.push(Statement::Divide(Division {
+        target: result_int,
+        modulo: true,
+        dividend: int,
+        divisor: zero,
+        flag,
+        origin: Origin::Chart,
+    }));
     b.program.after.extend(out);
     taken(&b.program);
 }
@@ -378,7 +386,9 @@ fn the_least_number_is_divided() {
         let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
         let rest = b.var(Role::Output, "rest", Type::Dint);
         let dividend = b.pool().constant(Value::Int(-2_147_483_648), Type::Dint);
-        let divide = |target, modulo| Statement::Divide(Division { target, modulo, dividend, divisor: i[0], flag });
+        let divide = |target, modulo| {
+            Statement::Divide(Division { target, modulo, dividend, divisor: i[0], flag, origin: Origin::Chart })
+        };
         vec![divide(y, false), divide(rest, true)]
     });
     let name = program.name.to_uppercase();

@@ -3,9 +3,11 @@
 mod matiec;
 mod writer;
 
+use grafc_diagnostics::Span;
 use grafc_formula::{Arithmetic, Comparison, FormulaId, Pool, Type, Value};
 use grafc_logic::scan::{
-    Arm, Flag, Held, Limit, Preset, Program, Repeat, Role, State, Statement, Step, Timer, TimerId, VarId, Variable,
+    Arm, Elements, Flag, Heading, Held, Limit, Origin, Preset, Program, Repeat, Role, State, Statement, Step, StepId,
+    Timer, TimerId, Told, VarId, Variable,
 };
 use index_vec::IndexVec;
 
@@ -24,6 +26,7 @@ impl Build {
             pool: Pool::default(),
             steps: IndexVec::new(),
             states: Vec::new(),
+            elements: Elements::default(),
             first: Vec::new(),
             started: None,
             before: Vec::new(),
@@ -62,14 +65,15 @@ impl Build {
     pub(crate) fn state(&mut self, name: &str, idle: Option<i64>, values: &[i64]) -> (VarId, VarId) {
         let variable = self.var(Role::State, &format!("at_{name}"), Type::Int);
         let next = self.var(Role::Memory, &format!("next_{name}"), Type::Int);
-        let mut held = Vec::new();
+        let mut values_held = Vec::new();
         for value in values {
             let active = self.is(variable, *value);
             let label = value.to_string().into();
-            let step = Step { label, comment: None, held: Held::State(self.program.states.len(), *value), active };
-            held.push((self.program.steps.push(step), *value));
+            let held = Held::State(self.program.states.len(), *value);
+            let step = Step { label, comment: None, span: Span::default(), held, active };
+            values_held.push((self.program.steps.push(step), *value));
         }
-        self.program.states.push(State { variable, idle, values: held, copies: vec![next] });
+        self.program.states.push(State { variable, idle, values: values_held, copies: vec![next] });
         (variable, next)
     }
 
@@ -88,30 +92,62 @@ impl Build {
         self.program.pool.variable(id, self.program.variables[id].ty)
     }
 
+    /// `target := value`, beside which stands a transition: `5, 8 -> 9: comment`.
+    pub(crate) fn noted(&mut self, target: VarId, value: FormulaId, transition: &str) -> Statement {
+        let (arrow, comment) = transition.split_once(": ").map_or((transition, None), |(a, text)| (a, Some(text)));
+        let (before, after) = arrow.split_once("->").expect("an arrow");
+        let [before, after] = [before, after].map(|labels| {
+            let labels = labels.split(',').map(str::trim).filter(|label| !label.is_empty());
+            labels.map(|label| self.step(label)).collect::<Vec<StepId>>()
+        });
+        let comment = comment.map(Into::into);
+        let t = self.program.elements.transition(None, comment, Span::default(), &before, &after);
+        Statement::Assign { target, value, origin: Origin::Transition(t), told: Told::All }
+    }
+
+    /// What is done at values, beside which stand steps: `step 5: comment`, or nothing.
+    pub(crate) fn case<const N: usize>(&mut self, of: VarId, arms: [(i64, &str, Vec<Statement>); N]) -> Statement {
+        let arm = |(value, step, body): (i64, &str, Vec<Statement>)| {
+            let Some(step) = step.strip_prefix("step ") else {
+                return Arm { value, origin: Origin::Chart, told: Told::Nothing, body };
+            };
+            let (label, comment) = step.split_once(": ").map_or((step, None), |(label, text)| (label, Some(text)));
+            let s = self.step(label);
+            self.program.steps[s].comment = comment.map(Into::into);
+            Arm { value, origin: Origin::Step(s), told: Told::All, body }
+        };
+        Statement::Case { of, arms: arms.map(arm).into() }
+    }
+
+    /// The step of a label, made if need be.
+    fn step(&mut self, label: &str) -> StepId {
+        let steps = &mut self.program.steps;
+        steps.iter_enumerated().find(|(_, step)| step.label == label).map(|(s, _)| s).unwrap_or_else(|| {
+            let (held, active) = (Held::Bit(VarId::new(0)), self.program.pool.truth(false));
+            steps.push(Step { label: label.into(), comment: None, span: Span::default(), held, active })
+        })
+    }
+
     pub(crate) fn pool(&mut self) -> &mut Pool {
         &mut self.program.pool
     }
 }
 
 pub(crate) fn assign(target: VarId, value: FormulaId) -> Statement {
-    Statement::Assign { target, value, remark: None }
-}
-
-pub(crate) fn noted(target: VarId, value: FormulaId, remark: &str) -> Statement {
-    Statement::Assign { target, value, remark: Some(remark.to_owned()) }
+    Statement::assign(Origin::Chart, target, value)
 }
 
 pub(crate) fn when(condition: FormulaId, body: Vec<Statement>) -> Statement {
     Statement::If { branches: vec![(condition, body)], otherwise: vec![] }
 }
 
-pub(crate) fn case<const N: usize>(of: VarId, arms: [(i64, &str, Vec<Statement>); N]) -> Statement {
-    let arm = |(value, remark, body): (i64, &str, Vec<Statement>)| Arm { value, remark: Some(remark.into()), body };
-    Statement::Case { of, arms: arms.map(arm).into() }
+/// Brings a timer up to date.
+pub(crate) fn call(timer: TimerId, input: FormulaId) -> Statement {
+    Statement::CallTimer { timer, input, origin: Origin::Chart }
 }
 
-pub(crate) fn heading(text: &str) -> Statement {
-    Statement::Heading(text.to_owned())
+pub(crate) fn heading(of: Heading) -> Statement {
+    Statement::Heading(of)
 }
 
 /// Four steps: ready, fill, stir for a time, empty.
@@ -154,7 +190,10 @@ pub(crate) fn four_steps() -> Program {
     let not_started = b.read(started);
     let not_started = b.pool().not(not_started);
     b.program.first = vec![Statement::If {
-        branches: vec![(not_started, vec![heading("first call"), assign(started, yes), assign(old_start, cs)])],
+        branches: vec![(
+            not_started,
+            vec![heading(Heading::MemoryOfEdges), assign(started, yes), assign(old_start, cs)],
+        )],
         otherwise: vec![],
     }];
     let not_old = b.pool().not(old);
@@ -164,13 +203,13 @@ pub(crate) fn four_steps() -> Program {
     let stir = b.pool().and([x[2], done]);
     let not_low = b.pool().not(low);
     let emptied = b.pool().and([x[3], not_low]);
-    let mut body = vec![heading("delays"), Statement::CallTimer { timer: stirred, input: x[2] }];
-    body.push(heading("clearing of transitions"));
-    body.push(noted(clear[0], rise, "1 -> 2 : ↑start"));
-    body.push(noted(clear[1], filled, "2 -> 3 : high"));
-    body.push(noted(clear[2], stir, "3 -> 4 : stir_time/X3"));
-    body.push(noted(clear[3], emptied, "(4) 4 -> 1 : not low"));
-    body.push(heading("next situation"));
+    let mut body = vec![heading(Heading::Conditions), call(stirred, x[2])];
+    body.push(heading(Heading::TransitionsThatClear));
+    body.push(b.noted(clear[0], rise, "1 -> 2: ↑start"));
+    body.push(b.noted(clear[1], filled, "2 -> 3: high"));
+    body.push(b.noted(clear[2], stir, "3 -> 4: stir_time/X3"));
+    body.push(b.noted(clear[3], emptied, "4 -> 1: not low"));
+    body.push(heading(Heading::NextSituation));
     for i in 0..4 {
         let off = b.pool().not(c[i]);
         let stay = b.pool().and([x[i], off]);
@@ -181,17 +220,24 @@ pub(crate) fn four_steps() -> Program {
     let edge = b.pool().xor(cs, old);
     let any = b.pool().or(changes.into_iter().chain([edge]));
     body.push(assign(again, any));
-    body.push(heading("stored actions"));
+    body.push(heading(Heading::StoredActions));
     let (one, total) = (b.pool().constant(Value::Int(1), Type::Int), b.read(batches));
     let more = b.pool().arithmetic(Arithmetic::Add, Type::Int, total, one);
-    body.push(Statement::If { branches: vec![(c[1], vec![noted(batches, more, "on clearing")])], otherwise: vec![] });
-    body.push(heading("new situation"));
+    body.push(Statement::If {
+        branches: vec![(c[1], vec![b.noted(batches, more, "2 -> 3: on clearing")])],
+        otherwise: vec![],
+    });
+    body.push(heading(Heading::Situation));
     body.extend((0..4).map(|i| assign(steps[i], n[i])));
     body.push(assign(old_start, cs));
     b.program.micro_step = body;
     b.program.repeat = Some(Repeat { again, limit: Some(Limit { count, bound: 200, flag: livelock }) });
-    b.program.after =
-        vec![heading("outputs"), assign(inlet, x[1]), assign(stirrer, x[2]), noted(outlet, x[3], "until empty")];
+    b.program.after = vec![
+        heading(Heading::Outputs),
+        assign(inlet, x[1]),
+        assign(stirrer, x[2]),
+        b.noted(outlet, x[3], "4 ->: until empty"),
+    ];
     b.program
 }
 
@@ -217,16 +263,16 @@ pub(crate) fn nested() -> Program {
     let run = when(a, vec![b.set(next_g, 2), assign(moved, yes)]);
     let stop = when(off, vec![b.set(next_g, -1), assign(moved, yes)]);
     let last = b.pool().constant(Value::Int(22), Type::Int);
-    let go_on = when(on, vec![noted(next_h, last, "21 -> 22"), assign(moved, yes)]);
-    let inner = case(at_h, [(21, "step 21: first", vec![go_on])]);
-    let outer = case(at_g, [(-1, "step -1: ready", vec![run]), (2, "step 2: running", vec![stop, inner])]);
+    let go_on = when(on, vec![b.noted(next_h, last, "21 -> 22"), assign(moved, yes)]);
+    let inner = b.case(at_h, [(21, "step 21: first", vec![go_on])]);
+    let outer = b.case(at_g, [(-1, "step -1: ready", vec![run]), (2, "step 2: running", vec![stop, inner])]);
     let (now_g, then_g, then_h) = (b.read(at_g), b.read(next_g), b.read(next_h));
     let moves = b.pool().differs(then_g, now_g);
     let (empty, enter) = (b.set(next_h, 0), b.set(next_h, 21));
-    let enclosed = vec![case(at_g, [(2, "step 2: running", vec![empty])]), case(next_g, [(2, "", vec![enter])])];
+    let enclosed = vec![b.case(at_g, [(2, "step 2: running", vec![empty])]), b.case(next_g, [(2, "", vec![enter])])];
     let again = b.read(moved);
     b.program.micro_step = vec![
-        heading("transitions"),
+        heading(Heading::Transitions),
         assign(moved, no),
         outer,
         when(again, vec![when(moves, enclosed), assign(at_g, then_g), assign(at_h, then_h)]),
@@ -251,7 +297,7 @@ pub(crate) fn nested_deeply(levels: usize, operators: usize) -> Program {
     for level in 0..levels {
         let (at, next) = b.state(&format!("G{level}"), Some(0), &[3]);
         body.push(assign(next, b.program.pool.constant(Value::Int(3), Type::Int)));
-        body = vec![case(at, [(3, "step 3", body)])];
+        body = vec![b.case(at, [(3, "step 3", body)])];
     }
     b.program.micro_step = body;
     b.program
@@ -267,7 +313,7 @@ pub(crate) fn body(
     let ids: Vec<VarId> = inputs.iter().map(|(name, ty)| b.var(Role::Input, name, *ty)).collect();
     let y = b.var(Role::Output, "y", y);
     let read: Vec<FormulaId> = ids.iter().map(|id| b.read(*id)).collect();
-    b.program.after = vec![heading("body")];
+    b.program.after = vec![heading(Heading::Outputs)];
     let statements = build(&mut b, &read, y);
     b.program.after.extend(statements);
     b.program

@@ -1,11 +1,11 @@
 //! What the writer writes.
 
-use super::{Build, assign, body, case, four_steps, heading, nested, nested_deeply, noted, when};
+use super::{Build, assign, body, call, four_steps, heading, nested, nested_deeply, when};
 use crate::st::{Options, Pou, emit};
 use expect_test::{Expect, expect};
 use grafc_diagnostics::Code;
 use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
-use grafc_logic::scan::{Division, Flag, Preset, Program, Repeat, Role, Statement, VarId};
+use grafc_logic::scan::{Division, Flag, Heading, Origin, Preset, Program, Repeat, Role, Statement, VarId};
 
 fn check(program: &Program, pou: Pou, expected: Expect) {
     let header = vec!["grafc 0.1.0, filling.gct".to_owned(), "--target st --encoding single-phase".to_owned()];
@@ -15,7 +15,7 @@ fn check(program: &Program, pou: Pou, expected: Expect) {
 /// The statements alone.
 fn check_body(program: &Program, expected: Expect) {
     let text = emit(program, &Options::default()).expect("it can be written");
-    let (_, body) = text.split_once("END_VAR\n\n(* body *)\n").expect("a body");
+    let (_, body) = text.split_once("END_VAR\n\n(* outputs *)\n").expect("a body");
     expected.assert_eq(body.trim_end_matches("END_FUNCTION_BLOCK\n"));
 }
 
@@ -25,102 +25,102 @@ fn a_function_block() {
         &four_steps(),
         Pou::FunctionBlock,
         expect![[r#"
-        (* grafc 0.1.0, filling.gct
-           --target st --encoding single-phase *)
+            (* grafc 0.1.0, filling.gct
+               --target st --encoding single-phase *)
 
-        (* filling and stirring a tank *)
-        FUNCTION_BLOCK Filling
+            (* filling and stirring a tank *)
+            FUNCTION_BLOCK Filling
 
-        VAR_INPUT
-            start : BOOL;  (* start button *)
-            high, low : BOOL;
-        END_VAR
+            VAR_INPUT
+                start : BOOL;  (* start button *)
+                high, low : BOOL;
+            END_VAR
 
-        VAR_OUTPUT
-            INLET : BOOL;     (* inlet valve *)
-            STIRRER, OUTLET : BOOL;
-            LIVELOCK : BOOL;  (* the situation did not become stable *)
-        END_VAR
+            VAR_OUTPUT
+                INLET : BOOL;     (* inlet valve *)
+                STIRRER, OUTLET : BOOL;
+                LIVELOCK : BOOL;  (* the situation did not become stable *)
+            END_VAR
 
-        VAR CONSTANT
-            stir_time : TIME := T#8s;
-        END_VAR
+            VAR CONSTANT
+                stir_time : TIME := T#8s;
+            END_VAR
 
-        VAR
-            (* internal variables *)
-            batches : INT;  (* how often the tank was filled *)
+            VAR
+                (* internal variables *)
+                batches : INT;  (* how often the tank was filled *)
 
-            (* steps *)
-            X1 : BOOL := TRUE;  (* ready *)
-            X2 : BOOL;          (* fill *)
-            X3, X4 : BOOL;
+                (* steps *)
+                X1 : BOOL := TRUE;  (* ready *)
+                X2 : BOOL;          (* fill *)
+                X3, X4 : BOOL;
 
-            (* timers *)
-            stirred : TON;  (* stir_time/X3 *)
+                (* timers *)
+                stirred : TON;  (* stir_time/X3 *)
 
-            (* memory from call to call *)
-            started, old_start : BOOL;
+                (* memory from call to call *)
+                started, old_start : BOOL;
 
-            (* values within one call *)
-            clear_1, clear_2, clear_3, clear_4, next_1, next_2, next_3, next_4, again : BOOL;
-            micro_steps : UINT;
-        END_VAR
+                (* values within one call *)
+                clear_1, clear_2, clear_3, clear_4, next_1, next_2, next_3, next_4, again : BOOL;
+                micro_steps : UINT;
+            END_VAR
 
-        IF NOT started THEN
-            (* first call *)
-            started := TRUE;
-            old_start := start;
-        END_IF;
-
-        micro_steps := 0;
-        REPEAT
-            micro_steps := micro_steps + 1;
-
-            (* delays *)
-            stirred(IN := X3, PT := stir_time);
-
-            (* clearing of transitions *)
-            clear_1 := X1 AND start AND NOT old_start;  (* 1 -> 2 : ↑start *)
-            clear_2 := X2 AND high;                     (* 2 -> 3 : high *)
-            clear_3 := X3 AND stirred.Q;                (* 3 -> 4 : stir_time/X3 *)
-            clear_4 := X4 AND NOT low;                  (* (4) 4 -> 1 : not low *)
-
-            (* next situation *)
-            next_1 := clear_4 OR (X1 AND NOT clear_1);
-            next_2 := clear_1 OR (X2 AND NOT clear_2);
-            next_3 := clear_2 OR (X3 AND NOT clear_3);
-            next_4 := clear_3 OR (X4 AND NOT clear_4);
-            again :=
-                (next_1 <> X1)
-                OR (next_2 <> X2)
-                OR (next_3 <> X3)
-                OR (next_4 <> X4)
-                OR (start <> old_start);
-
-            (* stored actions *)
-            IF clear_2 THEN
-                batches := batches + 1;  (* on clearing *)
+            IF NOT started THEN
+                (* memory of edges *)
+                started := TRUE;
+                old_start := start;
             END_IF;
 
-            (* new situation *)
-            X1 := next_1;
-            X2 := next_2;
-            X3 := next_3;
-            X4 := next_4;
-            old_start := start;
-        UNTIL NOT again OR (micro_steps >= 200)
-        END_REPEAT;
-        IF again THEN
-            LIVELOCK := TRUE;
-        END_IF;
+            micro_steps := 0;
+            REPEAT
+                micro_steps := micro_steps + 1;
 
-        (* outputs *)
-        INLET := X2;
-        STIRRER := X3;
-        OUTLET := X4;  (* until empty *)
+                (* conditions *)
+                stirred(IN := X3, PT := stir_time);
 
-        END_FUNCTION_BLOCK
-    "#]],
+                (* transitions that clear *)
+                clear_1 := X1 AND start AND NOT old_start;  (* 1 -> 2: ↑start *)
+                clear_2 := X2 AND high;                     (* 2 -> 3: high *)
+                clear_3 := X3 AND stirred.Q;                (* 3 -> 4: stir_time/X3 *)
+                clear_4 := X4 AND NOT low;                  (* 4 -> 1: not low *)
+
+                (* next situation *)
+                next_1 := clear_4 OR (X1 AND NOT clear_1);
+                next_2 := clear_1 OR (X2 AND NOT clear_2);
+                next_3 := clear_2 OR (X3 AND NOT clear_3);
+                next_4 := clear_3 OR (X4 AND NOT clear_4);
+                again :=
+                    (next_1 <> X1)
+                    OR (next_2 <> X2)
+                    OR (next_3 <> X3)
+                    OR (next_4 <> X4)
+                    OR (start <> old_start);
+
+                (* stored actions *)
+                IF clear_2 THEN
+                    batches := batches + 1;  (* 2 -> 3: on clearing *)
+                END_IF;
+
+                (* situation *)
+                X1 := next_1;
+                X2 := next_2;
+                X3 := next_3;
+                X4 := next_4;
+                old_start := start;
+            UNTIL NOT again OR (micro_steps >= 200)
+            END_REPEAT;
+            IF again THEN
+                LIVELOCK := TRUE;
+            END_IF;
+
+            (* outputs *)
+            INLET := X2;
+            STIRRER := X3;
+            OUTLET := X4;  (* 4 ->: until empty *)
+
+            END_FUNCTION_BLOCK
+        "#]],
     );
 }
 
@@ -260,8 +260,9 @@ fn division() {
         let least = p.constant(Value::Int(-2_147_483_648), Type::Dint);
         let next = p.constant(Value::Int(-2_147_483_647), Type::Dint);
         let remainder = p.arithmetic(Arithmetic::Modulo, Type::Dint, v[0], two);
-        let divide =
-            |target, modulo, dividend, divisor| Statement::Divide(Division { target, modulo, dividend, divisor, flag });
+        let divide = |target, modulo, dividend, divisor| {
+            Statement::Divide(Division { target, modulo, dividend, divisor, flag, origin: Origin::Chart })
+        };
         vec![
             divide(y, false, v[0], v[1]),
             divide(y, true, two, v[1]),
@@ -269,7 +270,7 @@ fn division() {
             divide(y, false, least, v[1]),
             divide(y, true, least, v[1]),
             divide(y, true, next, v[1]),
-            Statement::Assign { target: y, value: remainder, remark: None },
+            assign(y, remainder),
             divide(y, false, v[0], zero),
             divide(ratio, false, v[2], v[2]),
             divide(share, false, v[3], v[4]),
@@ -355,7 +356,7 @@ fn types() {
         let limit = p.constant(Value::Time(1500), Type::Time);
         let late = p.compare(Comparison::GreaterEqual, elapsed, limit);
         vec![
-            Statement::CallTimer { timer: watch, input: late },
+            call(watch, late),
             assign(y, wide),
             assign(y, negative),
             assign(real, long),
@@ -394,38 +395,25 @@ fn long_lines() {
         let none = p.not(all);
         let either = p.or([none, many[3]]);
         vec![
-            noted(
+            b.noted(
                 y,
                 all,
-                "every limit switch, which is said here at such length that it cannot stand behind the statement",
+                "4 -> 5: every limit switch, which is said here at such length that it cannot stand behind the statement",
             ),
             assign(y, either),
-            Statement::CallTimer { timer: limit, input: all },
-            Statement::If { branches: vec![(all, vec![noted(y, many[0], "short")])], otherwise: vec![assign(y, none)] },
+            call(limit, all),
+            Statement::If {
+                branches: vec![(all, vec![b.noted(y, many[0], "5 -> 4: short")])],
+                otherwise: vec![assign(y, none)],
+            },
         ]
     });
     check_body(
         &program,
         expect![[r#"
-        (* every limit switch, which is said here at such length that it cannot stand behind the
-           statement *)
-        y :=
-            limit_switch_0
-            AND limit_switch_1
-            AND limit_switch_2
-            AND limit_switch_3
-            AND limit_switch_4
-            AND limit_switch_5
-            AND limit_switch_6
-            AND limit_switch_7
-            AND limit_switch_8
-            AND limit_switch_9
-            AND limit_switch_10
-            AND limit_switch_11
-            AND limit_switch_12
-            AND limit_switch_13;
-        y :=
-            NOT (
+            (* 4 -> 5: every limit switch, which is said here at such length that it cannot stand behind the
+               statement *)
+            y :=
                 limit_switch_0
                 AND limit_switch_1
                 AND limit_switch_2
@@ -439,45 +427,7 @@ fn long_lines() {
                 AND limit_switch_10
                 AND limit_switch_11
                 AND limit_switch_12
-                AND limit_switch_13
-            )
-            OR limit_switch_3;
-        limit_1(
-            IN :=
-                limit_switch_0
-                AND limit_switch_1
-                AND limit_switch_2
-                AND limit_switch_3
-                AND limit_switch_4
-                AND limit_switch_5
-                AND limit_switch_6
-                AND limit_switch_7
-                AND limit_switch_8
-                AND limit_switch_9
-                AND limit_switch_10
-                AND limit_switch_11
-                AND limit_switch_12
-                AND limit_switch_13,
-            PT := T#90s
-        );
-        IF
-            limit_switch_0
-            AND limit_switch_1
-            AND limit_switch_2
-            AND limit_switch_3
-            AND limit_switch_4
-            AND limit_switch_5
-            AND limit_switch_6
-            AND limit_switch_7
-            AND limit_switch_8
-            AND limit_switch_9
-            AND limit_switch_10
-            AND limit_switch_11
-            AND limit_switch_12
-            AND limit_switch_13
-        THEN
-            y := limit_switch_0;  (* short *)
-        ELSE
+                AND limit_switch_13;
             y :=
                 NOT (
                     limit_switch_0
@@ -494,10 +444,64 @@ fn long_lines() {
                     AND limit_switch_11
                     AND limit_switch_12
                     AND limit_switch_13
-                );
-        END_IF;
+                )
+                OR limit_switch_3;
+            limit_1(
+                IN :=
+                    limit_switch_0
+                    AND limit_switch_1
+                    AND limit_switch_2
+                    AND limit_switch_3
+                    AND limit_switch_4
+                    AND limit_switch_5
+                    AND limit_switch_6
+                    AND limit_switch_7
+                    AND limit_switch_8
+                    AND limit_switch_9
+                    AND limit_switch_10
+                    AND limit_switch_11
+                    AND limit_switch_12
+                    AND limit_switch_13,
+                PT := T#90s
+            );
+            IF
+                limit_switch_0
+                AND limit_switch_1
+                AND limit_switch_2
+                AND limit_switch_3
+                AND limit_switch_4
+                AND limit_switch_5
+                AND limit_switch_6
+                AND limit_switch_7
+                AND limit_switch_8
+                AND limit_switch_9
+                AND limit_switch_10
+                AND limit_switch_11
+                AND limit_switch_12
+                AND limit_switch_13
+            THEN
+                y := limit_switch_0;  (* 5 -> 4: short *)
+            ELSE
+                y :=
+                    NOT (
+                        limit_switch_0
+                        AND limit_switch_1
+                        AND limit_switch_2
+                        AND limit_switch_3
+                        AND limit_switch_4
+                        AND limit_switch_5
+                        AND limit_switch_6
+                        AND limit_switch_7
+                        AND limit_switch_8
+                        AND limit_switch_9
+                        AND limit_switch_10
+                        AND limit_switch_11
+                        AND limit_switch_12
+                        AND limit_switch_13
+                    );
+            END_IF;
 
-    "#]],
+        "#]],
     );
 }
 
@@ -510,43 +514,43 @@ fn hostile_texts() {
     b.program.variables[x].address = Some("%IX0.0 : BOOL; END_VAR".into());
     let y = b.bit(Role::Output, "ON_1");
     let value = b.read(x);
-    b.program.after = vec![heading("*) x := 1; (*"), noted(y, value, "a *)\r\n b")];
+    b.program.after = vec![heading(Heading::Outputs), b.noted(y, value, "4 -> 5: a *)\r\n b")];
     check(
         &b.program,
         Pou::Program,
         expect![[r#"
-        (* grafc 0.1.0, filling.gct
-           --target st --encoding single-phase *)
+            (* grafc 0.1.0, filling.gct
+               --target st --encoding single-phase *)
 
-        (* `насос * ) ( * [x]`: ends * ) here and ( * there *)
-        FUNCTION_BLOCK nasos_x
+            (* `насос * ) ( * [x]`: ends * ) here and ( * there *)
+            FUNCTION_BLOCK nasos_x
 
-        VAR_INPUT
-            on_2 : BOOL;  (* `on`: * ) *)
-        END_VAR
+            VAR_INPUT
+                on_2 : BOOL;  (* `on`: * ) *)
+            END_VAR
 
-        VAR_OUTPUT
-            ON_1 : BOOL;
-        END_VAR
+            VAR_OUTPUT
+                ON_1 : BOOL;
+            END_VAR
 
-        (* * ) x := 1; ( * *)
-        ON_1 := on_2;  (* a * ) b *)
+            (* outputs *)
+            ON_1 := on_2;  (* 4 -> 5: a * ) b *)
 
-        END_FUNCTION_BLOCK
+            END_FUNCTION_BLOCK
 
-        PROGRAM nasos_x_program
+            PROGRAM nasos_x_program
 
-        VAR
-            on_2 : BOOL;  (* `on`: * ) *)
-            ON_1 : BOOL;
-            chart : nasos_x;
-        END_VAR
+            VAR
+                on_2 : BOOL;  (* `on`: * ) *)
+                ON_1 : BOOL;
+                chart : nasos_x;
+            END_VAR
 
-        chart(on_2 := on_2);
-        ON_1 := chart.ON_1;
+            chart(on_2 := on_2);
+            ON_1 := chart.ON_1;
 
-        END_PROGRAM
-    "#]],
+            END_PROGRAM
+        "#]],
     );
 }
 
@@ -680,21 +684,23 @@ fn a_long_remark_of_an_arm_stands_below_its_label() {
     let yes = b.pool().truth(true);
     let remark =
         "step 1: a comment of such a length that it cannot stand behind the value, not even if nothing else is there";
-    b.program.after =
-        vec![heading("body"), case(at, [(1, remark, vec![assign(y, yes)]), (2, "*)", vec![assign(y, yes)])])];
+    b.program.after = vec![
+        heading(Heading::Outputs),
+        b.case(at, [(1, remark, vec![assign(y, yes)]), (2, "step 2: *)", vec![assign(y, yes)])]),
+    ];
     check_body(
         &b.program,
         expect![[r#"
-        CASE at_G OF
-            1:
-                (* step 1: a comment of such a length that it cannot stand behind the value, not even if
-                   nothing else is there *)
-                y := TRUE;
-            2:  (* * ) *)
-                y := TRUE;
-        END_CASE;
+            CASE at_G OF
+                1:
+                    (* step 1: a comment of such a length that it cannot stand behind the value, not even if
+                       nothing else is there *)
+                    y := TRUE;
+                2:  (* step 2: * ) *)
+                    y := TRUE;
+            END_CASE;
 
-    "#]],
+        "#]],
     );
 }
 
@@ -713,13 +719,13 @@ fn faults_of_grafc_are_reported() {
     let mut branch = Build::new("Branch");
     let a = branch.bit(Role::Input, "a");
     let a = branch.read(a);
-    branch.program.after = vec![when(a, vec![heading("none")])];
+    branch.program.after = vec![when(a, vec![heading(Heading::Outputs)])];
     let mut arm = Build::new("Arm");
     let (at, _) = arm.state("G", None, &[1]);
     let mut arms = Build::new("Arms");
     let (none, _) = arms.state("G", None, &[1]);
-    arm.program.after = vec![case(at, [(1, "step 1", vec![heading("none")])])];
-    arms.program.after = vec![case(none, [])];
+    arm.program.after = vec![arm.case(at, [(1, "step 1", vec![heading(Heading::Outputs)])])];
+    arms.program.after = vec![arms.case(none, [])];
     let mut idle = Build::new("Idle");
     let again = idle.bit(Role::Memory, "again");
     idle.program.repeat = Some(Repeat { again, limit: None });

@@ -4,12 +4,14 @@ use super::refuse_output_over_input;
 use crate::Exit;
 use crate::arguments::{ProfileArguments, option};
 use crate::choices::{self, Choices};
+use crate::map::{self, Made};
 use crate::place::Place;
 use crate::report::{Failure, Format, Report};
 use clap::builder::PossibleValuesParser;
 use clap::{ArgGroup, Args, ValueEnum};
 use grafc::header;
 use grafc::{Options, Product};
+use grafc_backends::Target;
 use grafc_logic::Encoding;
 use grafc_net::passes;
 
@@ -34,6 +36,9 @@ pub struct Arguments {
     /// Where to put it [default: standard output]
     #[arg(short, long, value_name = "FILE")]
     output: Option<Place>,
+    /// And where to put which lines of the code come from which element of the chart, as JSON
+    #[arg(long, value_name = "FILE", conflicts_with_all = choices::NO_CODE)]
+    map: Option<Place>,
     /// How the situation is held and the next one found
     #[arg(long, value_enum, default_value_t = EncodingName::SinglePhase, value_name = "ENCODING")]
     encoding: EncodingName,
@@ -126,6 +131,9 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     }
     let output = args.output.clone().unwrap_or(Place::Standard);
     refuse_output_over_input(&output, [chart])?;
+    if let Some(map) = &args.map {
+        refuse_map(map, chart, &output, args.target.as_deref())?;
+    }
 
     let options = Options { lowering, product };
     let mut report = Report::default();
@@ -138,8 +146,32 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let exit = report.tell(args.format);
     if let Some(made) = made {
         output.write(&made.text)?;
+        if let (Some(place), Some(map)) = (&args.map, &made.map) {
+            let (chart, target) = (chart.file_name(), args.target.as_deref().unwrap_or_default());
+            let output = args.output.as_ref().filter(|output| **output != Place::Standard).map(Place::file_name);
+            let about = Made { chart: &chart, output: output.as_deref(), target, encoding: encoding.name() };
+            place.write(&map::json(map, &about, &report.sources))?;
+        }
     }
     Ok(exit)
+}
+
+/// A map that nobody can write, or that would take the place of something else.
+fn refuse_map(map: &Place, chart: &Place, output: &Place, target: Option<&str>) -> Result<(), Failure> {
+    let mapped = || Target::ALL.iter().filter(|about| about.mapped);
+    if target.is_some_and(|target| mapped().all(|about| about.name != target)) {
+        let what = format!("`--map` is an option of {}", choices::sentence(mapped(), "--target "));
+        return Err(Failure::WrongUse(what, "leave it out".to_string()));
+    }
+    if map.is_same_place(output) {
+        let what = "the map and the code would be written to one place".to_string();
+        return Err(Failure::WrongUse(what, "choose another file with `--map` or `-o`".to_string()));
+    }
+    if map.is_same_file(chart) {
+        let what = format!("the map would overwrite `{}`", chart.input_name());
+        return Err(Failure::WrongUse(what, "choose another file with `--map`".to_string()));
+    }
+    Ok(())
 }
 
 /// What is asked for, if anything is.
@@ -159,6 +191,6 @@ fn product(args: &Arguments, chart: &Place, lowering: &grafc_logic::Options) -> 
     let target = args.choices.target(args.target.as_ref()?)?;
     Some(target.map(|mut target| {
         target.set_header(header(&chart.file_name(), lowering, &target));
-        Product::Code(target)
+        if args.map.is_some() { Product::Mapped(target) } else { Product::Code(target) }
     }))
 }

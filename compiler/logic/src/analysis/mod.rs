@@ -17,6 +17,7 @@ pub(crate) mod transients;
 
 use crate::lower::cover::Cover;
 use crate::lower::{Context, Lowering, Moment};
+use crate::scan::{ActionId, Origin};
 use components::{Components, Found, Reason};
 use grafc_formula::FormulaId;
 use grafc_formula::exclusion::EdgeFacts;
@@ -93,19 +94,26 @@ impl Conditions {
     pub(crate) fn new(mut lowering: Lowering) -> Conditions {
         let net = &*lowering.net.clone();
         let mut cx = Context::new(Moment::MicroStep);
-        let of_transition = net.transitions.iter().map(|t| lowering.expr(&mut cx, t.condition)).collect();
+        let mut of_transition = IndexVec::with_capacity(net.transitions.len());
+        for (t, transition) in net.transitions.iter_enumerated() {
+            cx.origin = Origin::Transition(t);
+            of_transition.push(lowering.expr(&mut cx, transition.condition));
+        }
         let mut of_event = FxHashMap::default();
         for (index, action) in net.stored.iter().enumerate() {
+            cx.origin = Origin::Action(ActionId::from(net.continuous.len() + index));
             if let Event::Event(_, e) = action.event {
                 of_event.insert(index, lowering.expr(&mut cx, e));
             }
             lowering.prepare(&mut cx, action.value, true);
         }
-        for action in &net.continuous {
+        for (index, action) in net.continuous.iter().enumerate() {
+            cx.origin = Origin::Action(ActionId::from(index));
             if let Some(condition) = action.condition {
                 lowering.prepare(&mut cx, condition, false);
             }
         }
+        cx.origin = Origin::Chart;
         Conditions { lowering, cx, of_transition, of_event }
     }
 }

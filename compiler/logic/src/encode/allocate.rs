@@ -6,7 +6,7 @@
 
 use crate::analysis::components::Components;
 use crate::lower::{Context, Lowering};
-use crate::scan::{Flag, Role, Statement, VarId};
+use crate::scan::{Flag, Origin, Role, Statement, VarId};
 use grafc_formula::{Formula, FormulaId, Type};
 use grafc_model::chart::{ExprId, ExprKind, Mode, StepId, TransitionId, VariableId};
 use grafc_net::net::Forced;
@@ -21,6 +21,8 @@ pub(crate) struct Trigger {
     pub(crate) when: FormulaId,
     /// The right side.
     pub(crate) value: ExprId,
+    /// The action.
+    pub(crate) origin: Origin,
     /// Where a token has to be for it to be done.
     pub(crate) position: Position,
     /// Whether its being done says by itself that another micro-step is needed.
@@ -63,7 +65,7 @@ pub(crate) fn statements(
             let (name, ty) = (&lowering.net.variables[variable].name, lowering.net.variables[variable].ty);
             let copy = lowering.symbols.fresh(Role::Temporary, format!("before_{name}"), ty, None);
             let value = lowering.symbols.read(&mut lowering.pool, source);
-            statements.push(Statement::Assign { target: copy, value, remark: None });
+            statements.push(Statement::assign(Origin::Actions(variable), copy, value));
             one_variable(lowering, cx, variable, &triggers[&variable], tokens, again, &mut statements);
             lowering.redirected.insert(variable, copy);
         } else {
@@ -266,13 +268,14 @@ fn constants(
         let done: Vec<FormulaId> = by_value.into_values().map(|whens| lowering.pool.or(whens)).collect();
         if let [a, b] = done[..] {
             let conflict = lowering.pool.and([a, b]);
-            out.extend(raise_conflict(lowering, conflict));
+            out.extend(raise_conflict(lowering, Origin::Actions(variable), conflict));
         }
     }
     let mut runs: Vec<(Trigger, FormulaId, Vec<FormulaId>)> = Vec::new();
     for (trigger, literal) in triggers.iter().zip(literals) {
         match runs.last_mut() {
             Some((first, same, whens)) if same == literal && first.repeats == trigger.repeats => {
+                first.origin = Origin::Actions(variable);
                 whens.push(trigger.when);
             }
             _ => runs.push((*trigger, *literal, vec![trigger.when])),
@@ -307,29 +310,31 @@ fn one_after_the_other(
     let (read_new, read_given) =
         (lowering.symbols.read(&mut lowering.pool, new), lowering.symbols.read(&mut lowering.pool, given));
     let (yes, no) = (lowering.pool.truth(true), lowering.pool.truth(false));
-    out.push(Statement::Assign { target: given, value: no, remark: None });
+    out.push(Statement::assign(Origin::Actions(variable), given, no));
     for (index, trigger) in triggers.iter().enumerate() {
+        let origin = trigger.origin;
+        cx.origin = origin;
         let (mut body, value) = lowering.branch_value(cx, trigger.value);
         if index == 0 {
-            body.push(Statement::Assign { target: new, value, remark: None });
+            body.push(Statement::assign(origin, new, value));
         } else {
             let next = lowering.symbols.fresh(Role::Temporary, format!("next_{name}"), ty, None);
-            body.push(Statement::Assign { target: next, value, remark: None });
+            body.push(Statement::assign(origin, next, value));
             let read_next = lowering.symbols.read(&mut lowering.pool, next);
             let differs = lowering.pool.differs(read_new, read_next);
             let conflict = lowering.pool.and([read_given, differs]);
-            body.extend(raise_conflict(lowering, conflict));
-            body.push(Statement::Assign { target: new, value: read_next, remark: None });
+            body.extend(raise_conflict(lowering, trigger.origin, conflict));
+            body.push(Statement::assign(origin, new, read_next));
         }
-        body.push(Statement::Assign { target: given, value: yes, remark: None });
+        body.push(Statement::assign(origin, given, yes));
         out.extend(choose(lowering, vec![(trigger.when, body)]));
     }
     let target = lowering.symbols.declared(variable);
     let mut body = Vec::new();
     if triggers.iter().any(|t| !t.repeats) {
-        body.extend(tell_again(lowering, target, read_new, again));
+        body.extend(tell_again(lowering, Origin::Actions(variable), target, read_new, again));
     }
-    body.push(Statement::Assign { target, value: read_new, remark: None });
+    body.push(Statement::assign(Origin::Actions(variable), target, read_new));
     out.extend(choose(lowering, vec![(read_given, body)]));
 }
 
@@ -340,38 +345,45 @@ fn branch(
     trigger: &Trigger,
     again: Option<VarId>,
 ) -> (FormulaId, Vec<Statement>) {
-    let target = lowering.symbols.declared(variable);
+    let (target, origin) = (lowering.symbols.declared(variable), trigger.origin);
+    cx.origin = origin;
     let (mut body, mut value) = lowering.branch_value(cx, trigger.value);
     if !trigger.repeats && again.is_some() {
         if matches!(lowering.pool.get(value), Formula::Arithmetic(..) | Formula::Negate(_)) {
             let name = format!("new_{}", lowering.net.variables[variable].name);
             let new = lowering.symbols.fresh(Role::Temporary, name, lowering.pool.ty(value), None);
-            body.push(Statement::Assign { target: new, value, remark: None });
+            body.push(Statement::assign(origin, new, value));
             value = lowering.symbols.read(&mut lowering.pool, new);
         }
-        body.extend(tell_again(lowering, target, value, again));
+        body.extend(tell_again(lowering, origin, target, value, again));
     }
-    body.push(Statement::Assign { target, value, remark: None });
+    body.push(Statement::assign(origin, target, value));
     (trigger.when, body)
 }
 
 /// `again := again OR value <> target`.
-fn tell_again(lowering: &mut Lowering, target: VarId, value: FormulaId, again: Option<VarId>) -> Option<Statement> {
+fn tell_again(
+    lowering: &mut Lowering,
+    origin: Origin,
+    target: VarId,
+    value: FormulaId,
+    again: Option<VarId>,
+) -> Option<Statement> {
     let again = again?;
     let old = lowering.symbols.read(&mut lowering.pool, target);
     let differs = lowering.pool.differs(old, value);
     let already = lowering.symbols.read(&mut lowering.pool, again);
     let value = lowering.pool.or([already, differs]);
-    (value != already).then_some(Statement::Assign { target: again, value, remark: None })
+    (value != already).then_some(Statement::assign(origin, again, value))
 }
 
-fn raise_conflict(lowering: &mut Lowering, when: FormulaId) -> Vec<Statement> {
+fn raise_conflict(lowering: &mut Lowering, origin: Origin, when: FormulaId) -> Vec<Statement> {
     if lowering.pool.as_truth(when) == Some(false) {
         return Vec::new();
     }
     let target = lowering.symbols.flag(Flag::AllocConflict);
     let value = lowering.pool.truth(true);
-    choose(lowering, vec![(when, vec![Statement::Assign { target, value, remark: None }])])
+    choose(lowering, vec![(when, vec![Statement::assign(origin, target, value)])])
 }
 
 /// An IF with these branches, less those that are never taken and what follows one that always is: a source transition

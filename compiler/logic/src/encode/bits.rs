@@ -11,7 +11,7 @@ use crate::encode::stored;
 use crate::lower::situation::Holder;
 use crate::lower::{Context, Lowering};
 use crate::options::Encoding;
-use crate::scan::{Role, Statement, VarId};
+use crate::scan::{Heading, Origin, Role, Statement, VarId};
 use grafc_formula::{Formula, FormulaId, Type};
 use grafc_model::chart::StepId;
 use index_vec::IndexVec;
@@ -23,7 +23,7 @@ pub(super) fn micro_step(
     input_event: &mut InputEvent,
 ) -> Vec<Statement> {
     let mut out = Vec::new();
-    stored::heading(&mut out, "memory of edges", edges(lowering, task.again));
+    stored::heading(&mut out, Heading::MemoryOfEdges, edges(lowering, task.again));
     if task.encoding == Encoding::Sequent
         && let Some(statements) = sequent::in_place(lowering, task)
     {
@@ -35,11 +35,11 @@ pub(super) fn micro_step(
     // The textbook's triggers write conditions out; elsewhere each clearing is named and latched.
     let (mut clearings, latched) = Clearings::new(lowering, task, &frozen, !overlaps);
     transitions.extend(latched);
-    stored::heading(&mut out, "transitions that clear", transitions);
+    stored::heading(&mut out, Heading::TransitionsThatClear, transitions);
 
     let ahead = ahead(lowering, task);
     let next = next_situation(lowering, task, &mut clearings, &ahead);
-    stored::heading(&mut out, "next situation", next);
+    stored::heading(&mut out, Heading::NextSituation, next);
     if let Some(again) = task.again {
         let terms =
             if overlaps { differences(lowering, &clearings) } else { clearings.changes(lowering, task, |_| false) };
@@ -48,27 +48,27 @@ pub(super) fn micro_step(
 
     let step_events = StepEvents::new(lowering, &clearings, task.components);
     let actions = stored::actions(lowering, cx, task, &clearings, step_events, input_event);
-    stored::heading(&mut out, "stored actions", actions);
+    stored::heading(&mut out, Heading::StoredActions, actions);
 
     let mut situation = Vec::new();
     for s in lowering.net.places.indices() {
         let Holder::Bit(target) = lowering.situation.holder(s) else { continue };
         if let Some(value) = clearings.next[s] {
             if value != lowering.active(s) {
-                situation.push(Statement::Assign { target, value, remark: None });
+                situation.push(Statement::assign(Origin::Step(s), target, value));
             }
         } else if task.encoding != Encoding::Sequent
             && let Some(place) = clearings.set_and_reset(lowering, s, overlaps)
         {
             // In place: clearings were latched, and a step reads no activity but its own.
             let value = next_activity(task.encoding, &mut lowering.pool, &place);
-            situation.push(Statement::Assign { target, value, remark: None });
+            situation.push(Statement::assign(Origin::Step(s), target, value));
         }
     }
     if task.encoding == Encoding::Sequent && !ahead.iter().any(|needed| *needed) {
         situation = sequent::moves(lowering, task, &clearings, |lowering, s| lowering.situation.bit(s));
     }
-    stored::heading(&mut out, "situation", situation);
+    stored::heading(&mut out, Heading::Situation, situation);
     out
 }
 
@@ -107,7 +107,7 @@ fn next_situation(
     }
     if task.encoding == Encoding::Sequent {
         for (s, target) in variables.iter_enumerated().filter_map(|(s, v)| v.map(|v| (s, v))) {
-            statements.push(Statement::Assign { target, value: lowering.active(s), remark: None });
+            statements.push(Statement::assign(Origin::Step(s), target, lowering.active(s)));
         }
         statements.extend(sequent::moves(lowering, task, clearings, |_, s| variables[s]));
     }
@@ -135,7 +135,7 @@ fn next_situation(
                 value
             } else {
                 if value != read {
-                    statements.push(Statement::Assign { target, value, remark: None });
+                    statements.push(Statement::assign(Origin::Step(*s), target, value));
                 }
                 read
             });
@@ -161,7 +161,7 @@ pub(super) fn edges(lowering: &mut Lowering, again: Option<VarId>) -> Vec<Statem
     let mut statements = Vec::new();
     if let Some(target) = again.filter(|_| !lowering.edges.is_empty()) {
         let value = lowering.edges_changed();
-        statements.push(Statement::Assign { target, value, remark: None });
+        statements.push(Statement::assign(Origin::Chart, target, value));
     }
     statements.extend(lowering.remember_operands());
     statements
@@ -175,5 +175,5 @@ fn tell(lowering: &mut Lowering, again: VarId, mut terms: Vec<FormulaId>) -> Opt
     }
     let value = lowering.pool.or(terms);
     let unchanged = matches!(lowering.pool.get(value), Formula::Variable(v) if *v == again);
-    (!unchanged).then_some(Statement::Assign { target: again, value, remark: None })
+    (!unchanged).then_some(Statement::assign(Origin::Chart, again, value))
 }

@@ -5,7 +5,7 @@ use crate::analysis::components::Components;
 use crate::encode::settle::Frozen;
 use crate::encode::task::{SetReset, Task};
 use crate::lower::Lowering;
-use crate::scan::{Role, Statement, VarId};
+use crate::scan::{Origin, Role, Statement, Told, VarId};
 use grafc_formula::{Formula, FormulaId};
 use grafc_model::chart::{StepId, TransitionId, Type};
 use grafc_net::{Arcs, Net};
@@ -64,7 +64,7 @@ impl<'a> Clearings<'a> {
             }
             let target =
                 lowering.symbols.fresh(Role::Temporary, format!("clr_{}", designation(net, t)), Type::Bool, None);
-            statements.push(Statement::Assign { target, value, remark: Some(drawn(net, t)) });
+            statements.push(Statement::Assign { target, value, origin: Origin::Transition(t), told: Told::All });
             cleared.push(lowering.symbols.read(&mut lowering.pool, target));
         }
         let next = net.places.iter().map(|_| None).collect();
@@ -236,7 +236,7 @@ impl StepEvents {
                 } else {
                     let name = format!("{word}_{}", net.places[s].label);
                     let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
-                    events.statements.push(Statement::Assign { target, value, remark: None });
+                    events.statements.push(Statement::assign(Origin::Step(s), target, value));
                     lowering.symbols.read(&mut lowering.pool, target)
                 };
                 if activation { &mut events.activated } else { &mut events.deactivated }.insert(s, value);
@@ -260,16 +260,4 @@ impl StepEvents {
 pub(crate) fn designation(net: &Net, t: TransitionId) -> String {
     let given = net.transitions[t].designation.as_deref();
     given.map_or_else(|| (t.index() + 1).to_string(), str::to_owned)
-}
-
-/// A transition as the chart writes it: `5, 8 -> 9: comment`.
-pub(crate) fn drawn(net: &Net, t: TransitionId) -> String {
-    let labels = |steps: &[StepId]| steps.iter().map(|s| net.places[*s].label.as_str()).collect::<Vec<_>>().join(", ");
-    let transition = &net.transitions[t];
-    let mut text = format!("{} -> {}", labels(&transition.pre), labels(&transition.post)).trim().to_owned();
-    if let Some(comment) = &transition.comment {
-        text.push_str(": ");
-        text.push_str(comment);
-    }
-    text
 }

@@ -5,7 +5,7 @@ use super::input_event::InputEvent;
 use super::outputs::Followers;
 use super::switch;
 use crate::lower::{Context, Lowering, Moment};
-use crate::scan::{Flag, Role, Statement, VarId};
+use crate::scan::{ActionId, Flag, Origin, Role, Statement, VarId};
 use grafc_formula::Type;
 use grafc_model::chart::{Event, Mode, VariableKind};
 use grafc_model::reaction::Profile;
@@ -23,7 +23,7 @@ pub(crate) fn first_call(
     let mut body = Vec::new();
     for (s, place) in net.places.iter_enumerated() {
         if let Some(target) = lowering.situation.bit(s).filter(|_| place.initial) {
-            body.push(Statement::Assign { target, value: yes, remark: None });
+            body.push(Statement::assign(Origin::Step(s), target, yes));
         }
     }
     if let Some(followers) = followers {
@@ -31,27 +31,30 @@ pub(crate) fn first_call(
     }
     if net.conflict_at_start {
         let target = lowering.symbols.flag(Flag::ForceConflict);
-        body.push(Statement::Assign { target, value: yes, remark: None });
+        body.push(Statement::assign(Origin::Chart, target, yes));
     }
     for (v, variable) in net.variables.iter_enumerated() {
         let kept = matches!(variable.kind, VariableKind::Output | VariableKind::Internal);
         if kept && variable.mode != Mode::Wire && variable.initial != grafc_formula::number::zero(variable.ty) {
             let value = lowering.pool.constant(variable.initial, variable.ty);
-            body.push(Statement::Assign { target: lowering.symbols.declared(v), value, remark: None });
+            body.push(Statement::assign(Origin::Declaration(v), lowering.symbols.declared(v), value));
         }
     }
     if profile.initial_actions {
         let mut triggers = Triggers::new();
-        for action in &net.stored {
+        for (index, action) in net.stored.iter().enumerate() {
             match action.event {
                 Event::Activation(s) if net.places[s].initial => {
-                    let trigger = Trigger { when: yes, value: action.value, position: Position::To(s), repeats: true };
+                    let origin = Origin::Action(ActionId::from(net.continuous.len() + index));
+                    let (value, position) = (action.value, Position::To(s));
+                    let trigger = Trigger { when: yes, value, origin, position, repeats: true };
                     triggers.entry(action.target).or_default().push(trigger);
                 }
                 Event::Event(..) | Event::Deactivation(_) | Event::Clearing(_) | Event::Activation(_) => {}
             }
         }
         for trigger in triggers.values().flatten() {
+            cx.origin = trigger.origin;
             lowering.prepare(&mut cx, trigger.value, true);
         }
         let allocations = allocate::statements(lowering, &mut cx, &triggers, None, None);
@@ -62,9 +65,11 @@ pub(crate) fn first_call(
     let mut cx = Context::new(Moment::First);
     for index in 0..lowering.edges.len() {
         let (operand, old) = (lowering.edge_operands[index], lowering.edges[index].old);
+        let origin = lowering.edge_origins[index];
+        cx.origin = origin;
         let value = lowering.expr(&mut cx, operand);
         body.append(&mut cx.statements);
-        body.push(Statement::Assign { target: old, value, remark: None });
+        body.push(Statement::assign(origin, old, value));
     }
     body.extend(input_event.start(lowering));
     if body.is_empty() {
@@ -74,6 +79,6 @@ pub(crate) fn first_call(
         lowering.symbols.fresh(Role::Memory, "started", Type::Bool, Some("false until the first call".into()));
     let is_started = lowering.symbols.read(&mut lowering.pool, started);
     let at_first = lowering.pool.not(is_started);
-    body.insert(0, Statement::Assign { target: started, value: yes, remark: None });
+    body.insert(0, Statement::assign(Origin::Chart, started, yes));
     (vec![Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() }], Some(started))
 }

@@ -5,7 +5,7 @@
 //! round in a circle, the variable is copied before it is written, and those that have yet to read it read the copy.
 
 use crate::lower::Lowering;
-use crate::scan::{Role, Statement, VarId};
+use crate::scan::{Origin, Role, Statement, VarId};
 use grafc_formula::{Formula, FormulaId};
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
@@ -104,7 +104,8 @@ pub(super) fn in_order(lowering: &mut Lowering, blocks: Vec<Block>, out: &mut Ve
             let copy = lowering.symbols.fresh(Role::Temporary, name, ty, None);
             lowering.situation.kept_in(v, copy);
             let value = lowering.symbols.read(&mut lowering.pool, v);
-            out.push(Statement::Assign { target: copy, value, remark: None });
+            let origin = lowering.situation.step_of(v).map_or(Origin::Chart, Origin::Step);
+            out.push(Statement::assign(origin, copy, value));
             fresh.push((v, copy));
             readers.remove(&v);
             read.push(v);

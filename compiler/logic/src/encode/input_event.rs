@@ -2,16 +2,16 @@
 //! a call only. Kept only for charts with an action on an event that is not an edge alone.
 
 use crate::lower::Lowering;
-use crate::scan::{Role, Statement, VarId};
+use crate::scan::{Origin, Role, Statement, VarId};
 use grafc_formula::{FormulaId, Type};
-use grafc_model::chart::VariableKind;
+use grafc_model::chart::{VariableId, VariableKind};
 
 /// The memory of all inputs and the bit that says that one has changed.
 #[derive(Default)]
 pub(crate) struct InputEvent {
     changed: Option<VarId>,
     /// Each input and its value at the call before.
-    memory: Vec<(VarId, VarId)>,
+    memory: Vec<(VariableId, VarId)>,
 }
 
 impl InputEvent {
@@ -23,7 +23,7 @@ impl InputEvent {
                 for (v, input) in lowering.net.variables.iter_enumerated() {
                     if input.kind == VariableKind::Input {
                         let old = lowering.symbols.fresh(Role::Memory, format!("last_{}", input.name), input.ty, None);
-                        self.memory.push((lowering.symbols.declared(v), old));
+                        self.memory.push((v, old));
                     }
                 }
                 let changed = lowering.symbols.fresh(Role::Temporary, "input_event", Type::Bool, None);
@@ -43,12 +43,12 @@ impl InputEvent {
         let Some(target) = self.changed else { return Vec::new() };
         let mut terms = Vec::with_capacity(self.memory.len());
         for (input, old) in &self.memory {
-            let now = lowering.symbols.read(&mut lowering.pool, *input);
+            let now = lowering.symbols.read(&mut lowering.pool, lowering.symbols.declared(*input));
             let old = lowering.symbols.read(&mut lowering.pool, *old);
             terms.push(lowering.pool.differs(now, old));
         }
         let value = lowering.pool.or(terms);
-        let mut statements = vec![Statement::Assign { target, value, remark: None }];
+        let mut statements = vec![Statement::assign(Origin::Chart, target, value)];
         statements.extend(self.remember(lowering));
         statements
     }
@@ -56,15 +56,15 @@ impl InputEvent {
     /// After the first micro-step the event is over.
     pub(crate) fn over(&self, lowering: &mut Lowering) -> Option<Statement> {
         let target = self.changed?;
-        Some(Statement::Assign { target, value: lowering.pool.truth(false), remark: None })
+        Some(Statement::assign(Origin::Chart, target, lowering.pool.truth(false)))
     }
 
     fn remember(&self, lowering: &mut Lowering) -> Vec<Statement> {
         self.memory
             .iter()
             .map(|(input, old)| {
-                let value = lowering.symbols.read(&mut lowering.pool, *input);
-                Statement::Assign { target: *old, value, remark: None }
+                let value = lowering.symbols.read(&mut lowering.pool, lowering.symbols.declared(*input));
+                Statement::assign(Origin::Declaration(*input), *old, value)
             })
             .collect()
     }

@@ -7,7 +7,7 @@
 use crate::encode::state_case::StateCase;
 use crate::lower::situation::Holder;
 use crate::lower::{Context, Lowering, Moment};
-use crate::scan::Statement;
+use crate::scan::{ActionId, Origin, Statement};
 use grafc_formula::FormulaId;
 use grafc_model::chart::{ExprId, ExprKind, Mode, StepId, VariableId, VariableKind};
 use grafc_net::Net;
@@ -86,18 +86,30 @@ impl Followers {
     }
 }
 
+impl Followers {
+    /// The action of a step on a wire that follows, the first if there are several.
+    pub(crate) fn origin(&self, net: &Net, s: StepId, wire: VariableId) -> Origin {
+        let mut actions = self.of_step.get(&s).map_or(&[][..], Vec::as_slice).iter();
+        let found = actions.find(|index| net.continuous[**index].target == wire);
+        found.map_or(Origin::Step(s), |index| Origin::Action(ActionId::from(*index)))
+    }
+}
+
 /// All that is computed after the evolution.
 pub(crate) fn statements(lowering: &mut Lowering, followers: Option<&Followers>) -> Vec<Statement> {
     let net = &*lowering.net.clone();
     let mut cx = Context::new(Moment::After);
     for (v, variable) in net.variables.iter_enumerated() {
         if variable.mode == Mode::Wire && variable.kind == VariableKind::Output {
+            cx.origin = lowering.wire_origin(v);
             lowering.wire(&mut cx, v);
         }
     }
     let Some(followers) = followers.filter(|f| !f.conditional.is_empty()) else { return cx.statements };
     // All conditions are evaluated, whether or not they decide anything: one of them may divide by zero.
-    for action in net.continuous.iter().filter(|action| followers.conditional.contains(&action.target)) {
+    let conditional = net.continuous.iter().enumerate();
+    for (index, action) in conditional.filter(|(_, action)| followers.conditional.contains(&action.target)) {
+        cx.origin = Origin::Action(ActionId::from(index));
         if let Some(condition) = action.condition.filter(|_| lowering.kept_wires.contains(&action.target)) {
             lowering.expr(&mut cx, condition);
         }
@@ -112,7 +124,7 @@ pub(crate) fn statements(lowering: &mut Lowering, followers: Option<&Followers>)
                     let terms: Vec<FormulaId> = condition.iter().map(|c| lowering.expr(&mut cx, *c)).collect();
                     let value = lowering.pool.or(terms);
                     let target = lowering.symbols.declared(wire);
-                    body.push(Statement::Assign { target, value, remark: None });
+                    body.push(Statement::assign(followers.origin(net, s, wire), target, value));
                 }
             }
             arms.add(lowering, s, body);

@@ -9,10 +9,10 @@
 use super::in_order::{Block, in_order};
 use super::task::Task;
 use crate::encode::allocate::choose;
-use crate::encode::clearings::{Clearings, clears, drawn};
+use crate::encode::clearings::{Clearings, clears};
 use crate::encode::settle;
 use crate::lower::Lowering;
-use crate::scan::{Statement, VarId};
+use crate::scan::{Heading, Origin, Statement, VarId};
 use grafc_model::chart::{StepId, TransitionId};
 use std::collections::BTreeMap;
 
@@ -30,7 +30,7 @@ pub(super) fn moves(
     for (t, transition) in net.transitions.iter_enumerated() {
         let write = |lowering: &mut Lowering, s: &StepId, active: bool| {
             let value = lowering.pool.truth(active);
-            target(lowering, *s).map(|target| Statement::Assign { target, value, remark: None })
+            target(lowering, *s).map(|target| Statement::assign(Origin::Transition(t), target, value))
         };
         let leaves = |s: &&StepId| !transition.post.contains(s);
         let mut early = Vec::new();
@@ -82,12 +82,12 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Option<Vec<State
         blocks.push(Block::new(lowering, statements, |v| lowering.situation.step_of(v).is_some()));
     }
     let mut out = Vec::new();
-    crate::encode::stored::heading(&mut out, "transitions", statements);
+    crate::encode::stored::heading(&mut out, Heading::Transitions, statements);
     if out.is_empty() {
-        out.push(Statement::Heading("transitions".to_owned()));
+        out.push(Statement::Heading(Heading::Transitions));
     }
     if let Some(target) = task.again.filter(|_| lowering.edges.is_empty()) {
-        out.push(Statement::Assign { target, value: lowering.pool.truth(false), remark: None });
+        out.push(Statement::assign(Origin::Chart, target, lowering.pool.truth(false)));
     }
     in_order(lowering, blocks, &mut out);
     Some(out)
@@ -101,13 +101,11 @@ fn moved(lowering: &mut Lowering, task: &Task, t: TransitionId) -> Vec<Statement
     let coming = transition.post.iter().filter(|s| !transition.pre.contains(s)).map(|s| (s, true));
     for (s, active) in leaving.chain(coming) {
         let value = lowering.pool.truth(active);
-        body.extend(lowering.situation.bit(*s).map(|target| Statement::Assign { target, value, remark: None }));
+        body.extend(lowering.situation.bit(*s).map(|target| Statement::assign(Origin::Transition(t), target, value)));
     }
     if let Some(target) = task.again {
-        body.push(Statement::Assign { target, value: lowering.pool.truth(true), remark: None });
+        body.push(Statement::assign(Origin::Transition(t), target, lowering.pool.truth(true)));
     }
-    if let Some(Statement::Assign { remark, .. }) = body.first_mut() {
-        *remark = Some(drawn(&lowering.net, t));
-    }
+    body.iter_mut().take(1).for_each(Statement::tell);
     body
 }

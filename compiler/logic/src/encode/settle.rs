@@ -14,7 +14,7 @@
 
 use crate::analysis::components::Components;
 use crate::lower::Lowering;
-use crate::scan::{Flag, Role, Statement};
+use crate::scan::{Flag, Origin, Role, Statement};
 use grafc_formula::{FormulaId, Type};
 use grafc_model::chart::{GrafcetId, StepId};
 use grafc_net::Net;
@@ -37,7 +37,8 @@ pub(crate) fn frozen(lowering: &mut Lowering) -> (Frozen, Vec<Statement>) {
         let terms: Vec<FormulaId> = around.into_iter().chain(forcing).collect();
         if !terms.is_empty() {
             let value = lowering.pool.or(terms);
-            frozen[*g] = Some(lowering.named(&format!("frozen_{}", grafcet.name), value, &mut statements));
+            let name = format!("frozen_{}", grafcet.name);
+            frozen[*g] = Some(lowering.named(Origin::Orders(*g), &name, value, &mut statements));
         }
     }
     (frozen, statements)
@@ -112,17 +113,18 @@ pub(crate) fn orders(
         };
         if let Forced::Steps(steps) = &order.forced {
             let name = format!("force_{}_{}", grafcet.name, index + 1);
-            in_force.push((lowering.named(&name, when, statements), steps.clone()));
+            let origin = lowering.order_origin(g, index);
+            in_force.push((lowering.named(origin, &name, when, statements), steps.clone()));
         }
         // After the last order that sets a situation nothing asks any more.
         if let Some(target) = before.filter(|_| Some(index) < last) {
             let earlier = lowering.symbols.read(&mut lowering.pool, target);
             let value = if index == 0 { *active } else { lowering.pool.or([earlier, *active]) };
-            statements.push(Statement::Assign { target, value, remark: None });
+            statements.push(Statement::assign(Origin::Orders(g), target, value));
         }
     }
     let any = lowering.pool.or(in_force.iter().map(|(when, _)| *when).collect::<Vec<_>>());
-    let any = lowering.named(&format!("forced_{}", grafcet.name), any, statements);
+    let any = lowering.named(Origin::Orders(g), &format!("forced_{}", grafcet.name), any, statements);
     let mut forced_by: FxHashMap<StepId, Vec<FormulaId>> = FxHashMap::default();
     for (when, steps) in &in_force {
         for s in steps {
@@ -175,15 +177,15 @@ fn conflict(
             let meets = lowering.pool.and([before, class]);
             match index {
                 0 => {}
-                1 => statements.push(Statement::Assign { target: two, value: meets, remark: None }),
+                1 => statements.push(Statement::assign(Origin::Orders(g), two, meets)),
                 _ => {
                     let value = lowering.pool.or([both, meets]);
-                    statements.push(Statement::Assign { target: two, value, remark: None });
+                    statements.push(Statement::assign(Origin::Orders(g), two, value));
                 }
             }
             if index < last {
                 let value = if index == 0 { class } else { lowering.pool.or([before, class]) };
-                statements.push(Statement::Assign { target: asked_before, value, remark: None });
+                statements.push(Statement::assign(Origin::Orders(g), asked_before, value));
             }
         }
         both
@@ -194,7 +196,7 @@ fn conflict(
     }
     let target = lowering.symbols.flag(Flag::ForceConflict);
     let value = lowering.pool.truth(true);
-    let body = vec![Statement::Assign { target, value, remark: None }];
+    let body = vec![Statement::assign(Origin::Orders(g), target, value)];
     statements.push(Statement::If { branches: vec![(when, body)], otherwise: Vec::new() });
 }
 

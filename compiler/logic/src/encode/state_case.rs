@@ -2,7 +2,7 @@
 
 use crate::lower::Lowering;
 use crate::lower::situation::Holder;
-use crate::scan::{Arm, Statement, VarId};
+use crate::scan::{Arm, Origin, Statement, Told, VarId};
 use grafc_model::chart::StepId;
 
 /// The arms so far.
@@ -18,12 +18,7 @@ impl StateCase {
         if body.is_empty() {
             return;
         }
-        let place = &lowering.net.places[s];
-        let remark = match &place.comment {
-            Some(comment) => format!("step {}: {comment}", place.label),
-            None => format!("step {}", place.label),
-        };
-        self.arms.push(Arm { value, remark: Some(remark), body });
+        self.arms.push(Arm { value, origin: Origin::Step(s), told: Told::All, body });
     }
 
     /// The statement; none if no arm does anything.

@@ -6,15 +6,15 @@ use crate::encode::clearings::{Clearings, StepEvents};
 use crate::encode::input_event::InputEvent;
 use crate::encode::task::Task;
 use crate::lower::{Context, Lowering};
-use crate::scan::{Role, Statement, VarId};
+use crate::scan::{ActionId, Heading, Origin, Role, Statement, VarId};
 use grafc_formula::{Formula, FormulaId, Type};
 use grafc_model::chart::{Event, StepId};
 use rustc_hash::FxHashMap;
 
 /// Adds statements under a heading, if there are any.
-pub(crate) fn heading(out: &mut Vec<Statement>, text: &str, statements: Vec<Statement>) {
+pub(crate) fn heading(out: &mut Vec<Statement>, of: Heading, statements: Vec<Statement>) {
     if !statements.is_empty() {
-        out.push(Statement::Heading(text.to_owned()));
+        out.push(Statement::Heading(of));
         out.extend(statements);
     }
 }
@@ -35,24 +35,29 @@ pub(crate) fn actions(
     for kind in 0..4 {
         for (index, action) in net.stored.iter().enumerate() {
             let value = action.value;
+            let origin = Origin::Action(ActionId::from(net.continuous.len() + index));
             let trigger = match (kind, action.event) {
                 (0, Event::Event(s, _)) => {
                     let (when, levels) =
-                        event(lowering, s, task.events[&index], &no_edges, input_event, &mut statements);
-                    Trigger { when, value, position: Position::At(s), repeats: !levels }
+                        event(lowering, (s, origin), task.events[&index], &no_edges, input_event, &mut statements);
+                    Trigger { when, value, origin, position: Position::At(s), repeats: !levels }
                 }
-                (1, Event::Deactivation(s)) => {
-                    Trigger { when: step_events.deactivated(s), value, position: Position::At(s), repeats: true }
-                }
+                (1, Event::Deactivation(s)) => Trigger {
+                    when: step_events.deactivated(s),
+                    value,
+                    origin,
+                    position: Position::At(s),
+                    repeats: true,
+                },
                 (2, Event::Clearing(t)) => {
                     let transition = &net.transitions[t];
                     // A clearing moves a token that it does not lead back.
                     let moves = |s: &StepId| task.components.covers(*s) && !transition.post.contains(s);
                     let repeats = transition.pre.iter().any(moves);
-                    Trigger { when: clearings.cleared[t], value, position: Position::Through(t), repeats }
+                    Trigger { when: clearings.cleared[t], value, origin, position: Position::Through(t), repeats }
                 }
                 (3, Event::Activation(s)) => {
-                    Trigger { when: step_events.activated(s), value, position: Position::To(s), repeats: true }
+                    Trigger { when: step_events.activated(s), value, origin, position: Position::To(s), repeats: true }
                 }
                 _ => continue,
             };
@@ -81,7 +86,7 @@ fn without_edges(
         let level = lowering.pool.substitute(formula, &by);
         if level != formula {
             let target = lowering.symbols.fresh(Role::Temporary, "level", Type::Bool, None);
-            statements.push(Statement::Assign { target, value: level, remark: None });
+            statements.push(Statement::assign(Origin::Chart, target, level));
             by.insert(part, lowering.symbols.read(&mut lowering.pool, target));
         }
     }
@@ -92,7 +97,7 @@ fn without_edges(
 /// input has just changed (R7, kind E). Also says whether the second way is possible.
 fn event(
     lowering: &mut Lowering,
-    step: StepId,
+    (step, origin): (StepId, Origin),
     expr: FormulaId,
     no_edges: &FxHashMap<VarId, FormulaId>,
     input_event: &mut InputEvent,
@@ -116,7 +121,7 @@ fn event(
     if reads_written {
         let name = format!("event_{}", lowering.net.places[step].label);
         let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
-        statements.push(Statement::Assign { target, value: when, remark: None });
+        statements.push(Statement::assign(origin, target, when));
         when = lowering.symbols.read(&mut lowering.pool, target);
     }
     (when, levels)

@@ -18,7 +18,7 @@ impl Lowering {
             Some(known) => *known,
             None => {
                 let target = self.intermediate(self.pool.ty(value));
-                cx.statements.push(Statement::Assign { target, value, remark: None });
+                cx.statements.push(Statement::assign(cx.origin, target, value));
                 cx.latch_in(value, target);
                 target
             }
@@ -55,7 +55,8 @@ impl Lowering {
         let target = self.intermediate(ty);
         let (dividend, divisor) = (self.operand(cx, a), self.operand(cx, b));
         let flag = self.symbols.flag(Flag::Div0);
-        cx.statements.push(Statement::Divide(Division { target, modulo, dividend, divisor, flag }));
+        let origin = cx.origin;
+        cx.statements.push(Statement::Divide(Division { target, modulo, dividend, divisor, flag, origin }));
         cx.divided.insert((modulo, a, b), target);
         cx.divided_in_order.push((modulo, a, b));
         self.symbols.read(&mut self.pool, target)
@@ -67,7 +68,7 @@ impl Lowering {
             return value;
         }
         let target = self.intermediate(self.pool.ty(value));
-        cx.statements.push(Statement::Assign { target, value, remark: None });
+        cx.statements.push(Statement::assign(cx.origin, target, value));
         self.symbols.read(&mut self.pool, target)
     }
 

@@ -4,14 +4,18 @@
 //! signal and a bit that it resets, because targets disagree on the output of TOF before its first true input.
 
 use super::{Context, Lowering, Moment};
-use crate::scan::{Preset, Role, Statement, Timer, TimerId};
+use crate::scan::{Origin, Preset, Role, Statement, Timer, TimerId};
 use grafc_formula::{FormulaId, Type, Value};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, StepId};
 
 impl Lowering {
     /// Brings the timers of step durations up to date with the situation.
     pub(crate) fn call_step_timers(&self) -> Vec<Statement> {
-        let call = |(s, t): (&StepId, &TimerId)| Statement::CallTimer { timer: *t, input: self.active(*s) };
+        let call = |(s, t): (&StepId, &TimerId)| Statement::CallTimer {
+            timer: *t,
+            input: self.active(*s),
+            origin: Origin::Step(*s),
+        };
         self.step_timers.iter().map(call).collect()
     }
 
@@ -54,7 +58,7 @@ impl Lowering {
         let base = self.base_name(operand, self.delay_of.len() + 1);
         let raised = if on.ms > 0 {
             let timer = self.timer(format!("on_{base}"), on);
-            cx.statements.push(Statement::CallTimer { timer, input });
+            cx.statements.push(Statement::CallTimer { timer, input, origin: cx.origin });
             self.pool.timer_done(timer)
         } else {
             input
@@ -63,19 +67,19 @@ impl Lowering {
             let held = self.symbols.fresh(Role::Memory, format!("held_{base}"), Type::Bool, None);
             let timer = self.timer(format!("off_{base}"), off);
             let low = self.pool.not(raised);
-            cx.statements.push(Statement::CallTimer { timer, input: low });
+            cx.statements.push(Statement::CallTimer { timer, input: low, origin: cx.origin });
             let (still, over) = (self.symbols.read(&mut self.pool, held), self.pool.timer_done(timer));
             let not_over = self.pool.not(over);
             let keeps = self.pool.and([still, not_over]);
             let value = self.pool.or([raised, keeps]);
-            cx.statements.push(Statement::Assign { target: held, value, remark: None });
+            cx.statements.push(Statement::assign(cx.origin, held, value));
             still
         } else if on.ms > 0 {
             raised
         } else {
             // No delay at all: still a value of this micro-step, which outputs read after the situation has changed.
             let value = self.symbols.fresh(Role::Temporary, format!("now_{base}"), Type::Bool, None);
-            cx.statements.push(Statement::Assign { target: value, value: input, remark: None });
+            cx.statements.push(Statement::assign(cx.origin, value, input));
             self.symbols.read(&mut self.pool, value)
         }
     }

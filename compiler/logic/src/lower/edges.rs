@@ -4,10 +4,10 @@
 //! R_TRIG are of no use here: they see an edge at power-up and lose edges when they are not called in every context.
 
 use super::{Context, Lowering, Moment};
-use crate::scan::{Role, Statement};
+use crate::scan::{Origin, Role, Statement};
 use grafc_formula::exclusion::EdgeOperand;
 use grafc_formula::{FormulaId, Type};
-use grafc_model::chart::ExprId;
+use grafc_model::chart::{ExprId, ExprKind};
 
 impl Lowering {
     pub(super) fn edge(&mut self, cx: &mut Context, operand: ExprId, rising: bool) -> FormulaId {
@@ -40,23 +40,30 @@ impl Lowering {
             let gone = self.pool.not(now);
             self.pool.and([gone, old])
         };
-        cx.statements.push(Statement::Assign { target, value, remark: None });
+        cx.statements.push(Statement::assign(self.edge_origins[index], target, value));
         self.symbols.read(&mut self.pool, target)
     }
 
     fn remember(&mut self, cx: &mut Context, operand: ExprId, formula: FormulaId) -> usize {
         let base = self.base_name(operand, self.edges.len() + 1);
+        // Of a name, many conditions may ask for an edge; what else an operand is made of, the first that asks has written.
+        let origin = match self.net.exprs[operand].kind {
+            ExprKind::Variable(v) => Origin::Declaration(v),
+            ExprKind::StepActive(s) => Origin::Step(s),
+            _ => cx.origin,
+        };
         let now = if self.pool.is_leaf(formula) {
             formula
         } else {
             let target = self.symbols.fresh(Role::Temporary, format!("now_{base}"), Type::Bool, None);
-            cx.statements.push(Statement::Assign { target, value: formula, remark: None });
+            cx.statements.push(Statement::assign(origin, target, formula));
             self.symbols.read(&mut self.pool, target)
         };
         let old = self.symbols.fresh(Role::Memory, format!("old_{base}"), Type::Bool, None);
         let index = self.edges.len();
         self.edges.push(EdgeOperand { now, old, rise: None, fall: None });
         self.edge_operands.push(operand);
+        self.edge_origins.push(origin);
         self.edge_of.insert(formula, index);
         index
     }
@@ -73,6 +80,7 @@ impl Lowering {
 
     /// The memory for the next micro-step.
     pub(crate) fn remember_operands(&self) -> Vec<Statement> {
-        self.edges.iter().map(|e| Statement::Assign { target: e.old, value: e.now, remark: None }).collect()
+        let edges = self.edges.iter().zip(&self.edge_origins);
+        edges.map(|(edge, origin)| Statement::assign(*origin, edge.old, edge.now)).collect()
     }
 }

@@ -12,12 +12,13 @@ mod edges;
 pub(crate) mod situation;
 pub(crate) mod symbols;
 
-use crate::scan::{Role, Statement, Timer, TimerId, VarId};
+use crate::scan::{ActionId, OrderId, Origin, Role, Statement, Timer, TimerId, VarId};
 use cover::Cover;
 use grafc_formula::exclusion::EdgeOperand;
 use grafc_formula::{Formula, FormulaId, Pool, Type, Value};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, GrafcetId, MacroId, Mode, StepId, VariableId};
 use grafc_net::Net;
+use grafc_net::net::Grafcet;
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
 use situation::Situation;
@@ -40,6 +41,8 @@ pub(crate) enum Moment {
 #[derive(Clone)]
 pub(crate) struct Context {
     moment: Moment,
+    /// What the definitions come from that are emitted now.
+    pub(crate) origin: Origin,
     /// The definitions, in the order in which they must be done.
     pub(crate) statements: Vec<Statement>,
     exprs: FxHashMap<ExprId, FormulaId>,
@@ -66,6 +69,7 @@ impl Context {
     pub(crate) fn new(moment: Moment) -> Self {
         Context {
             moment,
+            origin: Origin::Chart,
             statements: Vec::new(),
             exprs: FxHashMap::default(),
             wires: FxHashSet::default(),
@@ -93,12 +97,16 @@ pub(crate) struct Lowering {
     pub(crate) edges: Vec<EdgeOperand>,
     /// Each operand in the chart: the first of those that have the same formula.
     pub(crate) edge_operands: Vec<ExprId>,
+    /// Where each operand comes from.
+    pub(crate) edge_origins: Vec<Origin>,
     edge_of: FxHashMap<FormulaId, usize>,
     delay_of: FxHashMap<(FormulaId, DelayTime, DelayTime), FormulaId>,
     /// The value of each delay after the last micro-step.
     delay_values: FxHashMap<ExprId, FormulaId>,
     /// The continuous actions of each wire.
     continuous_of: FxHashMap<VariableId, Vec<usize>>,
+    /// The number of the first order on each grafcet.
+    first_order: IndexVec<GrafcetId, u32>,
     latches: usize,
     /// The pieces of conditions that were too deep, in the order of their definition.
     pub(crate) parts: Vec<(VarId, FormulaId)>,
@@ -129,6 +137,8 @@ impl Lowering {
         for (index, action) in net.continuous.iter().enumerate() {
             continuous_of.entry(action.target).or_default().push(index);
         }
+        let first = |sum: &mut u32, g: &Grafcet| Some(std::mem::replace(sum, *sum + g.orders.len() as u32));
+        let first_order = net.grafcets.iter().scan(0, first).collect();
         Lowering {
             net,
             symbols,
@@ -138,10 +148,12 @@ impl Lowering {
             step_timers: BTreeMap::new(),
             edges: Vec::new(),
             edge_operands: Vec::new(),
+            edge_origins: Vec::new(),
             edge_of: FxHashMap::default(),
             delay_of: FxHashMap::default(),
             delay_values: FxHashMap::default(),
             continuous_of,
+            first_order,
             latches: 0,
             parts: Vec::new(),
             kept_wires: FxHashSet::default(),
@@ -277,7 +289,7 @@ impl Lowering {
             return formula;
         }
         let target = self.symbols.fresh(Role::Temporary, format!("part_{}", self.parts.len() + 1), Type::Bool, None);
-        cx.statements.push(Statement::Assign { target, value: formula, remark: None });
+        cx.statements.push(Statement::assign(cx.origin, target, formula));
         self.parts.push((target, formula));
         self.symbols.read(&mut self.pool, target)
     }
@@ -293,7 +305,7 @@ impl Lowering {
             return activity;
         }
         let target = self.symbols.fresh(Role::Temporary, format!("X{label}"), Type::Bool, None);
-        cx.statements.push(Statement::Assign { target, value: activity, remark: None });
+        cx.statements.push(Statement::assign(cx.origin, target, activity));
         self.symbols.read(&mut self.pool, target)
     }
 
@@ -312,8 +324,21 @@ impl Lowering {
         }
         let value = self.pool.or(terms);
         let target = self.symbols.declared(wire);
-        cx.statements.push(Statement::Assign { target, value, remark: None });
+        cx.statements.push(Statement::assign(self.wire_origin(wire), target, value));
         cx.wires.insert(wire);
+    }
+
+    /// An order on a grafcet, by its rank there.
+    pub(crate) fn order_origin(&self, g: GrafcetId, rank: usize) -> Origin {
+        Origin::Order(OrderId::from(self.first_order[g] as usize + rank))
+    }
+
+    /// Where the value of a wire comes from: the one action on it, or all of them.
+    pub(crate) fn wire_origin(&self, wire: VariableId) -> Origin {
+        match self.continuous_of.get(&wire).map_or(&[][..], Vec::as_slice) {
+            [only] => Origin::Action(ActionId::from(*only)),
+            _ => Origin::Actions(wire),
+        }
     }
 
     fn build_expr(&mut self, cx: &mut Context, e: ExprId) -> FormulaId {
@@ -364,7 +389,13 @@ impl Lowering {
     }
 
     /// A value that stands for itself or, if it is longer than a variable or a test of a state, in a new temporary.
-    pub(crate) fn named(&mut self, name: &str, value: FormulaId, statements: &mut Vec<Statement>) -> FormulaId {
+    pub(crate) fn named(
+        &mut self,
+        origin: Origin,
+        name: &str,
+        value: FormulaId,
+        statements: &mut Vec<Statement>,
+    ) -> FormulaId {
         let short = match self.pool.get(value) {
             Formula::Not(a) => self.pool.is_leaf(*a),
             Formula::Compare(..) => true,
@@ -374,7 +405,7 @@ impl Lowering {
             return value;
         }
         let target = self.symbols.fresh(Role::Temporary, name, Type::Bool, None);
-        statements.push(Statement::Assign { target, value, remark: None });
+        statements.push(Statement::assign(origin, target, value));
         self.symbols.read(&mut self.pool, target)
     }
 

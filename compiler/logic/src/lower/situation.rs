@@ -155,6 +155,7 @@ impl Situation {
         own.map(|(s, place)| Step {
             label: place.label.clone(),
             comment: place.comment.clone(),
+            span: place.span,
             held: match self.holder[s] {
                 Holder::Bit(v) => Held::Bit(v),
                 Holder::State { set, value } => Held::State(set, value),

@@ -1,6 +1,6 @@
 //! Programs that tests write by hand, variable by variable.
 
-use super::{Program, Role, Statement, VarId, Variable};
+use super::{Arm, Elements, Origin, Program, Role, Statement, TimerId, Told, VarId, Variable};
 use grafc_formula::{FormulaId, Pool, Type};
 use index_vec::IndexVec;
 
@@ -14,6 +14,7 @@ pub(crate) fn empty() -> Program {
         pool: Pool::default(),
         steps: IndexVec::new(),
         states: Vec::new(),
+        elements: Elements::default(),
         first: Vec::new(),
         started: None,
         before: Vec::new(),
@@ -38,5 +39,15 @@ pub(crate) fn bit(program: &mut Program, role: Role) -> (VarId, FormulaId) {
 
 /// `target := value`.
 pub(crate) fn assign(target: VarId, value: FormulaId) -> Statement {
-    Statement::Assign { target, value, remark: None }
+    Statement::assign(Origin::Chart, target, value)
+}
+
+/// What is done at a value, with nothing beside it.
+pub(crate) fn arm(value: i64, body: Vec<Statement>) -> Arm {
+    Arm { value, origin: Origin::Chart, told: Told::Nothing, body }
+}
+
+/// Brings a timer up to date.
+pub(crate) fn call(timer: TimerId, input: FormulaId) -> Statement {
+    Statement::CallTimer { timer, input, origin: Origin::Chart }
 }

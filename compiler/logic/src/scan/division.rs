@@ -4,7 +4,7 @@
 //! stop at the attempt to divide it by -1: by -1 the quotient is the negative, which wraps around. Constants other than 0
 //! divide inside a formula.
 
-use super::{Program, VarId};
+use super::{Origin, Program, VarId};
 use grafc_formula::{FormulaId, Type, Value};
 
 /// `target := dividend / divisor`, or 0 and the flag DIV0 if the divisor is 0.
@@ -20,6 +20,8 @@ pub struct Division {
     pub divisor: FormulaId,
     /// The flag to raise.
     pub flag: VarId,
+    /// Where it comes from.
+    pub origin: Origin,
 }
 
 /// What is asked of the divisor before a processor may divide.

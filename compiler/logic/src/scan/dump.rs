@@ -3,7 +3,7 @@
 //!
 //! Variables go by the names that the program wishes for them; a further one of the same name gets a number.
 
-use crate::scan::{Division, Program, Role, State, Statement, TimerId, VarId, Variable};
+use crate::scan::{Division, Origin, Program, Role, State, Statement, TimerId, Told, VarId, Variable};
 use grafc_formula::number::zero;
 use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_model::dump::{arithmetic, comment, comparison, list, literal, name, section, type_name, value};
@@ -135,15 +135,15 @@ impl<'p> Dump<'p> {
         let deeper = format!("{indent}  ");
         for statement in statements {
             match statement {
-                Statement::Heading(text) => lines.push(format!("{indent}-- {}", text.escape_debug())),
-                Statement::Assign { target, value, remark } => {
+                Statement::Heading(heading) => lines.push(format!("{indent}-- {}", heading.text())),
+                Statement::Assign { target, value, origin, told } => {
                     let (target, value) = (&self.variables[*target], self.formula(*value));
                     lines.push(match self.style {
-                        Style::Statements => format!("{indent}{target} := {value}{}", remarked(remark)),
+                        Style::Statements => format!("{indent}{target} := {value}{}", self.remarked(*origin, *told)),
                         Style::Equations => format!("{indent}{target} = {value}"),
                     });
                 }
-                Statement::Divide(Division { target, modulo, dividend, divisor, flag }) => {
+                Statement::Divide(Division { target, modulo, dividend, divisor, flag, origin: _ }) => {
                     let (target, flag) = (&self.variables[*target], &self.variables[*flag]);
                     let op = if *modulo { "MOD" } else { "/" };
                     let value = format!("{} {op} {}", self.operand(*dividend), self.operand(*divisor));
@@ -152,7 +152,7 @@ impl<'p> Dump<'p> {
                         Style::Equations => format!("{indent}{target} = {value}"),
                     });
                 }
-                Statement::CallTimer { timer, input } => {
+                Statement::CallTimer { timer, input, origin: _ } => {
                     let (name, input) = (&self.timers[*timer], self.formula(*input));
                     lines.push(match self.style {
                         Style::Statements => format!("{indent}{name}({input})"),
@@ -165,8 +165,10 @@ impl<'p> Dump<'p> {
                         Style::Equations => format!("{indent}where {} is", self.variables[*of]),
                     });
                     for arm in arms {
-                        let remark =
-                            if self.style == Style::Statements { remarked(&arm.remark) } else { String::new() };
+                        let remark = match self.style {
+                            Style::Statements => self.remarked(arm.origin, arm.told),
+                            Style::Equations => String::new(),
+                        };
                         lines.push(format!("{deeper}{}:{remark}", arm.value));
                         self.statements(lines, &arm.body, &format!("{deeper}  "));
                     }
@@ -185,6 +187,10 @@ impl<'p> Dump<'p> {
                 }
             }
         }
+    }
+
+    fn remarked(&self, origin: Origin, told: Told) -> String {
+        self.program.remark(origin, told).map(|text| format!("  -- {}", text.escape_debug())).unwrap_or_default()
     }
 
     /// An operand of a division.
@@ -289,15 +295,14 @@ fn unique<'n>(names: impl Iterator<Item = &'n str>) -> impl Iterator<Item = Stri
     })
 }
 
-fn remarked(remark: &Option<String>) -> String {
-    remark.as_ref().map(|text| format!("  -- {}", text.escape_debug())).unwrap_or_default()
-}
-
 #[cfg(test)]
 mod tests {
     use super::{dump, equations};
     use crate::scan::by_hand::{self, empty};
-    use crate::scan::{Arm, Division, Flag, Preset, Program, Role, Statement, Timer, VarId};
+    use crate::scan::{
+        Arm, Division, Flag, Heading, Held, Origin, Preset, Program, Role, Statement, Step, StepId, Timer, Told, VarId,
+    };
+    use grafc_diagnostics::Span;
     use grafc_formula::{Arithmetic, Comparison, FormulaId, Type, Value};
 
     fn variable(program: &mut Program, role: Role, name: &str, ty: Type) -> VarId {
@@ -307,7 +312,7 @@ mod tests {
     }
 
     fn assign(target: VarId, value: FormulaId) -> Statement {
-        Statement::Assign { target, value, remark: Some("why".into()) }
+        Statement::Assign { target, value, origin: Origin::Step(StepId::new(0)), told: Told::All }
     }
 
     #[test]
@@ -331,13 +336,26 @@ mod tests {
         let sum = pool.arithmetic(Arithmetic::Add, Type::Int, n_, three);
         let long = pool.widen(Type::Dint, n_);
         let otherwise = vec![assign(again, a)];
-        let arm = Arm { value: -1, remark: Some("step x".into()), body: vec![assign(wide, long)] };
+        let arm = Arm {
+            told: Told::Name,
+            origin: Origin::Step(StepId::new(0)),
+            ..by_hand::arm(-1, vec![assign(wide, long)])
+        };
+        let (label, comment) = ("x".into(), Some("why".into()));
+        p.steps.push(Step { label, comment, span: Span::default(), held: Held::Bit(again), active: a });
         p.after = vec![
-            Statement::Heading("head".into()),
-            Statement::CallTimer { timer, input: a },
+            Statement::Heading(Heading::Outputs),
+            by_hand::call(timer, a),
             Statement::If { branches: vec![(all, vec![assign(q, sum)]), (a, vec![assign(q, n_)])], otherwise },
             Statement::Case { of: n, arms: vec![arm] },
-            Statement::Divide(Division { target: q, modulo: false, dividend: n_, divisor: n_, flag }),
+            Statement::Divide(Division {
+                target: q,
+                modulo: false,
+                dividend: n_,
+                divisor: n_,
+                flag,
+                origin: Origin::Chart,
+            }),
         ];
         let after = |text: &str| {
             text.lines()
@@ -349,24 +367,24 @@ mod tests {
         assert_eq!(
             after(&dump(&p)),
             [
-                "-- head",
+                "-- outputs",
                 "`on a`(a)",
                 "if `on a`.Q AND NOT (a OR (n > int#3))",
-                "  q := n + int#3  -- why",
+                "  q := n + int#3  -- step x: why",
                 "else if a",
-                "  q := n  -- why",
+                "  q := n  -- step x: why",
                 "else",
-                "  a~2 := a  -- why",
+                "  a~2 := a  -- step x: why",
                 "case n",
                 "  -1:  -- step x",
-                "    w := dint(n)  -- why",
+                "    w := dint(n)  -- step x: why",
                 "q := n / n, or 0 and DIV0",
             ]
         );
         assert_eq!(
             after(&equations(&p)),
             [
-                "-- head",
+                "-- outputs",
                 "`on a` = TON(a, 1500ms)",
                 "where `on a`.Q AND NOT (a OR (n > 3))",
                 "  q = n + 3",

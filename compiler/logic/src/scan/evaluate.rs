@@ -133,7 +133,7 @@ impl<'p> Evaluator<'p> {
                     let value = self.value(*value);
                     self.values[*target] = value;
                 }
-                Statement::Divide(Division { target, modulo, dividend, divisor, flag }) => {
+                Statement::Divide(Division { target, modulo, dividend, divisor, flag, .. }) => {
                     let (a, b) = (self.value(*dividend), self.value(*divisor));
                     let ty = self.program.variables[*target].ty;
                     let quotient = divide(ty, *modulo, a, b);
@@ -142,7 +142,7 @@ impl<'p> Evaluator<'p> {
                     }
                     self.values[*target] = quotient.unwrap_or_else(|| grafc_formula::number::zero(ty));
                 }
-                Statement::CallTimer { timer, input } => {
+                Statement::CallTimer { timer, input, .. } => {
                     let input = self.truth(*input);
                     let state = &mut self.timers[*timer];
                     state.since = if input { state.since.or(Some(self.now)) } else { None };

@@ -189,8 +189,8 @@ fn is_move(pool: &Pool, statement: &Statement) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scan::by_hand::{assign, empty, variable};
-    use crate::scan::{Arm, Flag, State, Timer};
+    use crate::scan::by_hand::{arm, assign, call, empty, variable};
+    use crate::scan::{Flag, Heading, Origin, State, Timer};
     use crate::{Analysis, Encoding, Options, compile};
     use grafc_diagnostics::{Diagnostics, FileId};
     use grafc_formula::{Arithmetic, Comparison, Value};
@@ -261,7 +261,7 @@ mod tests {
         let x = variable(&mut program, Role::Step, Type::Bool);
         let y = variable(&mut program, Role::Output, Type::Bool);
         let (yes, no) = (program.pool.truth(true), program.pool.truth(false));
-        let moves = || vec![assign(x, no), Statement::Heading("two".to_owned()), assign(y, yes)];
+        let moves = || vec![assign(x, no), Statement::Heading(Heading::Outputs), assign(y, yes)];
         let p = &mut program;
 
         // LD TRUE, ST x
@@ -304,7 +304,6 @@ mod tests {
             copies: Vec::new(),
         });
         let (yes, three) = (program.pool.truth(true), program.pool.constant(Value::Int(3), Type::Int));
-        let arm = |value, body| Arm { value, remark: None, body };
         let moves = Statement::If { branches: vec![(a, vec![assign(next, three)])], otherwise: Vec::new() };
         let case = Statement::Case { of: at, arms: vec![arm(1, vec![moves]), arm(2, vec![assign(y, yes)])] };
         // LD at, 1: LD a, MOVE 3 next; 2: S y
@@ -321,7 +320,7 @@ mod tests {
         let both = program.pool.and([a, b]);
         let timer = program.timers.push(Timer { name: String::new(), preset: None, comment: None });
         // LD a, AND b, ST timer.IN, CAL timer
-        let call = Statement::CallTimer { timer, input: both };
+        let call = call(timer, both);
         assert_eq!(counts(&mut program, vec![call.clone()]), (1, 4));
         assert_eq!(measure(&program).timers, 1);
 
@@ -332,7 +331,8 @@ mod tests {
         );
         let n = program.pool.variable(n, Type::Int);
         // LD n, EQ 0, S flag, MOVE 0 target, JMPC end, LD n, DIV n, ST target
-        let divide = Statement::Divide(Division { target, modulo: false, dividend: n, divisor: n, flag });
+        let divide =
+            Statement::Divide(Division { target, modulo: false, dividend: n, divisor: n, flag, origin: Origin::Chart });
         assert_eq!(counts(&mut program, vec![divide]), (1, 8));
         assert_eq!((measure(&program).auxiliary_bits, measure(&program).auxiliary_numbers), (0, 1), "no flags");
     }

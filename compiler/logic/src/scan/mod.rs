@@ -8,6 +8,7 @@
 //! | --- | --- |
 //! | `variable` | what a variable is for, which of them keep their values, what holds a step, how long a timer runs |
 //! | `statement` | the statements |
+//! | `origin`, `elements` | where in the chart a statement comes from, and what is said of that beside it |
 //! | `division` | which divisors a division looks at first, and what comes out then |
 //! | `facts` | sections, loops over all statements, what is read of timers, which state a variable takes its values from |
 //! | `verify` | the check of the invariants |
@@ -28,9 +29,11 @@
 pub(crate) mod by_hand;
 mod division;
 mod dump;
+mod elements;
 pub mod evaluate;
 mod facts;
 mod measure;
+mod origin;
 mod statement;
 #[cfg(test)]
 mod tests;
@@ -39,11 +42,13 @@ mod verify;
 
 pub use division::{ByMinusOne, Division, Guard};
 pub use dump::{dump, equations};
+pub use elements::{Action, ActionId, Elements, Order, OrderId, Origins, Transition};
 pub use facts::{Divided, Reads};
 pub use grafc_formula::{TimerId, VarId};
-pub use grafc_model::chart::StepId;
+pub use grafc_model::chart::{GrafcetId, StepId, TransitionId, VariableId};
 pub use measure::{Measure, measure};
-pub use statement::{Arm, Statement, is_empty};
+pub use origin::{Heading, Origin, Told};
+pub use statement::{Arm, Statement, is_empty, origin_of, origin_of_end};
 pub use variable::{Flag, Held, Preset, Role, State, Step, Timer, Variable};
 pub use verify::verify;
 
@@ -68,6 +73,8 @@ pub struct Program {
     pub steps: IndexVec<StepId, Step>,
     /// The multi-valued variables that hold several steps each.
     pub states: Vec<State>,
+    /// Its transitions, actions and orders, which statements say that they come from.
+    pub elements: Elements,
     /// The initial reaction; these statements hold their own guard.
     pub first: Vec<Statement>,
     /// The mark of the first call, which the guard asks for: false until then. None if there is no initial reaction.

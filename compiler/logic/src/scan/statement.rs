@@ -1,21 +1,23 @@
 //! The statements of a program.
 
-use super::{Division, TimerId, VarId};
+use super::{Division, Heading, Origin, TimerId, Told, VarId};
 use grafc_formula::FormulaId;
 
 /// One statement.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Statement {
     /// A heading for the reader.
-    Heading(String),
-    /// `target := value`, with a remark for the reader.
+    Heading(Heading),
+    /// `target := value`.
     Assign {
         /// What is written.
         target: VarId,
         /// The value.
         value: FormulaId,
-        /// What the reader should know: a transition as the chart draws it, an attached comment.
-        remark: Option<String>,
+        /// Where it comes from.
+        origin: Origin,
+        /// How much of that is said beside it.
+        told: Told,
     },
     /// A quotient or a remainder by what may be 0.
     Divide(Division),
@@ -25,6 +27,8 @@ pub enum Statement {
         timer: TimerId,
         /// Its input.
         input: FormulaId,
+        /// Where it comes from.
+        origin: Origin,
     },
     /// The arm of a variable's value.
     Case {
@@ -48,13 +52,36 @@ pub enum Statement {
 pub struct Arm {
     /// The value.
     pub value: i64,
-    /// What the reader should know: the step that the value stands for.
-    pub remark: Option<String>,
+    /// Where it comes from: the step that the value stands for.
+    pub origin: Origin,
+    /// How much of that is said beside it.
+    pub told: Told,
     /// What is done.
     pub body: Vec<Statement>,
 }
 
 impl Statement {
+    /// `target := value`, with nothing beside it.
+    pub fn assign(origin: Origin, target: VarId, value: FormulaId) -> Statement {
+        Statement::Assign { target, value, origin, told: Told::Nothing }
+    }
+
+    /// Where it comes from. A choice has no origin of its own: its arms have, and of its branches see [`origin_of`].
+    pub fn origin(&self) -> Origin {
+        match self {
+            Statement::Heading(_) | Statement::Case { .. } | Statement::If { .. } => Origin::Chart,
+            Statement::Assign { origin, .. } | Statement::CallTimer { origin, .. } => *origin,
+            Statement::Divide(division) => division.origin,
+        }
+    }
+
+    /// Says the whole of its origin beside it.
+    pub fn tell(&mut self) {
+        if let Statement::Assign { told, .. } = self {
+            *told = Told::All;
+        }
+    }
+
     /// The statements within it, block by block.
     pub fn bodies(&self) -> impl Iterator<Item = &[Statement]> {
         let (arms, branches, otherwise): (&[Arm], &[_], &[Statement]) = match self {
@@ -67,6 +94,19 @@ impl Statement {
         let arms = arms.iter().map(|arm| arm.body.as_slice());
         let branches = branches.iter().map(|(_, body)| body.as_slice());
         arms.chain(branches).chain([otherwise])
+    }
+}
+
+/// Where a branch comes from: whatever its first statement comes from. What stands under a heading is about several things.
+pub fn origin_of(body: &[Statement]) -> Origin {
+    body.first().map_or(Origin::Chart, Statement::origin)
+}
+
+/// Where the end of a choice comes from: from its branch, if there is only one.
+pub fn origin_of_end(branches: &[(FormulaId, Vec<Statement>)], otherwise: &[Statement]) -> Origin {
+    match branches {
+        [(_, body)] if is_empty(otherwise) => origin_of(body),
+        _ => Origin::Chart,
     }
 }
 

@@ -1,7 +1,8 @@
 //! What a program says of itself, and what the check refuses.
 
-use super::by_hand::{assign, bit, empty, variable};
+use super::by_hand::{arm, assign, bit, empty, variable};
 use super::*;
+use grafc_diagnostics::Span;
 use grafc_formula::{Comparison, FormulaId, Type, Value};
 
 /// A program with a division of numbers of a type, whose divisor and dividend are made from a variable.
@@ -15,7 +16,7 @@ fn division(
     let flag = variable(&mut p, Role::Flag(Flag::Div0), Type::Bool);
     let read = p.pool.variable(n, ty);
     let (dividend, divisor) = make(&mut p.pool, read);
-    (p, Division { target, modulo, dividend, divisor, flag })
+    (p, Division { target, modulo, dividend, divisor, flag, origin: Origin::Chart })
 }
 
 #[test]
@@ -52,7 +53,7 @@ fn statements_are_gone_through_in_order() {
     let targets: Vec<VarId> = (0..6).map(|_| bit(&mut p, Role::Output).0).collect();
     let write = |place: usize| assign(targets[place], when);
     let inner = Statement::If { branches: vec![(when, vec![write(1)])], otherwise: vec![write(2)] };
-    let arms = vec![Arm { value: 1, remark: None, body: vec![inner, write(3)] }];
+    let arms = vec![arm(1, vec![inner, write(3)])];
     p.before = vec![write(0), Statement::Case { of: a, arms }, write(4)];
     p.after = vec![write(5)];
     let written = p.statements().filter_map(|statement| match statement {
@@ -66,7 +67,7 @@ fn statements_are_gone_through_in_order() {
 fn whole() -> Program {
     let mut p = empty();
     let (x, active) = bit(&mut p, Role::Step);
-    p.steps.push(Step { label: "1".into(), comment: None, held: Held::Bit(x), active });
+    p.steps.push(Step { label: "1".into(), comment: None, span: Span::default(), held: Held::Bit(x), active });
     let (started, is_started) = bit(&mut p, Role::Memory);
     let (again, _) = bit(&mut p, Role::Memory);
     let count = variable(&mut p, Role::Temporary, Type::Int);
@@ -122,4 +123,55 @@ fn a_division_stands_in_no_formula() {
     division.flag = division.target;
     program.after = vec![Statement::Divide(division)];
     assert!(verify(&program).is_err(), "raises no DIV0");
+}
+
+/// A program with two steps, and two transitions around them of which one has a name.
+fn drawn() -> Program {
+    let mut p = whole();
+    let x = bit(&mut p, Role::Step);
+    let comment = Some("it waits".into());
+    p.steps.push(Step { label: "Wait".into(), comment, span: Span::default(), held: Held::Bit(x.0), active: x.1 });
+    let [one, wait] = [0, 1].map(StepId::new);
+    p.elements.transition(None, None, Span::default(), &[one, wait], &[]);
+    p.elements.transition(Some("T2".into()), Some("off it goes".into()), Span::default(), &[wait], &[one]);
+    p
+}
+
+#[test]
+fn what_is_said_beside_a_statement() {
+    let program = drawn();
+    let remark = |origin, told| program.remark(origin, told);
+    let [one, wait] = [0, 1].map(|s| Origin::Step(StepId::new(s)));
+    let [join, back] = [0, 1].map(|t| Origin::Transition(TransitionId::new(t)));
+    assert_eq!(remark(one, Told::All).as_deref(), Some("step 1"));
+    assert_eq!(remark(wait, Told::Name).as_deref(), Some("step Wait"));
+    assert_eq!(remark(wait, Told::All).as_deref(), Some("step Wait: it waits"));
+    assert_eq!(remark(join, Told::All).as_deref(), Some("1, Wait ->"));
+    assert_eq!(remark(back, Told::All).as_deref(), Some("Wait -> 1: off it goes"));
+    assert_eq!(remark(back, Told::Nothing), None);
+    assert_eq!(remark(Origin::Chart, Told::All), None);
+}
+
+#[test]
+fn variables_come_from_what_writes_them_first() {
+    let mut p = drawn();
+    let (memory, read) = bit(&mut p, Role::Memory);
+    let (clearing, cleared) = bit(&mut p, Role::Temporary);
+    let (flag, _) = bit(&mut p, Role::Flag(Flag::AllocConflict));
+    let back = Origin::Transition(TransitionId::new(1));
+    p.micro_step = vec![
+        Statement::assign(back, clearing, read),
+        Statement::assign(Origin::Chart, memory, cleared),
+        Statement::assign(Origin::Step(StepId::new(0)), memory, cleared),
+        Statement::assign(back, flag, cleared),
+    ];
+    let origins = p.origins();
+    assert_eq!(origins.variables[clearing], back);
+    assert_eq!(origins.variables[memory], Origin::Step(StepId::new(0)));
+    assert_eq!(origins.variables[flag], Origin::Chart, "whoever raises it");
+    let Held::Bit(x) = p.steps[1].held else { panic!("a bit") };
+    assert_eq!(origins.variables[x], Origin::Step(StepId::new(1)));
+    assert_eq!(verify(&p), Ok(()));
+    p.micro_step.push(Statement::assign(Origin::Transition(TransitionId::new(2)), memory, cleared));
+    assert!(verify(&p).is_err(), "there is no third transition");
 }

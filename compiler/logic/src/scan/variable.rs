@@ -14,6 +14,8 @@ pub struct Step {
     pub comment: Option<EcoString>,
     /// What holds its activity.
     pub held: Held,
+    /// The label in the chart.
+    pub span: Span,
     /// Whether the step is active, as a formula: what holds it, read.
     pub active: FormulaId,
 }

@@ -15,7 +15,7 @@ mod prepare;
 mod prepared;
 
 use crate::analysis::Analysis;
-use crate::scan::{Program, Role, VarId, Variable};
+use crate::scan::{Elements, Program, Role, VarId, Variable};
 use ecow::EcoString;
 use expressions::Expressions;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
@@ -130,6 +130,7 @@ pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagn
         pool: expressions.pool,
         steps: IndexVec::new(),
         states: Vec::new(),
+        elements: Elements::default(),
         first,
         started,
         before: [prepared.before, prepared.last].concat(),

@@ -11,7 +11,7 @@
 
 use super::Reasons;
 use super::expressions::Expressions;
-use crate::scan::{Preset, Role, Statement, Timer, VarId, Variable};
+use crate::scan::{Origin, Preset, Role, Statement, Timer, VarId, Variable};
 use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, Mode, VariableKind};
 use grafc_model::reaction::Evolution;
@@ -88,8 +88,8 @@ impl Expressions<'_> {
                 self.prepared.memory.push(old);
                 self.prepared.old.insert(current, old);
                 // There is no edge at the start.
-                self.prepared.first.push(Statement::Assign { target: old, value: current, remark: None });
-                self.prepared.last.push(Statement::Assign { target: old, value: current, remark: None });
+                self.prepared.first.push(Statement::assign(Origin::Chart, old, current));
+                self.prepared.last.push(Statement::assign(Origin::Chart, old, current));
                 old
             }
         };
@@ -125,7 +125,7 @@ impl Expressions<'_> {
             let (still, not_over) = (self.pool.variable(held, Type::Bool), self.pool.not(over));
             let keeps = self.pool.and([still, not_over]);
             value = self.pool.or([value, keeps]);
-            self.prepared.before.push(Statement::Assign { target: held, value, remark: None });
+            self.prepared.before.push(Statement::assign(Origin::Chart, held, value));
             value = still;
         }
         let found = self.give(format!("delayed_{word}"), value);
@@ -138,7 +138,7 @@ impl Expressions<'_> {
         let constant = time.constant.map(|constant| self.declared(constant));
         let timer = Timer { name, preset: Some(Preset { ms: time.ms, constant }), comment: None };
         let timer = self.prepared.timers.push(timer);
-        self.prepared.before.push(Statement::CallTimer { timer, input });
+        self.prepared.before.push(Statement::CallTimer { timer, input, origin: Origin::Chart });
         self.pool.timer_done(timer)
     }
 
@@ -146,7 +146,7 @@ impl Expressions<'_> {
     fn give(&mut self, name: String, value: FormulaId) -> VarId {
         let target = self.fresh(Role::Temporary, name);
         self.prepared.given.push(target);
-        self.prepared.before.push(Statement::Assign { target, value, remark: None });
+        self.prepared.before.push(Statement::assign(Origin::Chart, target, value));
         target
     }
 
@@ -177,7 +177,7 @@ impl Expressions<'_> {
         self.prepared.memory.push(started);
         let (yes, is_started) = (self.pool.truth(true), self.pool.variable(started, Type::Bool));
         let at_first = self.pool.not(is_started);
-        let mut body = vec![Statement::Assign { target: started, value: yes, remark: None }];
+        let mut body = vec![Statement::assign(Origin::Chart, started, yes)];
         body.append(&mut self.prepared.first);
         (vec![Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() }], Some(started))
     }

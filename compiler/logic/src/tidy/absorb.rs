@@ -11,7 +11,7 @@
 
 use crate::analysis::components::Components;
 use crate::lower::Lowering;
-use crate::scan::{Program, Role, Statement};
+use crate::scan::{Origin, Program, Role, Statement};
 use grafc_formula::{Formula, FormulaId, Pool, Type};
 use grafc_model::chart::{StepId, TransitionId};
 use index_vec::IndexVec;
@@ -65,7 +65,7 @@ pub(crate) fn share(lowering: &mut Lowering, conditions: &mut IndexVec<Transitio
     for (f, number) in shared.into_iter().zip(1..) {
         let value = lowering.pool.replace(f, &by);
         let target = lowering.symbols.fresh(Role::Temporary, format!("both_{number}"), Type::Bool, None);
-        statements.push(Statement::Assign { target, value, remark: None });
+        statements.push(Statement::assign(Origin::Chart, target, value));
         by.insert(f, lowering.symbols.read(&mut lowering.pool, target));
     }
     if !by.is_empty() {

@@ -14,7 +14,7 @@
 //! so that a call costs what is active, not what is drawn. The calls go to the place of the first of them. That is the same
 //! as long as between the two places nothing reads the timer and nothing writes what its input reads.
 
-use crate::scan::{Arm, Program, Role, Statement, TimerId, VarId, Variable};
+use crate::scan::{Arm, Heading, Origin, Program, Role, Statement, TimerId, Told, VarId, Variable};
 use grafc_formula::number::zero;
 use grafc_formula::{Comparison, Formula, FormulaId, Pool, Value};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -105,7 +105,7 @@ fn groups(pool: &Pool, of_state: &FxHashMap<VarId, usize>, section: &[Statement]
     for (place, statement) in section.iter().enumerate() {
         match statement {
             Statement::Heading(_) => {}
-            Statement::CallTimer { timer, input } => {
+            Statement::CallTimer { timer, input, .. } => {
                 let asked = asked(pool, of_state, *input);
                 let stays = |_: &(VarId, i64)| {
                     !read.contains(timer)
@@ -189,36 +189,40 @@ fn calls_by_state(
     timed: VarId,
 ) -> Vec<Statement> {
     let state = &program.states[index];
-    let remarks: FxHashMap<i64, String> =
-        state.values.iter().map(|(s, value)| (*value, format!("step {}", program.steps[*s].label))).collect();
+    let steps: FxHashMap<i64, Origin> = state.values.iter().map(|(s, value)| (*value, Origin::Step(*s))).collect();
     let pool = &mut program.pool;
     let (yes, no) = (pool.truth(true), pool.truth(false));
     let (mut on, mut off): (BTreeMap<i64, Vec<Statement>>, BTreeMap<i64, Vec<Statement>>) = Default::default();
     for (place, value, timer) in &group.calls {
-        let Statement::CallTimer { input, .. } = &section[*place] else { continue };
+        let Statement::CallTimer { input, origin, .. } = &section[*place] else { continue };
+        let origin = *origin;
         let others: Vec<FormulaId> = pool.factors(input).to_vec();
         let others = others.into_iter().filter(|f| comparison(pool, *f) != Some((group.state, *value)));
         let others: Vec<FormulaId> = others.collect();
         let input = if others.is_empty() { yes } else { pool.and(others) };
-        on.entry(*value).or_default().push(Statement::CallTimer { timer: *timer, input });
-        off.entry(*value).or_default().push(Statement::CallTimer { timer: *timer, input: no });
+        on.entry(*value).or_default().push(Statement::CallTimer { timer: *timer, input, origin });
+        off.entry(*value).or_default().push(Statement::CallTimer { timer: *timer, input: no, origin });
     }
     let arms = |bodies: BTreeMap<i64, Vec<Statement>>| {
-        let arm = |(value, body)| Arm { value, remark: remarks.get(&value).cloned(), body };
+        let arm = |(value, body)| Arm {
+            value,
+            origin: steps.get(&value).copied().unwrap_or_default(),
+            told: Told::Name,
+            body,
+        };
         bodies.into_iter().map(arm).collect::<Vec<Arm>>()
     };
     let ty = program.variables[timed].ty;
     let (is, was) = (pool.variable(group.state, ty), pool.variable(timed, ty));
     let moved = pool.differs(is, was);
-    let heading = |text: &str| Statement::Heading(text.to_owned());
     let left = vec![
-        heading("timers of the step that was active before"),
+        Statement::Heading(Heading::TimersOfTheStepBefore),
         Statement::Case { of: timed, arms: arms(off) },
-        Statement::Assign { target: timed, value: is, remark: None },
+        Statement::assign(Origin::Chart, timed, is),
     ];
     vec![
         Statement::If { branches: vec![(moved, left)], otherwise: Vec::new() },
-        heading("timers of the active step"),
+        Statement::Heading(Heading::TimersOfTheActiveStep),
         Statement::Case { of: group.state, arms: arms(on) },
     ]
 }

@@ -11,7 +11,7 @@
 //! Formulas have no effects, so the pieces stand before the statement that reads them; those of a condition before the
 //! whole `If`.
 
-use crate::scan::{Program, Role, Statement, VarId, Variable};
+use crate::scan::{Origin, Program, Role, Statement, VarId, Variable, origin_of};
 use grafc_formula::{Formula, FormulaId, Type, Value};
 use rustc_hash::FxHashMap;
 
@@ -31,7 +31,7 @@ pub(crate) fn cut(program: &mut Program) {
     }
     let sections = [&mut program.first, &mut program.before, &mut program.micro_step, &mut program.after];
     let sections = sections.map(std::mem::take);
-    let mut cutter = Cutter { program, concerned };
+    let mut cutter = Cutter { program, concerned, origin: Origin::Chart };
     let [first, before, micro_step, after] = sections.map(|section| cutter.block(section));
     (program.first, program.before, program.micro_step, program.after) = (first, before, micro_step, after);
 }
@@ -56,6 +56,8 @@ fn operands(program: &Program, id: FormulaId) -> Option<&[FormulaId]> {
 struct Cutter<'p> {
     program: &'p mut Program,
     concerned: Vec<bool>,
+    /// Where the statement comes from that is cut.
+    origin: Origin,
 }
 
 impl Cutter<'_> {
@@ -63,6 +65,7 @@ impl Cutter<'_> {
     fn block(&mut self, statements: Vec<Statement>) -> Vec<Statement> {
         let mut out = Vec::with_capacity(statements.len());
         for mut statement in statements {
+            self.origin = statement.origin();
             match &mut statement {
                 // Operands of a division have no operators.
                 Statement::Heading(_) | Statement::Divide(_) => {}
@@ -73,6 +76,7 @@ impl Cutter<'_> {
                 }
                 Statement::If { branches, otherwise } => {
                     for (when, body) in branches {
+                        self.origin = origin_of(body);
                         *when = self.formula(*when, &mut out);
                         *body = self.block(std::mem::take(body));
                     }
@@ -120,7 +124,7 @@ impl Cutter<'_> {
             address: None,
             span: None,
         });
-        before.push(Statement::Assign { target, value, remark: None });
+        before.push(Statement::assign(self.origin, target, value));
         self.program.pool.variable(target, Type::Bool)
     }
 

@@ -12,16 +12,27 @@ impl Document {
     /// # Errors
     /// All messages of a text with errors; or what a later stage or the target itself cannot do.
     pub fn emit(&self, target: &Target) -> Result<Output, Diagnostics> {
-        target.emit(&mut Stages(self))
+        target.emit(&mut Stages { document: self, wants_map: false })
+    }
+
+    /// The same, and which lines of it come from which element of the chart, if the target knows.
+    ///
+    /// # Errors
+    /// As above.
+    pub fn emit_mapped(&self, target: &Target) -> Result<Output, Diagnostics> {
+        target.emit(&mut Stages { document: self, wants_map: true })
     }
 }
 
 /// The stages as a target asks for them.
-struct Stages<'d>(&'d Document);
+struct Stages<'d> {
+    document: &'d Document,
+    wants_map: bool,
+}
 
 impl Source for Stages<'_> {
     fn program(&mut self) -> Result<&Program, Diagnostics> {
-        let Stages(document) = self;
+        let document = self.document;
         match document.lowered() {
             Some((program, said)) if !said.has_errors() => Ok(program),
             Some((_, said)) => Err(said.clone()),
@@ -30,11 +41,15 @@ impl Source for Stages<'_> {
     }
 
     fn sequence(&mut self) -> Result<&Sequence, Diagnostics> {
-        let Stages(document) = self;
+        let document = self.document;
         match document.drawn() {
             Some(Ok(sequence)) => Ok(sequence),
             Some(Err(said)) => Err(said.clone()),
             None => Err(document.diagnostics().clone()),
         }
+    }
+
+    fn wants_map(&self) -> bool {
+        self.wants_map
     }
 }

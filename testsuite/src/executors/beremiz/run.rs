@@ -24,6 +24,7 @@ pub fn variables_of(sequence: &Sequence) -> Program {
     let steps = sequence.steps.iter().map(|step| Step {
         label: program.variables[step.active].name.as_str().into(),
         comment: None,
+        span: grafc_diagnostics::Span::default(),
         held: Held::Bit(step.active),
         active: program.pool.variable(step.active, grafc_formula::Type::Bool),
     });

@@ -8,7 +8,7 @@ use crate::encode::next_activity::next_activity;
 use crate::encode::state_case::StateCase;
 use crate::lower::Lowering;
 use crate::lower::situation::Set;
-use crate::scan::Statement;
+use crate::scan::{Origin, Statement};
 use grafc_model::chart::TransitionId;
 use index_vec::IndexVec;
 
@@ -23,7 +23,7 @@ impl Switch<'_> {
             return None;
         }
         terms.insert(0, lowering.symbols.read(&mut lowering.pool, again));
-        Some(Statement::Assign { target: again, value: lowering.pool.or(terms), remark: None })
+        Some(Statement::assign(Origin::Chart, again, lowering.pool.or(terms)))
     }
 
     /// Outputs that follow a state.
@@ -40,7 +40,7 @@ impl Switch<'_> {
                 let mut off = Vec::new();
                 for (wire, _) in followers.on_step(&lowering.net, *s) {
                     let target = lowering.symbols.declared(wire);
-                    off.push(assign_truth(lowering, target, false));
+                    off.push(assign_truth(lowering, followers.origin(&lowering.net, *s, wire), target, false));
                 }
                 let on = entered(lowering, followers, *s);
                 left.add(lowering, *s, off);
@@ -66,7 +66,7 @@ impl Switch<'_> {
                     .map(|place| next_activity(Encoding::Switch, &mut lowering.pool, &place)),
             };
             if let Some(value) = value.filter(|value| *value != lowering.active(s)) {
-                out.push(Statement::Assign { target, value, remark: None });
+                out.push(Statement::assign(Origin::Step(s), target, value));
             }
         }
         for g in net.hierarchy.iter().rev() {
@@ -76,12 +76,12 @@ impl Switch<'_> {
                 let by_encloser =
                     within(net, *g).is_some_and(|e| lowering.situation.bit(e).is_none()) && !self.layout.forced[*g];
                 if !by_encloser {
-                    out.push(copy(lowering, set.variable, set.next));
+                    out.push(copy(lowering, Origin::Chart, set.variable, set.next));
                 }
             }
         }
         for variable in self.numbered.variable.values() {
-            out.push(assign_number(lowering, *variable, 0));
+            out.push(assign_number(lowering, Origin::Chart, *variable, 0));
         }
         out
     }
@@ -95,7 +95,7 @@ impl Switch<'_> {
                 let inner = &lowering.situation.sets[index];
                 if !self.layout.forced[inner.grafcet] {
                     let (variable, next) = (inner.variable, inner.next);
-                    body.push(copy(lowering, variable, next));
+                    body.push(copy(lowering, Origin::Step(*s), variable, next));
                 }
             }
             was.add(lowering, *s, body.clone());

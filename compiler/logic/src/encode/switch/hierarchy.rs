@@ -7,7 +7,7 @@ use crate::encode::next_activity::next_activity;
 use crate::encode::settle;
 use crate::encode::state_case::StateCase;
 use crate::lower::Lowering;
-use crate::scan::{Role, Statement};
+use crate::scan::{Origin, Role, Statement};
 use grafc_formula::{FormulaId, Type};
 use grafc_model::chart::{GrafcetId, StepId};
 
@@ -36,7 +36,7 @@ impl Switch<'_> {
                 let value = settle::settled(lowering, *s, own, around, in_force.as_ref());
                 let name = format!("next_{}", net.places[*s].label);
                 let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
-                out.push(Statement::Assign { target, value, remark: None });
+                out.push(Statement::assign(Origin::Step(*s), target, value));
                 clearings.next[*s] = Some(lowering.symbols.read(&mut lowering.pool, target));
             }
             if let Some(in_force) = in_force {
@@ -47,7 +47,7 @@ impl Switch<'_> {
                         let member = steps.iter().find(|s| set.steps.binary_search(s).is_ok());
                         let value = member.map_or(set.idle, |s| value_of(lowering, *s));
                         let when = lowering.pool.and(around.into_iter().chain([*when]));
-                        branches.push((when, vec![assign_number(lowering, set.next, value)]));
+                        branches.push((when, vec![assign_number(lowering, Origin::Orders(*g), set.next, value)]));
                     }
                     out.extend(choose(lowering, branches));
                 }
@@ -105,7 +105,7 @@ impl Switch<'_> {
         for index in self.layout.enclosed(e) {
             let set = &lowering.situation.sets[index];
             let (next, idle) = (set.next, set.idle);
-            body.push(assign_number(lowering, next, idle));
+            body.push(assign_number(lowering, Origin::Step(e), next, idle));
         }
         body
     }
@@ -116,7 +116,7 @@ impl Switch<'_> {
             let set = &lowering.situation.sets[index];
             let (next, first) = (set.next, set.steps.iter().copied().find(|s| lowering.net.places[*s].activated));
             if let Some(s) = first {
-                body.push(assign_number(lowering, next, value_of(lowering, s)));
+                body.push(assign_number(lowering, Origin::Step(e), next, value_of(lowering, s)));
             }
         }
         body

@@ -4,13 +4,13 @@ use super::super::in_order::{Block, in_order};
 use super::moves::changes_of;
 use super::{assign_number, assign_truth};
 use crate::encode::allocate::choose;
-use crate::encode::clearings::{clears, drawn};
+use crate::encode::clearings::clears;
 use crate::encode::outputs::Followers;
 use crate::encode::settle;
 use crate::encode::state_case::StateCase;
 use crate::encode::task::Task;
 use crate::lower::Lowering;
-use crate::scan::{Statement, VarId};
+use crate::scan::{Heading, Origin, Statement, VarId};
 use grafc_formula::FormulaId;
 use grafc_model::chart::{StepId, TransitionId, VariableId};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -30,25 +30,23 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Vec<Statement> {
         let when = lowering.pool.and(factors.into_iter().filter(|f| *f != own));
         let mut body = Vec::new();
         for (set, value) in &changes {
-            body.push(assign_number(lowering, lowering.situation.sets[*set].variable, *value));
+            body.push(assign_number(lowering, Origin::Transition(t), lowering.situation.sets[*set].variable, *value));
         }
         if let Some(followers) = task.followers {
             body.extend(switched(lowering, followers, t));
         }
         if let Some(again) = task.again.filter(|_| !changes.is_empty()) {
-            body.push(assign_truth(lowering, again, true));
+            body.push(assign_truth(lowering, Origin::Transition(t), again, true));
         }
-        if let Some(Statement::Assign { remark, .. }) = body.first_mut() {
-            *remark = Some(drawn(net, t));
-        }
+        body.iter_mut().take(1).for_each(Statement::tell);
         if !body.is_empty() {
             branches.entry(first).or_default().push((when, body));
         }
     }
-    let mut out = vec![Statement::Heading("transitions".to_owned())];
+    let mut out = vec![Statement::Heading(Heading::Transitions)];
     out.extend(freezing);
     if let Some(again) = task.again.filter(|_| lowering.edges.is_empty()) {
-        out.push(assign_truth(lowering, again, false));
+        out.push(assign_truth(lowering, Origin::Chart, again, false));
     }
     // A condition reads states, and outputs that follow a state: as they were before the micro-step (R3).
     let states = lowering.situation.sets.iter().map(|set| set.variable);
@@ -74,14 +72,17 @@ fn switched(lowering: &mut Lowering, followers: &Followers, t: TransitionId) -> 
     let transition = &net.transitions[t];
     // Of each wire whether the step left leaves it true for certain, and whether the step entered makes it so.
     let mut wires: BTreeMap<VariableId, (Option<bool>, bool)> = BTreeMap::new();
+    let mut origins: BTreeMap<VariableId, Origin> = BTreeMap::new();
     for s in transition.pre.iter().filter(|s| !transition.post.contains(s)) {
         for (wire, conditions) in followers.on_step(net, *s) {
             wires.entry(wire).or_default().0 = Some(conditions.is_empty());
+            origins.insert(wire, followers.origin(net, *s, wire));
         }
     }
     for s in transition.post.iter().filter(|s| !transition.pre.contains(s)) {
         for (wire, conditions) in followers.on_step(net, *s) {
             wires.entry(wire).or_default().1 |= conditions.is_empty();
+            origins.insert(wire, followers.origin(net, *s, wire));
         }
     }
     let mut out = Vec::new();
@@ -91,7 +92,7 @@ fn switched(lowering: &mut Lowering, followers: &Followers, t: TransitionId) -> 
             (_, entered) => entered,
         };
         let target = lowering.symbols.declared(wire);
-        out.push(assign_truth(lowering, target, value));
+        out.push(assign_truth(lowering, origins[&wire], target, value));
     }
     out
 }

@@ -32,7 +32,7 @@ use crate::lower::cover::is_forced;
 use crate::lower::situation::{Holder, equals};
 use crate::lower::{Context, Lowering};
 use crate::options::Encoding;
-use crate::scan::{Statement, VarId};
+use crate::scan::{Heading, Origin, Statement, VarId};
 use grafc_formula::{FormulaId, Value};
 use grafc_model::chart::{GrafcetId, StepId, TransitionId};
 use grafc_net::Net;
@@ -97,7 +97,7 @@ pub(super) fn micro_step(
     let net = &*lowering.net.clone();
     let layout = Layout::new(lowering);
     let mut out = Vec::new();
-    stored::heading(&mut out, "memory of edges", bits::edges(lowering, task.again));
+    stored::heading(&mut out, Heading::MemoryOfEdges, bits::edges(lowering, task.again));
     if lowering.situation.sets.iter().any(|set| set.next == set.variable) {
         out.extend(in_place::in_place(lowering, task));
         return out;
@@ -108,7 +108,7 @@ pub(super) fn micro_step(
 
     let mut switch = Switch { task, layout, numbered, moved, cleared: IndexVec::new() };
     let transitions = switch.transitions(lowering, &frozen);
-    out.push(Statement::Heading("transitions".to_owned()));
+    out.push(Statement::Heading(Heading::Transitions));
     out.extend(freezing);
     out.extend(transitions);
 
@@ -116,18 +116,18 @@ pub(super) fn micro_step(
     let mut inner = Vec::new();
     let next = net.places.iter().map(|_| None).collect();
     let mut clearings = Clearings { arcs: task.arcs, cleared: std::mem::take(&mut switch.cleared), next };
-    stored::heading(&mut inner, "enclosures and orders", switch.settle(lowering, &mut clearings));
+    stored::heading(&mut inner, Heading::EnclosuresAndOrders, switch.settle(lowering, &mut clearings));
     inner.extend(switch.tell_changed_bits(lowering, &clearings));
     let step_events = StepEvents::new(lowering, &clearings, task.components);
     let actions = stored::actions(lowering, cx, task, &clearings, step_events, input_event);
-    stored::heading(&mut inner, "stored actions", actions);
-    stored::heading(&mut inner, "outputs of the steps left and entered", switch.follow(lowering));
-    stored::heading(&mut inner, "situation", switch.commit(lowering, &clearings));
+    stored::heading(&mut inner, Heading::StoredActions, actions);
+    stored::heading(&mut inner, Heading::OutputsOfTheSteps, switch.follow(lowering));
+    stored::heading(&mut inner, Heading::Situation, switch.commit(lowering, &clearings));
     if !task.events.is_empty() {
         out.extend(inner);
     } else if !inner.is_empty() {
         let when = lowering.symbols.read(&mut lowering.pool, switch.moved.variable);
-        out.push(Statement::Heading("what the clearings bring about".to_owned()));
+        out.push(Statement::Heading(Heading::WhatTheClearingsBringAbout));
         out.push(Statement::If { branches: vec![(when, inner)], otherwise: Vec::new() });
     }
     out
@@ -138,10 +138,12 @@ pub(crate) fn start(lowering: &mut Lowering, followers: &Followers) -> Vec<State
     let net = &*lowering.net.clone();
     let mut out = Vec::new();
     for set in lowering.situation.sets.clone() {
-        let value = set.steps.iter().find(|s| net.places[**s].initial).map_or(set.idle, |s| value_of(lowering, *s));
-        out.push(assign_number(lowering, set.variable, value));
+        let initial = set.steps.iter().copied().find(|s| net.places[*s].initial);
+        let value = initial.map_or(set.idle, |s| value_of(lowering, s));
+        let origin = initial.map_or(Origin::Chart, Origin::Step);
+        out.push(assign_number(lowering, origin, set.variable, value));
         if set.next != set.variable {
-            out.push(assign_number(lowering, set.next, value));
+            out.push(assign_number(lowering, origin, set.next, value));
         }
         for s in set.steps.iter().filter(|s| net.places[**s].initial) {
             out.extend(entered(lowering, followers, *s));
@@ -154,7 +156,8 @@ pub(crate) fn start(lowering: &mut Lowering, followers: &Followers) -> Vec<State
 fn entered(lowering: &mut Lowering, followers: &Followers, s: StepId) -> Vec<Statement> {
     let value = lowering.pool.truth(true);
     let wires = followers.on_step(&lowering.net, s).into_iter().filter(|(_, conditions)| conditions.is_empty());
-    wires.map(|(v, _)| Statement::Assign { target: lowering.symbols.declared(v), value, remark: None }).collect()
+    let assign = |(v, _)| Statement::assign(followers.origin(&lowering.net, s, v), lowering.symbols.declared(v), value);
+    wires.map(assign).collect()
 }
 
 fn value_of(lowering: &Lowering, s: StepId) -> i64 {
@@ -179,16 +182,16 @@ fn differs(lowering: &mut Lowering, a: VarId, b: VarId) -> FormulaId {
     lowering.pool.differs(b, a)
 }
 
-fn assign_number(lowering: &mut Lowering, target: VarId, value: i64) -> Statement {
+fn assign_number(lowering: &mut Lowering, origin: Origin, target: VarId, value: i64) -> Statement {
     let ty = lowering.symbols.table[target].ty;
-    Statement::Assign { target, value: lowering.pool.constant(Value::Int(value), ty), remark: None }
+    Statement::assign(origin, target, lowering.pool.constant(Value::Int(value), ty))
 }
 
-fn assign_truth(lowering: &mut Lowering, target: VarId, value: bool) -> Statement {
-    Statement::Assign { target, value: lowering.pool.truth(value), remark: None }
+fn assign_truth(lowering: &mut Lowering, origin: Origin, target: VarId, value: bool) -> Statement {
+    Statement::assign(origin, target, lowering.pool.truth(value))
 }
 
-fn copy(lowering: &mut Lowering, target: VarId, from: VarId) -> Statement {
+fn copy(lowering: &mut Lowering, origin: Origin, target: VarId, from: VarId) -> Statement {
     let value = lowering.symbols.read(&mut lowering.pool, from);
-    Statement::Assign { target, value, remark: None }
+    Statement::assign(origin, target, value)
 }

@@ -3,12 +3,12 @@
 use super::moves::{changes_of, home};
 use super::{Switch, assign_number, assign_truth, within};
 use crate::encode::allocate::choose;
-use crate::encode::clearings::{clears, designation, drawn};
+use crate::encode::clearings::{clears, designation};
 use crate::encode::settle;
 use crate::encode::state_case::StateCase;
 use crate::lower::Lowering;
 use crate::lower::situation::equals;
-use crate::scan::{Role, Statement};
+use crate::scan::{Origin, Role, Statement, Told};
 use grafc_formula::{FormulaId, Type};
 use grafc_model::chart::{GrafcetId, StepId};
 use index_vec::IndexVec;
@@ -28,31 +28,30 @@ impl Switch<'_> {
         for (t, transition) in net.transitions.iter_enumerated() {
             let factors = clears(lowering, t, self.task.conditions[t], frozen, self.task.simplify);
             let mut body = Vec::new();
+            let origin = Origin::Transition(t);
             let changes = changes_of(lowering, t);
             for (set, value) in &changes {
-                body.push(assign_number(lowering, lowering.situation.sets[*set].next, *value));
+                body.push(assign_number(lowering, origin, lowering.situation.sets[*set].next, *value));
             }
             let home = home(lowering, t);
             let mut cleared = lowering.pool.truth(false);
             if let (Some(set), true) = (home, self.numbered.transitions.contains(&t)) {
                 let (variable, number) = (self.numbered.variable[&set], t.index() as i64 + 1);
-                body.push(assign_number(lowering, variable, number));
+                body.push(assign_number(lowering, origin, variable, number));
                 cleared = equals(&lowering.symbols, &mut lowering.pool, variable, number);
             }
             if home.is_none() || !body.is_empty() {
-                body.push(assign_truth(lowering, self.moved.variable, true));
+                body.push(assign_truth(lowering, origin, self.moved.variable, true));
             }
             let told = self.moved.asks_again || changes.is_empty();
             if let Some(again) = self.task.again.filter(|_| !told) {
-                body.push(assign_truth(lowering, again, true));
+                body.push(assign_truth(lowering, origin, again, true));
             }
             match (home, transition.pre.first()) {
                 (Some(_), Some(first)) => {
                     let own = lowering.active(*first);
                     let when = lowering.pool.and(factors.into_iter().filter(|f| *f != own));
-                    if let Some(Statement::Assign { remark, .. }) = body.first_mut() {
-                        *remark = Some(drawn(net, t));
-                    }
+                    body.iter_mut().take(1).for_each(Statement::tell);
                     if !body.is_empty() {
                         branches.entry(*first).or_default().push((when, body));
                     }
@@ -61,7 +60,7 @@ impl Switch<'_> {
                     let value = lowering.pool.and(factors);
                     let name = format!("clr_{}", designation(net, t));
                     let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
-                    latched.push(Statement::Assign { target, value, remark: Some(drawn(net, t)) });
+                    latched.push(Statement::Assign { target, value, origin, told: Told::All });
                     cleared = lowering.symbols.read(&mut lowering.pool, target);
                     moves.extend(choose(lowering, vec![(cleared, body)]));
                 }
@@ -69,9 +68,9 @@ impl Switch<'_> {
             self.cleared.push(cleared);
         }
         let mut out = Vec::new();
-        out.push(assign_truth(lowering, self.moved.variable, false));
+        out.push(assign_truth(lowering, Origin::Chart, self.moved.variable, false));
         if let Some(again) = self.task.again.filter(|_| !self.moved.asks_again && lowering.edges.is_empty()) {
-            out.push(assign_truth(lowering, again, false));
+            out.push(assign_truth(lowering, Origin::Chart, again, false));
         }
         out.extend(latched);
         out.extend(self.nest(lowering, branches));

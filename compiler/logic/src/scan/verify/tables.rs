@@ -1,6 +1,6 @@
 //! What the tables of a program say, and what its statements have to fit.
 
-use crate::scan::{Flag, Held, Limit, Program, Repeat, Role, Statement, Step, VarId};
+use crate::scan::{Flag, Held, Limit, Origin, Program, Repeat, Role, Statement, Step, Told, VarId};
 use grafc_formula::{Comparison, Formula, Type, Value};
 
 /// Checks steps, timers, the initial reaction and the stability loop.
@@ -13,8 +13,31 @@ pub(super) fn verify(program: &Program) -> Result<(), String> {
             return Err(format!("the timer `{}` has a preset that is over at once", timer.name));
         }
     }
+    come_from_something(program)?;
     starts(program)?;
     program.repeat.map_or(Ok(()), |repeat| ends(program, repeat))
+}
+
+/// Statements come from elements that there are, and only of steps and transitions is something said beside them.
+fn come_from_something(program: &Program) -> Result<(), String> {
+    let said = |origin: Origin, told: Told| {
+        let is_told = told == Told::Nothing || program.remark(origin, told).is_some();
+        if program.has(origin) && is_told {
+            Ok(())
+        } else {
+            Err(format!("a statement comes from {origin:?}, {told:?}"))
+        }
+    };
+    for statement in program.statements() {
+        match statement {
+            Statement::Assign { origin, told, .. } => said(*origin, *told)?,
+            Statement::Case { arms, .. } => arms.iter().try_for_each(|arm| said(arm.origin, arm.told))?,
+            Statement::Heading(_) | Statement::Divide(_) | Statement::CallTimer { .. } | Statement::If { .. } => {
+                said(statement.origin(), Told::Nothing)?;
+            }
+        }
+    }
+    Ok(())
 }
 
 /// What holds a step is what its formula reads.

@@ -1,8 +1,8 @@
 //! What is kept and what goes, in programs of a few statements.
 
 use super::sweep;
-use crate::scan::by_hand::{assign, bit, empty, variable};
-use crate::scan::{Arm, Program, Repeat, Role, Statement, Timer};
+use crate::scan::by_hand::{arm, assign, bit, call, empty, variable};
+use crate::scan::{Heading, Program, Repeat, Role, Statement, Timer};
 use grafc_formula::Type;
 
 /// How many statements are left of each section: before, micro-step, after.
@@ -102,7 +102,7 @@ fn what_only_a_case_asks_for_stays() {
     let copy = variable(&mut p, Role::Temporary, Type::Int);
     let (w, _) = bit(&mut p, Role::Output);
     let (at, yes) = (p.pool.variable(at, Type::Int), p.pool.truth(true));
-    let arm = Arm { value: 1, remark: None, body: vec![assign(w, yes)] };
+    let arm = arm(1, vec![assign(w, yes)]);
     p.micro_step = vec![assign(copy, at), Statement::Case { of: copy, arms: vec![arm] }];
     assert_eq!(left(&mut p), [0, 2, 0]);
 }
@@ -113,7 +113,7 @@ fn what_only_a_timer_reads_stays() {
     let (_, a) = bit(&mut p, Role::Input);
     let (t, read) = bit(&mut p, Role::Temporary);
     let timer = p.timers.push(Timer { name: String::new(), preset: None, comment: None });
-    p.micro_step = vec![assign(t, a), Statement::CallTimer { timer, input: read }];
+    p.micro_step = vec![assign(t, a), call(timer, read)];
     assert_eq!(left(&mut p), [0, 2, 0]);
 }
 
@@ -123,8 +123,14 @@ fn a_heading_over_nothing_goes() {
     let (_, a) = bit(&mut p, Role::Input);
     let (t, _) = bit(&mut p, Role::Temporary);
     let (w, _) = bit(&mut p, Role::Output);
-    let heading = |text: &str| Statement::Heading(text.to_owned());
-    p.micro_step = vec![heading("gone"), assign(t, a), heading("kept"), assign(w, a), heading("gone as well")];
+    let heading = Statement::Heading;
+    p.micro_step = vec![
+        heading(Heading::Conditions),
+        assign(t, a),
+        heading(Heading::Outputs),
+        assign(w, a),
+        heading(Heading::Situation),
+    ];
     sweep(&mut p);
-    assert_eq!(p.micro_step, [heading("kept"), p.micro_step[1].clone()]);
+    assert_eq!(p.micro_step, [heading(Heading::Outputs), p.micro_step[1].clone()]);
 }

@@ -1,0 +1,103 @@
+//! Where in the chart a statement comes from.
+
+use super::{ActionId, OrderId, StepId, TransitionId, VarId};
+use grafc_model::chart::{GrafcetId, VariableId};
+
+/// What of the chart brings a statement about: no larger than a number, so that each statement can say it. What it stands
+/// for is in the tables of the program, see [`super::Elements`].
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+pub enum Origin {
+    /// The chart as a whole, or whatever the statements around come from.
+    #[default]
+    Chart,
+    /// A step.
+    Step(StepId),
+    /// A transition.
+    Transition(TransitionId),
+    /// An action.
+    Action(ActionId),
+    /// All actions on a variable, where they are carried out together.
+    Actions(VariableId),
+    /// A forcing order.
+    Order(OrderId),
+    /// All forcing orders on a grafcet.
+    Orders(GrafcetId),
+    /// The declaration of a variable.
+    Declaration(VariableId),
+}
+
+impl Origin {
+    /// The declaration of a variable of the chart: those come first in the table of a program.
+    pub fn declaration(variable: VarId) -> Origin {
+        Origin::Declaration(VariableId::from(variable.index()))
+    }
+
+    /// This one, or the other where this is the chart as a whole.
+    pub fn or(self, other: Origin) -> Origin {
+        if self == Origin::Chart { other } else { self }
+    }
+}
+
+/// How much of its origin is said beside a statement.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Told {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// What it is called.
+    Name,
+    /// And the comment that the chart attaches to it.
+    All,
+}
+
+/// What a part of a program is about, as a heading.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Heading {
+    /// Edges, delays and intermediate results of transition-conditions.
+    Conditions,
+    /// What edges were, for the next micro-step.
+    MemoryOfEdges,
+    /// Which transitions clear, where that is latched.
+    TransitionsThatClear,
+    /// Transitions that write the situation themselves.
+    Transitions,
+    /// The next situation, where it is computed before it is written.
+    NextSituation,
+    /// What the steps enclose, and what orders force.
+    EnclosuresAndOrders,
+    /// Stored actions.
+    StoredActions,
+    /// Outputs that follow a state.
+    OutputsOfTheSteps,
+    /// The situation is written.
+    Situation,
+    /// What is done where something clears.
+    WhatTheClearingsBringAbout,
+    /// Delays that rest from here on.
+    TimersOfTheStepBefore,
+    /// Delays that run.
+    TimersOfTheActiveStep,
+    /// Continuous actions.
+    Outputs,
+}
+
+impl Heading {
+    /// Its words.
+    pub fn text(self) -> &'static str {
+        match self {
+            Heading::Conditions => "conditions",
+            Heading::MemoryOfEdges => "memory of edges",
+            Heading::TransitionsThatClear => "transitions that clear",
+            Heading::Transitions => "transitions",
+            Heading::NextSituation => "next situation",
+            Heading::EnclosuresAndOrders => "enclosures and orders",
+            Heading::StoredActions => "stored actions",
+            Heading::OutputsOfTheSteps => "outputs of the steps left and entered",
+            Heading::Situation => "situation",
+            Heading::WhatTheClearingsBringAbout => "what the clearings bring about",
+            Heading::TimersOfTheStepBefore => "timers of the step that was active before",
+            Heading::TimersOfTheActiveStep => "timers of the active step",
+            Heading::Outputs => "outputs",
+        }
+    }
+}
