@@ -1,7 +1,7 @@
 //! Identifiers that a target takes, each given once.
 
 use crate::keywords::{Family, Reserved};
-use crate::transliterate::identifier;
+use crate::transliterate::{identifier, is_plain};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The longest name that is given: more is unreadable, and some PLC editors stop there.
@@ -60,12 +60,11 @@ impl Namer {
     /// Names of equal rank: those that need no change get theirs first, so that `Tuer` stays when `Tür` is there too.
     pub fn names<'n>(&mut self, wanted: impl IntoIterator<Item = &'n str>) -> Vec<String> {
         let wanted: Vec<&str> = wanted.into_iter().collect();
-        let mut given: Vec<Option<String>> = wanted
-            .iter()
-            .map(|name| {
-                (identifier(name, self.family.longest()) == **name && self.take(name)).then(|| name.to_string())
-            })
-            .collect();
+        self.taken.reserve(wanted.len());
+        let longest = self.family.longest();
+        let stays = |name: &str| is_plain(name, longest) || identifier(name, longest) == name;
+        let mut given: Vec<Option<String>> =
+            wanted.iter().map(|name| (stays(name) && self.take(name)).then(|| name.to_string())).collect();
         for (name, place) in wanted.iter().zip(&mut given) {
             if place.is_none() {
                 *place = Some(self.name(name));

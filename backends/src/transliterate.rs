@@ -6,6 +6,10 @@ use std::str::Chars;
 /// The text as an identifier of at most `limit` characters: never empty, no digit first, no two underscores in a row,
 /// none at the end. What has no spelling here becomes `u1F600`, its code point.
 pub fn identifier(text: &str, limit: usize) -> String {
+    if is_plain(text, limit) { text.to_owned() } else { spelled(text, limit) }
+}
+
+fn spelled(text: &str, limit: usize) -> String {
     let mut out = Spelling { out: String::new(), limit };
     let mut before = None;
     let mut chars = text.chars().peekable();
@@ -25,6 +29,12 @@ pub fn identifier(text: &str, limit: usize) -> String {
         name.truncate(name.trim_end_matches('_').len());
     }
     name
+}
+
+/// Whether a text is an identifier as it stands, as most names are.
+pub fn is_plain(text: &str, limit: usize) -> bool {
+    let word = |word: &str| !word.is_empty() && word.bytes().all(|b| b.is_ascii_alphanumeric());
+    text.len() <= limit && text.starts_with(|c: char| c.is_ascii_alphabetic()) && text.split('_').all(word)
 }
 
 /// The text with every character that is not ASCII spelt in ASCII; `?` for what has no spelling here.
@@ -249,6 +259,27 @@ fn greek(c: char) -> Option<(&'static str, &'static str)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_plain_is_spelled_as_it_is() {
+        let long = "x".repeat(64);
+        for (text, plain) in [
+            ("a", true),
+            ("X1", true),
+            ("clr_5_b", true),
+            ("_x", false),
+            ("a_", false),
+            ("a__b", false),
+            ("1a", false),
+            ("", false),
+            ("é", false),
+            ("a b", false),
+            (long.as_str(), false),
+        ] {
+            assert_eq!(is_plain(text, 63), plain, "{text}");
+            assert!(!plain || spelled(text, 63) == text, "{text}");
+        }
+    }
 
     #[test]
     fn readable() {

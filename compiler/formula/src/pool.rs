@@ -7,7 +7,7 @@
 use crate::number;
 pub use grafc_model::chart::{Arithmetic, Comparison, Type, Value};
 use index_vec::{IndexVec, define_index_type};
-use indexmap::IndexSet;
+use indexmap::{Equivalent, IndexSet};
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 use std::hash::{Hash, Hasher};
 
@@ -70,6 +70,8 @@ const SHORT: usize = 16;
 pub struct Pool {
     nodes: IndexSet<Node, FxBuildHasher>,
     depths: Vec<u32>,
+    /// The operands of the junction that is being made: a list of its own is needed for a new one only.
+    operands: Vec<FormulaId>,
 }
 
 /// A formula and its type. Constants are the same only if they are the same to the bit.
@@ -106,6 +108,42 @@ impl Hash for Node {
             Formula::Xor(a, b) => (a, b).hash(state),
             Formula::Compare(op, a, b) => (op, a, b).hash(state),
             Formula::Arithmetic(op, a, b) => (op, a, b).hash(state),
+        }
+    }
+}
+
+/// A conjunction or disjunction to look for: the node of it, without a list of its own.
+struct Junction<'l> {
+    conjunction: bool,
+    list: &'l [FormulaId],
+}
+
+impl Hash for Junction<'_> {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        // As the node does it.
+        let none = Box::default();
+        let form = if self.conjunction { Formula::And(none) } else { Formula::Or(none) };
+        Type::Bool.hash(state);
+        std::mem::discriminant(&form).hash(state);
+        self.list.hash(state);
+    }
+}
+
+impl Equivalent<Node> for Junction<'_> {
+    fn equivalent(&self, node: &Node) -> bool {
+        match &node.formula {
+            Formula::And(list) => self.conjunction && **list == *self.list,
+            Formula::Or(list) => !self.conjunction && **list == *self.list,
+            Formula::Constant(_)
+            | Formula::Variable(_)
+            | Formula::TimerDone(_)
+            | Formula::TimerElapsed(_)
+            | Formula::Not(_)
+            | Formula::Xor(..)
+            | Formula::Compare(..)
+            | Formula::Arithmetic(..)
+            | Formula::Negate(_)
+            | Formula::Widen(_) => false,
         }
     }
 }
@@ -239,8 +277,19 @@ impl Pool {
     /// A conjunction (`neutral` true) or a disjunction: nested ones of the same kind are taken in, neutral and repeated
     /// operands are dropped, the first occurrence keeps its place.
     fn junction(&mut self, operands: impl IntoIterator<Item = FormulaId>, neutral: bool) -> FormulaId {
-        let operands = operands.into_iter();
-        let mut list: Vec<FormulaId> = Vec::with_capacity(operands.size_hint().0);
+        let mut list = std::mem::take(&mut self.operands);
+        list.clear();
+        let made = self.junction_of(operands, neutral, &mut list);
+        self.operands = list;
+        made
+    }
+
+    fn junction_of(
+        &mut self,
+        operands: impl IntoIterator<Item = FormulaId>,
+        neutral: bool,
+        list: &mut Vec<FormulaId>,
+    ) -> FormulaId {
         for operand in operands {
             match (self.get(operand), neutral) {
                 (Formula::Constant(Value::Bool(b)), _) if *b == neutral => {}
@@ -267,11 +316,14 @@ impl Pool {
         if contradicts {
             return self.truth(!neutral);
         }
-        match (list.as_slice(), neutral) {
-            ([], _) => self.truth(neutral),
-            ([only], _) => *only,
-            (_, true) => self.add(Formula::And(list.into()), Type::Bool),
-            (_, false) => self.add(Formula::Or(list.into()), Type::Bool),
+        match list.as_slice() {
+            [] => self.truth(neutral),
+            [only] => *only,
+            list => match self.nodes.get_index_of(&Junction { conjunction: neutral, list }) {
+                Some(known) => FormulaId::from_usize(known),
+                None if neutral => self.add(Formula::And(list.into()), Type::Bool),
+                None => self.add(Formula::Or(list.into()), Type::Bool),
+            },
         }
     }
 

@@ -5,8 +5,9 @@ use grafc_model::chart::TransitionId;
 use petgraph::algo::kosaraju_scc;
 use petgraph::graph::{DiGraph, NodeIndex};
 use petgraph::visit::EdgeRef;
-use std::collections::btree_map::Entry;
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use rustc_hash::FxHashMap;
+use std::collections::hash_map::Entry;
+use std::collections::{BTreeSet, VecDeque};
 
 /// The last micro-step in which each change can happen, by number, with the cause that comes last; none if it never
 /// can.
@@ -94,11 +95,12 @@ fn cycle(
     else {
         return Vec::new();
     };
-    let members: BTreeSet<NodeIndex> = part.iter().copied().collect();
-    let mut from: BTreeMap<NodeIndex, NodeIndex> = BTreeMap::new();
+    let mut member = vec![false; graph.node_count()];
+    part.iter().for_each(|n| member[n.index()] = true);
+    let mut from: FxHashMap<NodeIndex, NodeIndex> = FxHashMap::default();
     let mut open = VecDeque::from([first]);
     while let Some(node) = open.pop_front().filter(|_| !from.contains_key(&first)) {
-        for next in graph.neighbors(node).filter(|n| members.contains(n)) {
+        for next in graph.neighbors(node).filter(|n| member[n.index()]) {
             if let Entry::Vacant(entry) = from.entry(next) {
                 entry.insert(node);
                 open.push_back(next);
