@@ -54,7 +54,7 @@ pub(super) fn check_length(program: &Program, code: &Code) -> Result<(), Diagnos
     said.push(
         Diagnostic::new(DiagnosticCode::E0506, whole(program), message)
             .note("a block has 65536 bytes at most, and an instruction two at least")
-            .help("try another `--encoding`, or make several charts of it"),
+            .help("try another `--encoding`, or split it into several charts"),
     );
     Err(said)
 }

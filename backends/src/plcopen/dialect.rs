@@ -3,14 +3,14 @@
 use crate::iec::literals::time;
 use crate::xml::Xml;
 
-/// Who shall read it.
+/// Which tools read it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Dialect {
     /// Beremiz and the editors that come from it. They take only the newer namespace, and texts only in an element that
     /// is literally called `xhtml:p`; a project without a configuration does not run there.
     #[default]
     Neutral,
-    /// CODESYS, TwinCAT and what is built on CODESYS. They write the older namespace themselves, and some take no other;
+    /// CODESYS, TwinCAT and tools based on CODESYS. They write the older namespace themselves, and some take no other;
     /// tasks are theirs to define, so there is none unless an interval is asked for.
     Codesys,
 }

@@ -39,7 +39,7 @@ pub enum Body {
 /// What the caller may choose.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Options {
-    /// Who shall read it.
+    /// Which tools read it.
     pub dialect: Dialect,
     /// What the function block holds.
     pub body: Body,

@@ -16,7 +16,7 @@ static DIALECT: Choice = Choice {
     name: "dialect",
     formerly: None,
     placeholder: "DIALECT",
-    about: "who shall read it",
+    about: "which tools the project is for",
     default: "neutral",
     values: Values::Names(names::<Dialect>),
 };
@@ -42,8 +42,8 @@ impl Named for Dialect {
 
     fn about(self) -> &'static str {
         match self {
-            Dialect::Neutral => "Beremiz and what comes from it",
-            Dialect::Codesys => "CODESYS, TwinCAT and what is built on CODESYS",
+            Dialect::Neutral => "Beremiz and tools based on it",
+            Dialect::Codesys => "CODESYS, TwinCAT and tools based on CODESYS",
         }
     }
 }

@@ -15,7 +15,7 @@ static RUNTIME: Choice = Choice {
     name: "runtime",
     formerly: None,
     placeholder: "RUNTIME",
-    about: "where the code has from what it needs at run time",
+    about: "where the code gets what it needs at run time",
     default: "inline",
     values: Values::Names(names::<Runtime>),
 };

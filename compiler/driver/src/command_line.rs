@@ -11,7 +11,7 @@ Example:
   grafc valve.gct --target st -o valve.st
   grafc valve.gct --emit net
 
-Exit codes: 0 done, 1 the chart has errors, 2 wrong use, 3 the file system said no.
+Exit codes: 0 done, 1 the chart has errors, 2 wrong use, 3 a file cannot be read or written.
 A chart that is named like a command is given as `./check`; `-` is standard input or output.";
 
 /// Compile GRAFCET charts (IEC 60848) to IEC 61131-3 code
@@ -19,7 +19,7 @@ A chart that is named like a command is given as `./check`; `-` is standard inpu
 #[command(name = "grafc", version, after_help = AFTER_HELP)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true, arg_required_else_help = true)]
 pub struct CommandLine {
-    /// Another command than to compile.
+    /// A command other than to compile.
     #[command(subcommand)]
     pub command: Option<Command>,
     /// Without a command: compile.
@@ -64,7 +64,7 @@ pub enum Command {
     Stats(stats::Arguments),
     /// Bring charts into the canonical format
     Fmt(fmt::Arguments),
-    /// Make a chart of another tool's file, and report what it lost on the way
+    /// Convert another tool's file to a chart, and report what was changed or lost
     Import(import::Arguments),
     /// Print the page on a diagnostic code
     Explain(explain::Arguments),

@@ -22,7 +22,7 @@ pub enum Exit {
     ChartErrors = 1,
     /// The command was called in a way that makes no sense.
     WrongUse = 2,
-    /// The file system said no.
+    /// A file cannot be read or written.
     FilesRefused = 3,
 }
 

@@ -24,7 +24,7 @@ pub enum Format {
 pub enum Failure {
     /// The command was called in a way that makes no sense: what, and what to do.
     WrongUse(String, String),
-    /// The file system said no.
+    /// A file cannot be read or written.
     Files(Refusal),
 }
 

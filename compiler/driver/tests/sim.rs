@@ -103,7 +103,7 @@ fn faults_of_a_recording_are_reported_together() {
     let run = place.run(&["sim", "valve.gct", "--trace", "in.csv", "--against", "plc.csv"]);
     for message in [
         "error[E0602]: the chart has no input or output `W`",
-        "error[E0601]: column `V` stands twice",
+        "error[E0601]: column `V` appears twice",
         "error[E0603]: `x` is not a value of `V`",
         "error[E0603]: `9` is not a step of the chart",
         "error[E0603]: `OOPS` is not a flag",

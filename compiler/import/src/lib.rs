@@ -37,8 +37,8 @@ pub fn import(file: FileId, text: &str, options: Options) -> (Option<String>, Di
         let at = written[..fault.primary.span.range().start].rfind('\n').map_or(0, |at| at + 1);
         let line = written[at..].lines().next().unwrap_or_default();
         said.push(
-            Diagnostic::new(Code::E0901, document.root_span(), "this is a fault of grafc: the import is no chart")
-                .note(format!("of `{line}` it would be said: {}", fault.message))
+            Diagnostic::new(Code::E0901, document.root_span(), "this is a fault of grafc: the import is not a chart")
+                .note(format!("the line `{line}` would give: {}", fault.message))
                 .help(concat!("please report it, with the file, at ", env!("CARGO_PKG_REPOSITORY"))),
         );
         return (None, said);

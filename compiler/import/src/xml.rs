@@ -126,7 +126,7 @@ impl Builder<'_> {
                 Ok(Event::Text(_) | Event::CData(_) | Event::GeneralRef(_)) => self.text(span)?,
                 Ok(Event::DocType(_)) => {
                     return Err(Diagnostic::new(Code::E0702, span, "the file declares a document type")
-                        .note("with one, a short file can stand for one without end; no chart needs it")
+                        .note("with one, a short file can stand for an endless one; no chart needs it")
                         .help("delete the `<!DOCTYPE …>` declaration, and write out what it abbreviates"));
                 }
                 Ok(Event::Decl(_) | Event::PI(_)) => {}
@@ -138,7 +138,7 @@ impl Builder<'_> {
     fn element(&mut self, tag: &BytesStart, span: Span) -> Result<(), Diagnostic> {
         let parent = self.open.last().copied();
         if parent.is_none() && !self.elements.is_empty() {
-            return Err(malformed(span, "a second element stands behind the outermost one"));
+            return Err(malformed(span, "there is a second element after the outermost one"));
         }
         if self.open.len() == DEPTH {
             return Err(Diagnostic::new(Code::E0702, span, format!("elements are nested more than {DEPTH} deep"))
@@ -210,7 +210,7 @@ fn spell(error: &quick_xml::Error) -> String {
         quick_xml::Error::Syntax(error) => error.to_string(),
         quick_xml::Error::IllFormed(error) => error.to_string(),
         quick_xml::Error::InvalidAttr(error) => attribute_fault(error).to_string(),
-        quick_xml::Error::Escape(_) => "a reference behind `&` means nothing".to_string(),
+        quick_xml::Error::Escape(_) => "a reference after `&` means nothing".to_string(),
         quick_xml::Error::Io(_) | quick_xml::Error::Encoding(_) | quick_xml::Error::Namespace(_) => error.to_string(),
     }
 }

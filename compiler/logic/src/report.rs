@@ -33,11 +33,13 @@ fn because(net: &Net, reason: Reason) -> String {
         Reason::Source(a) => format!("the source transition `{}` leads to it", t(a)),
         Reason::From(a) => format!("`{}` leads to it from steps that are bits", t(a)),
         Reason::Origin(a) => format!("`{}` leads to it from steps that it cannot share a state with", t(a)),
-        Reason::Before(a, x, y) => format!("it would go with {} and {}, both before `{}`", s(x), s(y), t(a)),
-        Reason::After(a, x, y) => format!("it would go with {} and {}, both after `{}`", s(x), s(y), t(a)),
-        Reason::Initial(x, y) => format!("it would go with {} and {}, both initial", s(x), s(y)),
-        Reason::Links(x, y) => format!("it would go with {} and {}, both with an activation link", s(x), s(y)),
-        Reason::Forced(x, y) => format!("it would go with {} and {}, which one order forces together", s(x), s(y)),
+        Reason::Before(a, x, y) => format!("its state would also hold {} and {}, both before `{}`", s(x), s(y), t(a)),
+        Reason::After(a, x, y) => format!("its state would also hold {} and {}, both after `{}`", s(x), s(y), t(a)),
+        Reason::Initial(x, y) => format!("its state would also hold {} and {}, both initial", s(x), s(y)),
+        Reason::Links(x, y) => format!("its state would also hold {} and {}, both with an activation link", s(x), s(y)),
+        Reason::Forced(x, y) => {
+            format!("its state would also hold {} and {}, which one order forces together", s(x), s(y))
+        }
         Reason::GivenUp => "the search for a state to share was given up".to_owned(),
     }
 }

@@ -215,7 +215,7 @@ enum Failure {
     Chart,
     /// It was called in a way that makes no sense: what, and what to do.
     WrongUse(String, &'static str),
-    /// The file system said no.
+    /// A file cannot be read or written.
     Files(Refusal),
 }
 

@@ -120,7 +120,7 @@ pub fn is_same_file(a: &Path, b: &Path) -> bool {
     }
 }
 
-/// The file system said no.
+/// A file cannot be read or written.
 #[derive(Debug)]
 pub struct Refusal {
     action: &'static str,
@@ -159,11 +159,11 @@ impl Refusal {
         match (self.error.kind(), self.action) {
             (ErrorKind::NotFound, "read") => "check the path; `-` reads standard input",
             (ErrorKind::NotFound, _) => "make the directory first; `-` writes to standard output",
-            (ErrorKind::PermissionDenied, "read") => "ask for the right to read it",
-            (ErrorKind::PermissionDenied, _) => "choose another place, or ask for the right to write there",
+            (ErrorKind::PermissionDenied, "read") => "ask for permission to read it",
+            (ErrorKind::PermissionDenied, _) => "choose another place, or ask for permission to write there",
             (ErrorKind::IsADirectory, _) => "name a file in it",
             (ErrorKind::NotADirectory, _) => "check the path: a part of it is a file, not a directory",
-            (ErrorKind::StorageFull | ErrorKind::QuotaExceeded, _) => "make room, or choose another place",
+            (ErrorKind::StorageFull | ErrorKind::QuotaExceeded, _) => "free some space, or choose another place",
             (ErrorKind::ReadOnlyFilesystem, _) => "choose another place",
             (_, "read") => "check that it is a file that can be read",
             (_, _) => "check that the place can be written to",

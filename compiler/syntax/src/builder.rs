@@ -162,7 +162,7 @@ impl<'text> Builder<'text> {
         for word in words {
             if let Some(first) = seen.iter().find(|s| s.meaning == word.meaning) {
                 let name = self.slice(word.span.start, word.span.end);
-                let fault = Diagnostic::new(Code::E0107, word.span, format!("`{name}` stands twice before `step`"))
+                let fault = Diagnostic::new(Code::E0107, word.span, format!("`{name}` appears twice before `step`"))
                     .also(first.span, "first here");
                 self.fault(fault);
                 continue;
@@ -196,7 +196,7 @@ impl<'text> Builder<'text> {
                 format!("the assignment of `{target}` does not say when it is done"),
             )
             .note("IEC 60848, 4.8.3: a stored action is associated with an event")
-            .help("add `on activation`, `on deactivation` or `on event …` behind it")
+            .help("add `on activation`, `on deactivation` or `on event …` after it")
             .fix(Fix::maybe("add `on activation`").replace(assignment.span.behind(), " on activation"))
             .fix(Fix::maybe("add `on deactivation`").replace(assignment.span.behind(), " on deactivation")),
         );

@@ -67,7 +67,7 @@ impl Fault {
         match self {
             Fault::Number => number(format!("`{word}` is not a number"))
                 .note("numbers are written `3`, `-2`, `8.5`, `1.5e-3`, `16#FF`; names begin with a letter"),
-            Fault::Digits(base) => number(format!("`{word}` is not a number to the base {base}")),
+            Fault::Digits(base) => number(format!("`{word}` is not a number in base {base}")),
             Fault::Base => number(format!("`{word}` has an unknown base")).note("the bases are `2#`, `8#` and `16#`"),
             Fault::Separator => number(format!("`_` in `{word}` is not between two digits")),
             Fault::TooLarge => number(format!("the number `{word}` is too large")),

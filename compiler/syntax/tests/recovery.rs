@@ -97,13 +97,13 @@ fn an_unclosed_brace_is_one_error() {
 #[test]
 fn a_brace_too_many_is_one_error() {
     let text = "grafcet G1 {\n  step 1 { V }}\n  step 2\n}\ngrafcet G2 { step 3 }\n";
-    assert_eq!(faults(text), ["E0107 2:15 expected an item, found a `}` that closes nothing"]);
+    assert_eq!(faults(text), ["E0107 2:15 expected an item, found a `}` without its `{`"]);
     assert_eq!(outline(text), "G1(1' 2) G2(3)");
     assert_eq!(
         faults("step 1 }}}}\nstep 2 }"),
         [
-            "E0107 1:8 expected an item, found a `}` that closes nothing",
-            "E0107 2:8 expected an item, found a `}` that closes nothing",
+            "E0107 1:8 expected an item, found a `}` without its `{`",
+            "E0107 2:8 expected an item, found a `}` without its `{`",
         ]
     );
 }
@@ -171,7 +171,7 @@ fn what_was_expected_is_said_in_words() {
         ("step { A }", "E0107 1:6 expected a step label, found `{`"),
         ("step 16#FF", "E0107 1:6-10 expected a step label, found `16#FF`"),
         ("initial transition 1 -> 2 : a", "E0107 1:9-18 expected `step`, found `transition`"),
-        ("initial initial step 1", "E0107 1:9-15 `initial` stands twice before `step`"),
+        ("initial initial step 1", "E0107 1:9-15 `initial` appears twice before `step`"),
         ("macro enclosing step 1", "E0107 1:7-15 a step is either an enclosing step or a macro-step"),
         ("transition 1 2 : a", "E0107 1:14 expected `->` or `,`, found `2`"),
         ("transition 1 -> 2", "E0107 1:^18 expected `:` or `,`, found the end of the text"),

@@ -27,7 +27,7 @@ pub struct Arguments {
     /// What to make of it
     #[arg(long, group = "product", value_name = "TARGET", value_parser = choices::targets())]
     target: Option<String>,
-    /// Instead of code, what the compiler knows on the way, as text
+    /// Instead of code, what the compiler knows after a stage, as text
     #[arg(long, value_enum, group = "product", value_name = "STAGE")]
     emit: Option<Stage>,
     /// Instead of code, the net after a pass

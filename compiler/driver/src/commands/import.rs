@@ -11,7 +11,7 @@ Example:
   grafc import plant.grafcet -o plant.gct
 
 Reads charts of AGRAFE (*.grafcet, XMI). The report goes to standard error: W0701 changed, W0702 doubtful,
-W0703 lost. The result is in the format of `grafc fmt`; whether it keeps the rules, `grafc check` says.";
+W0703 lost. The result is in the format of `grafc fmt`; `grafc check` says whether it keeps the rules.";
 
 /// Arguments of `grafc import`.
 #[derive(Args, Debug)]

@@ -17,7 +17,7 @@ pub fn wrong(element: &Element, name: &str, expected: impl Display, said: &mut D
     said.push(
         Diagnostic::new(Code::E0705, element.span, format!("`{name}` of `{}` is `{value}`", element.name))
             .note(format!("it is {expected}"))
-            .help("mend the value in the tool that made the chart, or in the file"),
+            .help("correct the value in the tool that made the chart, or in the file"),
     );
 }
 

@@ -191,7 +191,7 @@ impl Reader<'_> {
             None => self.unknown(element),
             Some(Some(_)) => {
                 self.said.push(
-                    Diagnostic::new(Code::E0705, element.span, format!("a second `{feature}` stands beside the first"))
+                    Diagnostic::new(Code::E0705, element.span, format!("there is a second `{feature}`"))
                         .help("delete one of them"),
                 );
                 Entity::Lost

@@ -27,9 +27,9 @@ pub fn read(document: &Document, said: &mut Diagnostics) -> Option<Model> {
     let Some(&root) = roots.iter().find(|&&root| document.elements[root].name == "Grafcet") else {
         let found = &document.elements[outermost].name;
         said.push(
-            Diagnostic::new(Code::E0703, document.root_span(), format!("`{found}` is no chart of AGRAFE"))
+            Diagnostic::new(Code::E0703, document.root_span(), format!("`{found}` is not a chart of AGRAFE"))
                 .note("such a file begins with an element `grafcet:Grafcet`")
-                .help("give the model, a file `*.grafcet`; drawings and pictures are kept apart from it"),
+                .help("give the model, a file `*.grafcet`; drawings and pictures are in other files"),
         );
         return None;
     };

@@ -125,7 +125,8 @@ fn check_steps(document: &Document, found: &Found, said: &mut Diagnostics) {
             && steps.iter().any(|&step| !has_activity(step))
         {
             said.push(
-                Diagnostic::new(Code::E0704, action.span, "a forced step is no step").help("name steps of the grafcet"),
+                Diagnostic::new(Code::E0704, action.span, "a forced step is not a step")
+                    .help("name steps of the grafcet"),
             );
         }
     }

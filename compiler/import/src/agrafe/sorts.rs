@@ -54,7 +54,9 @@ pub fn check(model: &Model, said: &mut Diagnostics) {
         };
         if !matches!(model.terms[*variable].kind, TermKind::Variable(_)) {
             let span = model.terms[*variable].span;
-            said.push(Diagnostic::new(Code::E0705, span, "what an action sets is no variable").help("name a variable"));
+            said.push(
+                Diagnostic::new(Code::E0705, span, "what an action sets is not a variable").help("name a variable"),
+            );
         }
     }
 }
@@ -124,7 +126,7 @@ fn wrong_sort(term: &Term, what: &str, sort: Sort) -> Diagnostic {
         Sort::Integer => "a whole number",
     };
     Diagnostic::new(Code::E0705, term.span, format!("{what} is not {sort}"))
-        .help("mend the term, or the sort of the variable in it")
+        .help("correct the term, or the sort of the variable in it")
 }
 
 fn article(kind: TermKind) -> &'static str {

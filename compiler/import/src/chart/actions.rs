@@ -28,7 +28,7 @@ pub fn of_steps(model: &Model, said: &mut Diagnostics) -> IndexVec<NodeId, Vec<A
     }
     for (id, action) in model.actions.iter_enumerated() {
         if !linked.contains(&id) {
-            said.push(lost(action.span, "an action is lost, for no step has it"));
+            said.push(lost(action.span, "an action is lost, because no step has it"));
         }
     }
     of_steps
@@ -42,7 +42,7 @@ pub fn judge(model: &Model, said: &mut Diagnostics) {
             if condition.time == TimeConditionType::Limited {
                 said.push(
                     doubtful(node.span, format!("the condition of the transition {} is limited in time", node.id))
-                        .note("IEC 60848 limits actions only; it is written as an off-delay, as AGRAFE's code has it"),
+                        .note("IEC 60848 limits actions only; it is written as an off-delay, as in AGRAFE's code"),
                 );
             }
             if condition.term.is_none() && condition.time == TimeConditionType::None {
@@ -50,7 +50,7 @@ pub fn judge(model: &Model, said: &mut Diagnostics) {
                 said.push(doubtful(node.span, message).note("IEC 60848, symbol 14, writes `1` for it"));
             }
             if condition.term.is_some_and(|term| model.terms[term].kind == TermKind::Boolean(false)) {
-                let message = format!("the transition {} is never cleared, for its condition is false", node.id);
+                let message = format!("the transition {} is never cleared, because its condition is false", node.id);
                 said.push(doubtful(node.span, message).note("a `BooleanConstant` without a value is false"));
             }
         }
@@ -62,7 +62,7 @@ pub fn judge(model: &Model, said: &mut Diagnostics) {
                 if condition.time == TimeConditionType::Limited {
                     said.push(
                         doubtful(action.span, "an action is limited in time")
-                            .note("it is written as IEC 60848, symbol 25, has it: it ends when the time is over")
+                            .note("it is written as in IEC 60848, symbol 25: it ends when the time is over")
                             .note("AGRAFE's code delays the end of its condition instead"),
                     );
                 }
@@ -99,7 +99,7 @@ pub fn judge(model: &Model, said: &mut Diagnostics) {
                     if !steps.is_empty() {
                         said.push(
                             lost(action.span, "the steps of a forcing order are lost")
-                                .note("its kind says already which situation it forces"),
+                                .note("its kind already says which situation it forces"),
                         );
                     }
                 }
@@ -111,9 +111,9 @@ pub fn judge(model: &Model, said: &mut Diagnostics) {
 fn judge_time(condition: &Condition, span: Span, said: &mut Diagnostics) {
     let (delay, reset) = (condition.delay.count != 0, condition.reset.count != 0);
     let unused = match condition.time {
-        TimeConditionType::None if delay || reset => "times are lost, for the kind of the condition is `none`",
-        TimeConditionType::Delayed if reset => "a `resetTime` is lost, for the condition is only delayed",
-        TimeConditionType::Limited if delay && reset => "a `delayTime` is lost, for the condition is only limited",
+        TimeConditionType::None if delay || reset => "times are lost, because the kind of the condition is `none`",
+        TimeConditionType::Delayed if reset => "a `resetTime` is lost, because the condition is only delayed",
+        TimeConditionType::Limited if delay && reset => "a `delayTime` is lost, because the condition is only limited",
         TimeConditionType::None
         | TimeConditionType::Dependent
         | TimeConditionType::Delayed

@@ -76,7 +76,10 @@ pub fn follow(model: &Model, limit: usize, said: &mut Diagnostics) -> Option<Ind
             steps.retain(|step| seen.insert(*step));
         }
         if around[id].before.is_empty() && around[id].behind.is_empty() {
-            said.push(lost(node.span, format!("the transition {} is lost, for no step is joined to it", node.id)));
+            said.push(lost(
+                node.span,
+                format!("the transition {} is lost, because no step is connected to it", node.id),
+            ));
         }
     }
     Some(around)
@@ -115,7 +118,7 @@ fn check_synchronization(model: &Model, span: Span, joined: &Joined, said: &mut 
     let transitions = has(&joined.from, End::Transition) == has(&joined.to, End::Step);
     if !(steps && transitions) || joined.from.is_empty() && joined.to.is_empty() {
         said.push(
-            lost(span, "arcs of a synchronisation are lost, for they do not join steps with transitions")
+            lost(span, "arcs of a synchronisation are lost, because they do not connect steps with transitions")
                 .note("steps and transitions alternate (IEC 60848, 4.4)"),
         );
     }

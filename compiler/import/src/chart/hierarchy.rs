@@ -47,7 +47,7 @@ pub fn find(model: &Model, said: &mut Diagnostics) -> Hierarchy {
                                 node.span,
                                 format!("the step {} encloses a grafcet that another encloses", node.id),
                             )
-                            .also(model.grafcets[grafcet].span, "which one, the grafcet itself says")
+                            .also(model.grafcets[grafcet].span, "the grafcet itself says which one")
                             .note("a grafcet is enclosed by one step"),
                         ),
                         None => {

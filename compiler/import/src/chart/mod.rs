@@ -93,7 +93,7 @@ pub fn write(
 
 fn too_long(document: &Document) -> Diagnostic {
     Diagnostic::new(Code::E0702, document.root_span(), "the chart would be many times longer than its file")
-        .note("a synchronisation with all transitions behind it, or an action with many steps, is written at each")
+        .note("a synchronisation with all transitions after it, or an action with many steps, is written at each")
         .help("join fewer steps by one synchronisation, or make intermediate steps")
 }
 

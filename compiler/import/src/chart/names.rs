@@ -274,10 +274,9 @@ impl Namer<'_> {
             let name = taken.take(&wanted);
             if name != wanted {
                 let message = format!("the variable `{wanted}` is called `{name}`");
-                self.said.push(
-                    doubtful(variable.span, message)
-                        .note("another has its name, perhaps in other case, or a step brings a variable called so"),
-                );
+                self.said.push(doubtful(variable.span, message).note(
+                    "another variable has its name, perhaps in another case, or a step defines a variable of this name",
+                ));
             } else if name != given {
                 self.said.push(changed(variable.span, format!("a variable is called `{name}` now")));
             }

@@ -91,8 +91,9 @@ pub fn judge(
         let keyword = match variable.kind {
             VariableKind::Input if assigned => {
                 said.push(
-                    doubtful(variable.span, format!("`{name}` is declared as an input, and actions set it"))
-                        .note("it is a `var` now; AGRAFE takes for an input what nobody declares as something else"),
+                    doubtful(variable.span, format!("`{name}` is declared as an input, and actions set it")).note(
+                        "it is a `var` now; in AGRAFE a variable is an input unless it is declared as something else",
+                    ),
                 );
                 "var"
             }
@@ -110,8 +111,11 @@ pub fn judge(
             }
             VariableKind::Step(None) => {
                 said.push(
-                    doubtful(variable.span, format!("`{name}` is the activity of a step, and does not say of which"))
-                        .help(format!("write the activity, such as `X1`, in place of `{name}`")),
+                    doubtful(
+                        variable.span,
+                        format!("`{name}` is the activity of a step, but does not say of which step"),
+                    )
+                    .help(format!("write the activity, such as `X1`, in place of `{name}`")),
                 );
                 "var"
             }

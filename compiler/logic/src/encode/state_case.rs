@@ -5,7 +5,7 @@ use crate::lower::situation::Holder;
 use crate::scan::{Arm, Origin, Statement, Told, VarId};
 use grafc_model::chart::StepId;
 
-/// The arms so far.
+/// A `CASE` under construction.
 #[derive(Default)]
 pub(crate) struct StateCase {
     arms: Vec<Arm>,

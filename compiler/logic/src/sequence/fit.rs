@@ -18,7 +18,7 @@ pub(super) fn check(analysis: &Analysis, profile: Profile, reasons: &mut Reasons
         let label = &net.places[s].label;
         reasons.add(
             net.transitions[t].span,
-            format!("may lead to step `{label}` while it is active: its actions begin anew"),
+            format!("may lead to step `{label}` while it is active: its actions start again"),
         );
     }
     evolution(analysis, profile, reasons);
@@ -44,7 +44,7 @@ fn transitions(net: &Net, reasons: &mut Reasons) {
             reasons.add(transition.span, "a sink transition");
         }
         if transition.pre.iter().any(|s| transition.post.contains(s)) {
-            reasons.add(transition.span, "leads back to a step that it leaves: its actions begin anew");
+            reasons.add(transition.span, "leads back to a step that it leaves: its actions start again");
         }
     }
 }

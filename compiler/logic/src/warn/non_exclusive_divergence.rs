@@ -18,7 +18,7 @@ use rustc_hash::FxHashMap;
 /// More transitions after one step are not shown.
 const SHOWN: usize = 4;
 
-/// Applies the rule: one warning a step.
+/// One warning per step.
 pub(super) fn check(analysis: &Analysis, diagnostics: &mut Diagnostics) {
     let net = analysis.net();
     let exit_of: FxHashMap<StepId, &str> = net.macro_steps.iter().map(|m| (m.exit, m.label.as_str())).collect();

@@ -9,7 +9,7 @@
 use crate::analysis::Analysis;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 
-/// Applies the rule: one warning a forced grafcet.
+/// One warning per forced grafcet.
 pub(super) fn check(analysis: &Analysis, diagnostics: &mut Diagnostics) {
     let net = analysis.net();
     for found in &analysis.together().orders {

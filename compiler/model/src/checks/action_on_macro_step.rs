@@ -10,13 +10,12 @@ use crate::chart::Node;
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     for part in resolved.parts.steps.iter().filter(|part| matches!(part.node, Node::Macro(_))) {
         if let Some(action) = part.ast.actions.first() {
             let label = &part.ast.label;
             diagnostics.push(
-                Diagnostic::new(Code::E0307, action.span, format!("the macro-step `{}` bears an action", label.text))
+                Diagnostic::new(Code::E0307, action.span, format!("the macro-step `{}` has an action", label.text))
                     .note("IEC 60848, table 10, symbol 42: a macro-step stands for its expansion")
                     .help("put the action on steps of the expansion"),
             );

@@ -11,7 +11,6 @@ use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
 use grafc_syntax::ast::StepMark;
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     for (id, step) in resolved.chart.steps.iter_enumerated().filter(|(_, step)| step.activated) {
         let grafcet = &resolved.parts.grafcets[step.grafcet];

@@ -19,7 +19,7 @@ use index_vec::{IndexVec, index_vec};
 /// More transitions of a circle are not shown.
 const SHOWN: usize = 8;
 
-/// Applies the rule: one warning a circle.
+/// One warning per circle.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     let counting = counting(chart);

@@ -15,7 +15,6 @@ use grafc_syntax::ast;
 /// More steps of one transition are not shown.
 const SHOWN: usize = 4;
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     for part in resolved.parts.transitions.iter().filter(|part| is_known(resolved, part.frame)) {
         let sides = part.ast.from.iter().map(|name| (name, false)).chain(part.ast.to.iter().map(|name| (name, true)));

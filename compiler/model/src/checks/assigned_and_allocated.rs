@@ -11,7 +11,6 @@ use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use index_vec::{IndexVec, index_vec};
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     let mut assigned: IndexVec<VariableId, Option<Span>> = index_vec![None; chart.variables.len()];

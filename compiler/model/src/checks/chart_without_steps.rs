@@ -8,7 +8,6 @@
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     if resolved.parts.steps.is_empty() {
         let span = resolved.parts.grafcets.first().map(|grafcet| grafcet.span).unwrap_or_default();

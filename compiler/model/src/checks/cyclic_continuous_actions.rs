@@ -18,7 +18,6 @@ const SHOWN: usize = 8;
 /// A wire that is read for another one, and where.
 type Read = (VariableId, Span);
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     let reads = reads(chart);
@@ -93,7 +92,7 @@ fn report(chart: &Tables, wire: VariableId, span: Span, circle: &[Read]) -> Diag
     }
     diagnostic
         .note("IEC 60848, 4.10.2: a continuous action gives a value that follows from situation and inputs at once")
-        .help("what is to be remembered is assigned by stored actions, `:= … on activation`")
+        .help("what has to be remembered is assigned by stored actions, `:= … on activation`")
 }
 
 #[cfg(test)]

@@ -9,18 +9,17 @@ use super::walk::first_edges;
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     let edges = first_edges(&chart.exprs);
     for action in &chart.continuous {
         if let Some(edge) = action.condition.and_then(|condition| edges[condition]) {
             let name = &chart.variables[action.target].name;
-            let message = format!("the condition of the continuous action on `{name}` holds an edge");
+            let message = format!("the condition of the continuous action on `{name}` contains an edge");
             diagnostics.push(
                 Diagnostic::new(Code::E0414, chart.exprs[edge].span, message)
                     .also(action.span, "the action")
-                    .note("IEC 60848, symbol 22: an assignment condition holds no edges, for it is to last")
+                    .note("IEC 60848, symbol 22: an assignment condition contains no edge, because it has to last")
                     .help(format!("a stored action follows an event: `{name} := 1 on event …`")),
             );
         }

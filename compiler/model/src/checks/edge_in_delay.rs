@@ -10,7 +10,6 @@ use crate::chart::ExprKind;
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let exprs = &resolved.chart.exprs;
     let edges = first_edges(exprs);

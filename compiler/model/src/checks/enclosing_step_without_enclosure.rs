@@ -12,7 +12,6 @@ use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
 use grafc_syntax::ast::StepMark;
 use index_vec::{IndexVec, index_vec};
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     let mut encloses: IndexVec<StepId, bool> = index_vec![false; chart.steps.len()];

@@ -17,7 +17,6 @@ use index_vec::{IndexVec, index_vec};
 
 const MEANING: &str = "IEC 60848, 7.4: while an enclosing step is active, a step in each of its enclosures is";
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     let is_enclosed = |grafcet: GrafcetId| chart.grafcets[grafcet].enclosing_step.is_some();

@@ -10,7 +10,6 @@ use crate::resolve::Resolved;
 use crate::resolve::scope::Label;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix, Span};
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     for (id, grafcet) in resolved.parts.grafcets.iter_enumerated() {
         let Some(grafcet) = grafcet.ast else { continue };

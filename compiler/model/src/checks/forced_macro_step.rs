@@ -12,7 +12,6 @@ use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use grafc_syntax::ast;
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     for action in resolved.parts.steps.iter().flat_map(|part| &part.ast.actions) {
         let ast::ActionKind::Force { situation: ast::Situation::Steps(names), .. } = &action.kind else { continue };

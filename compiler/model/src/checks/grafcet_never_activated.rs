@@ -14,7 +14,6 @@ use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use grafc_syntax::ast;
 use index_vec::{IndexVec, index_vec};
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     if chart.steps.is_empty() {

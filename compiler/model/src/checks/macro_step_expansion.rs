@@ -19,7 +19,6 @@ use index_vec::{IndexVec, index_vec};
 const ONE_OF_EACH: &str =
     "IEC 60848, table 10, symbol 42: the expansion of `M3` has exactly one entry step `E3` and one exit step `S3`";
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let mut expansions: IndexVec<MacroId, Option<ExpansionId>> = index_vec![None; resolved.chart.macro_steps.len()];
     for (expansion, part) in resolved.parts.expansions.iter_enumerated() {
@@ -48,7 +47,7 @@ fn check_macro_step(resolved: &Resolved, id: MacroId, is_expanded: bool, diagnos
         let diagnostic = Diagnostic::new(
             Code::E0306,
             label.span,
-            format!("the label of the macro-step `{}` is not `M` and something", label.text),
+            format!("the label of the macro-step `{}` is not `M` followed by something", label.text),
         );
         diagnostics.push(diagnostic.note(ONE_OF_EACH).help(format!("call it `M{}`", label.text)));
         return;
@@ -182,7 +181,7 @@ fn check_nesting(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                 Diagnostic::new(
                     Code::E0306,
                     macro_steps[id].span,
-                    format!("the macro-step `{label}` lies in its own expansion"),
+                    format!("the macro-step `{label}` is in its own expansion"),
                 )
                 .note("an expansion replaces its macro-step, and this would never end"),
             );

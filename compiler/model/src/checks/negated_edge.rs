@@ -11,7 +11,7 @@ use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use index_vec::IndexVec;
 
-/// Applies the rule: of negations around one edge, to the innermost.
+/// Of several negations around one edge, only the innermost is reported.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let exprs = &resolved.chart.exprs;
     // The first edge in each expression that no negation in it holds.

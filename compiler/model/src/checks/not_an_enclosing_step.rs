@@ -11,7 +11,6 @@ use crate::fixes::mark;
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     for grafcet in resolved.parts.grafcets.iter().filter_map(|part| part.ast) {
@@ -32,7 +31,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
             Some(Node::Macro(id)) => diagnostics.push(
                 diagnostic
                     .also(chart.macro_steps[id].span, "a macro-step")
-                    .note("a macro-step stands for its expansion; steps in that may enclose"),
+                    .note("a macro-step stands for its expansion; steps of the expansion may enclose grafcets"),
             ),
             Some(Node::Step(_)) | None => {}
         }

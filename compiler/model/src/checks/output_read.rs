@@ -12,7 +12,7 @@ use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use index_vec::{IndexVec, index_vec};
 
-/// Applies the rule: one warning an output.
+/// One warning per output.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     let mut said: IndexVec<VariableId, bool> = index_vec![false; chart.variables.len()];
@@ -26,7 +26,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
             diagnostics.push(
                 Diagnostic::new(Code::W0401, expr.span, format!("the output `{}` is read", variable.name))
                     .also(variable.span, "declared here")
-                    .note("its value is that of the situation at hand, also of a transient one, and not what was published"),
+                    .note("its value is that of the current situation, even if transient, and not the published one"),
             );
         }
     }

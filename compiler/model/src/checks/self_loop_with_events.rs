@@ -12,7 +12,7 @@ use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use index_vec::{IndexVec, index_vec};
 use rustc_hash::FxHashSet;
 
-/// Applies the rule: one warning a transition.
+/// One warning per transition.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     let sensitive = sensitive(chart);
@@ -43,7 +43,7 @@ fn sensitive(chart: &Tables) -> IndexVec<StepId, Option<(&'static str, Span)>> {
     let mut sensitive: IndexVec<StepId, Option<(&'static str, Span)>> = index_vec![None; chart.steps.len()];
     for action in &chart.stored {
         match action.event {
-            Event::Activation(step) => _ = sensitive[step].get_or_insert(("activate it anew", action.span)),
+            Event::Activation(step) => _ = sensitive[step].get_or_insert(("activate it again", action.span)),
             Event::Deactivation(step) => _ = sensitive[step].get_or_insert(("deactivate it", action.span)),
             Event::Event(..) | Event::Clearing(_) => {}
         }
@@ -59,7 +59,7 @@ fn sensitive(chart: &Tables) -> IndexVec<StepId, Option<(&'static str, Span)>> {
             None
         };
         if let Some(step) = timed {
-            sensitive[step].get_or_insert(("start its time anew", expr.span));
+            sensitive[step].get_or_insert(("restart its time", expr.span));
         }
     }
     sensitive

@@ -14,7 +14,6 @@ use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 /// More steps of one transition are not shown.
 const SHOWN: usize = 4;
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     let truths = truths(chart, Edges::Never);

@@ -11,7 +11,6 @@ use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use grafc_syntax::ast;
 use rustc_hash::FxHashMap;
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     for part in &resolved.parts.transitions {
         check_names(&part.ast.from, "precedes the transition", diagnostics);

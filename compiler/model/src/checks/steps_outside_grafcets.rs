@@ -12,7 +12,6 @@ use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 /// More places are not shown.
 const SHOWN: usize = 4;
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let Some((&first, others)) = resolved.parts.bare.split_first() else { return };
     let message = match others.len() {

@@ -16,7 +16,7 @@ use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use index_vec::{IndexVec, index_vec};
 
-/// Applies the rule: one warning a step.
+/// One warning per step.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     let truths = truths(chart, Edges::Sometimes);

@@ -9,7 +9,6 @@
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 
-/// Applies the rule.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     for transition in resolved.parts.transitions.iter().map(|part| part.ast) {
         if transition.from.is_empty() && transition.to.is_empty() {

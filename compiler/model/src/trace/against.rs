@@ -86,7 +86,7 @@ impl<'a> Comparison<'a> {
             if column == 0 && name != TIME {
                 self.say(Code::E0601, span, format!("the first column is `{name}`, not `{TIME}`"));
             } else if !seen.insert(name) {
-                self.say(Code::E0601, span, format!("column `{name}` stands twice"));
+                self.say(Code::E0601, span, format!("column `{name}` appears twice"));
             } else if column > 0 && role.is_none() {
                 self.say(Code::E0602, span, format!("the chart has no input or output `{name}`"));
             }

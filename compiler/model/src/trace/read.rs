@@ -118,7 +118,11 @@ impl Reader {
                 // A text is UTF-8 and rows may differ in length, which leaves nothing that we know of.
                 Err(error) => {
                     let place = Span::new(self.file, start + skipped, start + skipped);
-                    self.diagnostics.push(Diagnostic::new(Code::E0601, place, format!("the row is no CSV: {error}")));
+                    self.diagnostics.push(Diagnostic::new(
+                        Code::E0601,
+                        place,
+                        format!("the row is not valid CSV: {error}"),
+                    ));
                     return records;
                 }
             }
@@ -139,7 +143,7 @@ impl Reader {
                 }
                 Column::Time
             } else if let Some(earlier) = earlier {
-                let message = format!("column `{name}` stands twice");
+                let message = format!("column `{name}` appears twice");
                 self.diagnostics.push(Diagnostic::new(Code::E0601, span, message).also(earlier, "also here"));
                 Column::Unknown
             } else if let Some(&place) = places.get(name) {

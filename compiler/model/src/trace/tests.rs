@@ -98,7 +98,7 @@ fn every_fault_is_reported_at_its_cell() {
             fault("E0602", "A", "the chart has no input `A`"),
             fault("E0602", "U", "`U` is an output of the chart, not an input"),
             fault("E0602", "zz", "the chart has no input `zz`"),
-            fault("E0601", "a", "column `a` stands twice"),
+            fault("E0601", "a", "column `a` appears twice"),
             fault("E0603", "2", "`2` is not a value of `a`"),
             fault("E0603", "32768", "`32768` is not a value of `n`"),
             fault("E0603", "-1", "`-1` is not a time"),

@@ -58,7 +58,7 @@ impl Reader<'_> {
         if self.stack.is_empty() || (too_many && goes_on) {
             if !self.stray_reported && !self.is_near_bad(self.at) {
                 let span = self.builder.span(brace.start, brace.end);
-                self.fault(Diagnostic::new(Code::E0107, span, "expected an item, found a `}` that closes nothing"));
+                self.fault(Diagnostic::new(Code::E0107, span, "expected an item, found a `}` without its `{`"));
             }
             self.stray_reported = true;
         } else {

@@ -110,7 +110,7 @@ impl Transients {
             Some(longest) if self.chain.is_empty() => (format!("ends after at most {longest} micro-steps"), &[][..]),
             Some(longest) => (format!("ends after at most {longest} micro-steps, as after"), self.chain.as_slice()),
             None if self.cycle.is_empty() => ("no bound is known".to_owned(), &[][..]),
-            None => ("no bound is known: in a circle may clear".to_owned(), self.cycle.as_slice()),
+            None => ("no bound is known: these may clear in a circle:".to_owned(), self.cycle.as_slice()),
         };
         // An arrow is not broken between two lines.
         let mut words: Vec<String> = text.split(' ').map(str::to_owned).collect();

@@ -139,7 +139,7 @@ impl Work<'_, '_, '_> {
                                 let diagnostic = diagnostic.help("a time has a unit, as in `3s` or `500ms`");
                                 self.with_unit(diagnostic, node)
                             }
-                            Type::Bool => diagnostic.note("of the numbers only `0` and `1` are Boolean constants"),
+                            Type::Bool => diagnostic.note("only the numbers `0` and `1` are Boolean constants"),
                             Type::Int | Type::Dint | Type::Uint | Type::Udint => {
                                 diagnostic.note("a fraction has no place in a whole number")
                             }
@@ -233,7 +233,7 @@ impl Work<'_, '_, '_> {
             ExprKind::Integer(number) if self.context.scope.node(&number.to_string()).is_some() => diagnostic
                 .help(format!("the activity of step `{number}` is written `X{number}`"))
                 .fix(name_instead(written.span, &format!("X{number}"))),
-            _ => diagnostic.note("of the numbers only `0` and `1` are Boolean constants"),
+            _ => diagnostic.note("only the numbers `0` and `1` are Boolean constants"),
         }
     }
 }
