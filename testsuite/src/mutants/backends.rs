@@ -6,7 +6,6 @@ const ST: At = At::anywhere(Part::StructuredText);
 const AWL: At = At::anywhere(Part::StatementList);
 const RUST: At = At::anywhere(Part::Rust);
 const SHARED: At = At::anywhere(Part::Shared);
-const COMPILER: At = At::anywhere(Part::Compiler);
 
 pub(super) const FAULTS: &[Fault] = &[
     Fault {
@@ -53,10 +52,10 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "st-durations-stop",
-        at: COMPILER,
+        at: ST,
         breaks: "the duration of a step stops after a second (X5)",
-        text: "i32::MAX as i64",
-        instead: "1000",
+        text: "self.program.timers[timer].given_preset()",
+        instead: "self.program.timers[timer].preset.unwrap_or(grafc_logic::scan::Preset { ms: 1000, constant: None })",
     },
     Fault {
         name: "st-otherwise-lost",
