@@ -4,7 +4,7 @@ use crate::comment::wrap;
 use crate::lines::{Lines, Trace};
 use grafc_logic::scan::Origin;
 
-/// No line of ours is longer, if it can be broken at all, save where the indentation leaves too little.
+/// No line of ours is longer, if it can be broken at all, except where the indentation leaves too little.
 const WIDTH: usize = 100;
 /// So much room is left behind any indentation: states nest as deep as enclosures do.
 const LEAST_ROOM: usize = 60;

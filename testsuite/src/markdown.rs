@@ -9,7 +9,7 @@
 //! | `gct,file=NAME`, `csv,file=NAME`, `rust,file=NAME` | is also a file for the commands of the page |
 //! | `console` | commands after `$ `, each with what it prints; `…` stands for anything |
 //! | `console,exit=1` | the commands end with this code |
-//! | `iecst,excerpt=NAME` | all such blocks of a page together are the file that a command wrote, but for empty lines |
+//! | `iecst,excerpt=NAME` | all such blocks of a page together are the file that a command wrote, apart from empty lines |
 //! | `iecst,part=NAME` | stands in the file that a command wrote, perhaps indented |
 
 use std::path::{Path, PathBuf};

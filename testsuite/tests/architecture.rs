@@ -70,7 +70,7 @@ fn the_picture_is_that_of_its_source() {
     let picture = read("docs/pictures/architecture.svg").replace("&#45;", "-").replace("&#39;", "'");
     let labels = source.lines().filter_map(|line| line.split("label=\"").nth(1)?.split('"').next());
     for line in labels.flat_map(|label| label.split("\\n")).map(str::trim) {
-        assert!(picture.contains(line), "the picture lacks `{line}`: make it anew, as the source says");
+        assert!(picture.contains(line), "the picture lacks `{line}`: make it again, as the source says");
     }
     for name in read("Cargo.toml").lines().filter_map(|line| line.trim().strip_prefix("\"")?.split('"').next()) {
         let is_part = !name.contains("examples") && name != "testsuite" && !name.contains("fuzz");

@@ -208,7 +208,7 @@ fn the_organization_block_wires_addresses() {
     assert_eq!(outputs, [vec![0; 8], vec![0; 8], on, off]);
 }
 
-/// `RESTART` puts the chart back into its initial situation, and a delay begins anew.
+/// `RESTART` puts the chart back into its initial situation, and a delay starts again.
 #[test]
 fn a_restart_begins_anew() {
     let Some(tools) = Tools::find_or_skip() else { return };

@@ -42,7 +42,7 @@ fn faults(text: &str) -> Vec<String> {
     let said = import(text, AS_IT_IS).expect_err("it has errors");
     assert!(
         said.iter().all(|d| d.help.is_some() || d.code.as_str().starts_with('W')),
-        "an error without cure: {said:?}"
+        "an error without help: {said:?}"
     );
     lines(text, &said)
 }

@@ -1,4 +1,4 @@
-//! The library: a document that is asked again and again says what a compile says that begins anew.
+//! The library: a document that is asked again and again says what a fresh compile says.
 
 use fastrand::Rng;
 use grafc::backends::{plcopen, st};
@@ -62,7 +62,7 @@ fn a_document_makes_what_a_compile_makes() {
     assert!(made > cases.len() * Encoding::ALL.len() && refused > 0, "{made} made, {refused} refused");
 }
 
-/// Pieces that break a chart, mend it, or change what it means.
+/// Pieces that break a chart, repair it, or change what it means.
 const PIECES: [&str; 12] =
     ["", " ", "\n", "{", "}", "step 90\n", "transition 1 -> 1 : ", "a", "ä", "and not ", "// ", "output z : bool\n"];
 

@@ -43,7 +43,7 @@ fn random_run(seed: u64) -> Run {
     Run { name: format!("seed {seed}\n{}", drawn.text), chart: drawn.chart, profile: profile(seed), stimuli, expected }
 }
 
-/// All runs are as expected, but for a tenth that may be passed over.
+/// All runs are as expected, except a tenth that may be passed over.
 fn agree(name: &str, runs: &[Run]) {
     let Some(executor) = find_or_skip(name) else { return };
     let tasks: Vec<Task> = runs.iter().enumerate().map(|(turn, run)| run.task(turn)).collect();

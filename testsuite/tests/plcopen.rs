@@ -199,7 +199,7 @@ fn every_rule_catches_a_document_that_breaks_it() {
     let ladders = BROKEN_LADDERS.iter().map(|(rule, from, to)| (rule, Dialect::Neutral, LADDER, from, to));
     for (rule, dialect, text, from, to) in drawn.chain(ladders) {
         assert!(text.contains(from), "{rule:?}: nothing to break: {from}");
-        // Every edit is made in one place, so that it breaks no more than it must.
+        // Every edit is made in one place, so that it breaks only what it must.
         let found = lint(&text.replacen(from, to, 1), dialect);
         if !found.iter().any(|finding| finding.rule == *rule) {
             faults.push(format!("{rule:?} does not see {to}: {found:?}"));

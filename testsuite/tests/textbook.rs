@@ -208,7 +208,7 @@ fn s_triggers_set_what_is_set_and_reset() {
     }
 }
 
-/// No more than the book's own programs, and `docs/statistics.md` says the same.
+/// At most as many as the book's own programs, and `docs/statistics.md` says the same.
 #[test]
 fn the_figures_of_the_book() {
     let page = std::fs::read_to_string(root().join("docs/statistics.md")).expect("the page");

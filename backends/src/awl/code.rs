@@ -11,7 +11,7 @@ const REMARKS: usize = 40;
 const LONGEST_TITLE: usize = 64;
 /// So many labels begin with one letter.
 const LABELS_A_LETTER: u32 = 1000;
-/// What labels begin with, in this order: letters that no address begins with but for the first, which is the custom.
+/// What labels begin with, in this order: letters that no address begins with, except the first, which is the custom.
 /// What comes after the last letter does not fit into a block.
 const LETTERS: &[u8; 13] = b"MNJKWXYHGVROS";
 

@@ -8,7 +8,7 @@
 //!
 //! After a bare `O` the chain is not one value until it ends, so it stands only where it ends at once: before `=`, `S`,
 //! `R`, a jump, or a closing parenthesis (an *end*). What would need more than seven open parentheses goes through a
-//! variable first. Operands may come in any order, for none has an effect. Recursion is as deep as a formula, which
+//! variable first. Operands may come in any order, since none has an effect. Recursion is as deep as a formula, which
 //! [`crate::limits`] bounds.
 
 use super::code::Code;

@@ -9,14 +9,14 @@
 //! variable first (`conditions`). Numbers are computed at 16 or 32 bits (`numbers`); `uint` is a WORD and `udint` a DWORD.
 //! There is no double precision, and a time has 32 bits: what does not fit is an error (`fit`).
 //!
-//! Time comes from outside, as the input `NOW`, and is reckoned with 32 bits (`timers`). S5 timers are few, numbered by
+//! Time comes from outside, as the input `NOW`, and is computed with 32 bits (`timers`). S5 timers are few, numbered by
 //! hand, coarse, and run on within a cycle; SFB 4 reads the clock at each call, so that two micro-steps of one call would
 //! not see the same time, and is not in every CPU. A difference of `NOW` is right for the clock of SFC 64, which wraps
 //! around after 31 bits, as well as for one of 32.
 //!
 //! Data blocks keep their values when the power fails. The input `RESTART` puts them back to the start (`restart`).
 //!
-//! Jumps lead forward, but for that of the stability loop.
+//! Jumps lead forward, except that of the stability loop.
 
 mod blocks;
 mod code;

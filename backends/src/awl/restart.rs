@@ -1,8 +1,8 @@
 //! The input `RESTART`: everything that keeps its value from call to call is as before the first call.
 //!
 //! An instance data block is retentive unless the CPU is told otherwise, so that a chart would go on after a power failure
-//! where it stood, on a clock that has begun anew. `OB 1` gives a true `RESTART` in its first cycle; a chart that shall go
-//! on is called without. The block's own clock goes on in any case: no timer runs that would notice.
+//! where it stood, on a clock that has started again. `OB 1` gives a true `RESTART` in its first cycle; a chart that is
+//! to go on is called without. The block's own clock goes on in any case: no timer runs that would notice.
 
 use super::code::Code;
 use super::numbers::literal;

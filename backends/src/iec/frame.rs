@@ -92,7 +92,7 @@ fn address(variable: &Variable) -> Option<String> {
     digits.split('.').all(is_number).then_some(address)
 }
 
-/// A variable at its address; an input has no initial value, for it is read before each call.
+/// A variable at its address; an input has no initial value, since it is read before each call.
 fn located_entry(id: VarId, variable: &Variable, names: &Names, address: String) -> Entry {
     let mut entry = entry(id, variable, names);
     entry.address = Some(address);

@@ -28,7 +28,7 @@ pub(crate) fn initial(value: Value, ty: Type) -> String {
     }
 }
 
-/// A constant in a formula. `0.1` alone is of the type LREAL in CODESYS, TwinCAT and MATIEC, which then reckon in
+/// A constant in a formula. `0.1` alone is of the type LREAL in CODESYS, TwinCAT and MATIEC, which then compute in
 /// double precision, so that a constant of the type REAL says what it is. A sign stands before the type: STruC++ knows
 /// no other place for it.
 pub(crate) fn literal(value: Value, ty: Type) -> String {

@@ -4,14 +4,14 @@
 //! (`expressions`). It writes C code that does not compile where a function block is called with literals, and where
 //! a value is loaded that nothing reads: inputs of timers are stored one by one before `CAL`, and no instruction is out
 //! of reach. Words of the language cannot be names, so a name such as `S` or `IN` is changed here while it stays in
-//! Structured Text. It takes `S` and `R` or refuses them as chance will have it, since it asks a pointer that nothing has
+//! Structured Text. It takes or refuses `S` and `R` unpredictably, since it asks a pointer that nothing has
 //! set (2024): so there are none. After `JMPCN` the accumulator is true, and `ST` and `STN` write `TRUE` and `FALSE`.
 //!
 //! MATIEC takes a body for Structured Text or for instructions by what comes first: a semicolon, or the end of the body or
 //! what begins like one. It holds in its buffer what it has to read for that, and gives up on bodies of some 60 kB: a long
 //! body therefore begins with a label that has such a beginning in it.
 //!
-//! Jumps lead forward, but for that of the stability loop.
+//! Jumps lead forward, except that of the stability loop.
 
 mod code;
 mod expressions;

@@ -100,7 +100,7 @@ impl Chart<'_> {
         }
     }
 
-    /// A variable's value before the first scan: of a state any, for nothing reads it before the first scan sets it.
+    /// A variable's value before the first scan: of a state any, since nothing reads it before the first scan sets it.
     fn initial(&self, id: VarId) -> String {
         match self.places.state(id) {
             Some(state) => format!("{}::{}", state.ty, state.variants.first().map_or("", |(_, name)| name)),

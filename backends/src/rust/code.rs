@@ -21,7 +21,7 @@ impl Needs {
         all.into_iter().filter_map(|(needed, one)| needed.then_some(one))
     }
 
-    /// And what something else needs, but for the names of steps: each function names those that it uses.
+    /// And what something else needs, except the names of steps: each function names those that it uses.
     pub fn and(&mut self, other: Needs) {
         self.inputs |= other.inputs;
         self.now |= other.now;

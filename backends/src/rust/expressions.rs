@@ -95,7 +95,7 @@ impl<'p> Expressions<'p> {
     }
 
     /// Writes a formula from a column of the current line on, a term a line if it would not fit with `tail` more columns.
-    /// The lines are one level `deeper`, save where the formula is the first term of another that is broken.
+    /// The lines are one level `deeper`, except where the formula is the first term of another that is broken.
     fn broken(&self, out: &mut Writer, id: FormulaId, column: usize, tail: usize, deeper: bool) {
         let fits = (out.indent() + column + tail).saturating_add(self.width(id)) <= WIDTH;
         let shape = self.formulas.notation.shape(id);

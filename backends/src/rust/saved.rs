@@ -30,7 +30,7 @@ struct Saved<'p> {
 }
 
 impl Saved<'_> {
-    /// Everything that keeps its value, but for the packed situation and the timers.
+    /// Everything that keeps its value, except the packed situation and the timers.
     fn variables(&self) -> Vec<VarId> {
         let mut list: Vec<VarId> =
             memory::fields(self.program, self.places).into_iter().flat_map(|(_, group)| group).collect();

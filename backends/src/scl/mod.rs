@@ -2,7 +2,7 @@
 //! data block of it.
 //!
 //! The statements are those of the Structured Text. What differs: a block's name stands in quotes, each of its own
-//! variables bears a `#`, timers are `TON_TIME` and say which instruction they are, comments go to the end of the line,
+//! variables has a `#`, timers are `TON_TIME` and say which instruction they are, comments go to the end of the line,
 //! and the file is ASCII. There are no programs and no addresses: an organisation block calls the instance.
 
 pub(crate) mod target;

@@ -26,9 +26,9 @@ pub struct Diagnostic {
     pub secondary: Vec<Label>,
     /// Reasons: a clause of the standard, what was expected.
     pub notes: Vec<String>,
-    /// A cure, only if it is sure to help.
+    /// How to correct it, only if that is sure to help.
     pub help: Option<String>,
-    /// The same as changes of the text, where it is one; each is a cure by itself.
+    /// The same as changes of the text, where it is one; each is a correction by itself.
     pub fixes: Vec<Fix>,
 }
 
@@ -64,13 +64,13 @@ impl Diagnostic {
         self
     }
 
-    /// Adds a cure.
+    /// Adds a hint how to correct it.
     pub fn help(mut self, text: impl Into<String>) -> Self {
         self.help = Some(text.into());
         self
     }
 
-    /// Adds a change of the text that does what the cure says.
+    /// Adds a change of the text that does what the hint says.
     pub fn fix(mut self, fix: Fix) -> Self {
         self.fixes.push(fix);
         self

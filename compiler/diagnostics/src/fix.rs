@@ -1,7 +1,7 @@
-//! Cures as data: changes of the text that a program can make for the author.
+//! Corrections as data: changes of the text that a program can make for the author.
 //!
-//! What `help` says in words, a fix does, where that is a change of the text. A message may have several; each is a cure
-//! by itself.
+//! What `help` says in words, a fix does, where that is a change of the text. A message may have several; each is a
+//! correction by itself.
 
 use crate::{FileId, Span};
 use std::fmt;
@@ -20,11 +20,11 @@ pub struct Edit {
 pub enum Applicability {
     /// The text can have meant nothing else: another spelling of the same.
     Certain,
-    /// It is a guess, or one cure of several.
+    /// It is a guess, or one correction of several.
     Maybe,
 }
 
-/// A cure: edits that belong together.
+/// A correction: edits that belong together.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Fix {
     /// What it does, as a menu calls it: "replace `valev` by `valve`".
@@ -36,12 +36,12 @@ pub struct Fix {
 }
 
 impl Fix {
-    /// A cure that is only another spelling; it has no edits yet.
+    /// A correction that is only another spelling; it has no edits yet.
     pub fn certain(title: impl Into<String>) -> Self {
         Fix { title: title.into(), edits: Vec::new(), applicability: Applicability::Certain }
     }
 
-    /// A cure that the author has to choose; it has no edits yet.
+    /// A correction that the author has to choose; it has no edits yet.
     pub fn maybe(title: impl Into<String>) -> Self {
         Fix { title: title.into(), edits: Vec::new(), applicability: Applicability::Maybe }
     }

@@ -108,7 +108,7 @@ fn errors_are_said_as_the_command_line_says_them() {
         let expected = place.run(&[chart, "--target", "rust"]);
         assert!(expected.err.contains("error"), "{}", expected.err);
         assert_eq!((run.code, run.err.as_str()), (expected.code, expected.err.as_str()), "{chart}");
-        // Cargo shall run the script again once the chart is right.
+        // Cargo has to run the script again once the chart is right.
         assert_eq!(directives(&run), [format!("cargo::rerun-if-changed={chart}")]);
     }
     let both = script(&place, "valve.gct");

@@ -56,7 +56,7 @@ pub enum Formula {
     /// Never nested in another `Arithmetic`, `Negate` or `Compare`, save through a variable of its type: the statement
     /// that stores it wraps it around. Divides only by a constant other than 0 and -1: see `Statement::Divide`.
     Arithmetic(Arithmetic, FormulaId, FormulaId),
-    /// Arithmetic negation; nested no more than `Arithmetic` is.
+    /// Arithmetic negation; nested at most as deep as `Arithmetic` is.
     Negate(FormulaId),
     /// A conversion without loss to the type.
     Widen(FormulaId),
@@ -436,7 +436,7 @@ impl Pool {
         new[&root]
     }
 
-    /// Only the formulas below the roots, with the variables numbered anew; and the new id of each, which means something
+    /// Only the formulas below the roots, with the variables renumbered; and the new id of each, which means something
     /// for those that are kept.
     pub fn compacted(
         &self,

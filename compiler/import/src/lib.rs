@@ -53,7 +53,7 @@ const GROWTH: usize = 4;
 /// What small files may have beyond that.
 const SMALL: usize = 64 * 1024;
 
-/// The report: something is another than in the file, and means the same.
+/// The report: something differs from the file but means the same.
 fn changed(span: Span, message: impl Into<String>) -> Diagnostic {
     Diagnostic::new(Code::W0701, span, message)
 }

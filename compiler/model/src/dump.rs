@@ -268,7 +268,7 @@ enum Piece {
     Expr(ExprId),
 }
 
-/// Whether an operand has to be held together: where two operators meet, save in a chain of one that is associative.
+/// Whether an operand needs parentheses: where two operators meet, except in a chain of one that is associative.
 fn needs_parentheses(exprs: &IndexVec<ExprId, Expr>, parent: ExprId, operand: ExprId, place: usize) -> bool {
     let (parent, operand) = (&exprs[parent].kind, &exprs[operand].kind);
     match operand {

@@ -124,7 +124,7 @@ fn forcing() {
     assert_eq!(levels, [0, 1, 2]);
 }
 
-/// An enclosing step that is active from the start and never left: its enclosure bears a link all the same.
+/// An enclosing step that is active from the start and never left: its enclosure has a link all the same.
 #[test]
 fn an_enclosure_that_runs_empty() {
     chart_with(

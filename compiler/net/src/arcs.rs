@@ -56,12 +56,12 @@ impl Arcs {
         self.leaving.of(step)
     }
 
-    /// Transitions that lead to a step, but for its loops.
+    /// Transitions that lead to a step, except its loops.
     pub fn into_step(&self, step: StepId) -> &[TransitionId] {
         self.into.of(step)
     }
 
-    /// Transitions that a step comes before, but for its loops.
+    /// Transitions that a step comes before, except its loops.
     pub fn out_of_step(&self, step: StepId) -> &[TransitionId] {
         self.out_of.of(step)
     }

@@ -90,7 +90,7 @@ pub struct Place {
     pub grafcet: GrafcetId,
     /// In the initial situation.
     pub initial: bool,
-    /// Bears an activation link: activated together with the step that encloses it.
+    /// Has an activation link: activated together with the step that encloses it.
     pub activated: bool,
     /// The place that must be active for this one to be, once enclosures are flattened.
     pub within: Option<StepId>,

@@ -5,10 +5,10 @@
 //! ```
 //!
 //! Functions of their arguments alone: nothing is read, written or printed. A stage reports all it finds; after a
-//! stage that found an error, no other begins, save that a text with syntax errors is checked as far as it was read.
+//! stage that found an error, no other begins, except that a text with syntax errors is checked as far as it was read.
 //! What lies between two stages can be had as text.
 //!
-//! Here each stage is run once, and what it was made of is dropped as soon as may be. Who asks again and again about a
+//! Here each stage is run once, and what it was made of is dropped as soon as possible. To ask again and again about a
 //! text that changes takes a [`Document`](crate::Document).
 
 use crate::options::{Options, Product};

@@ -31,7 +31,8 @@ pub fn guard<T>(run: impl FnOnce() -> T) -> Result<T, String> {
     })
 }
 
-/// The message to print of a panic that somebody else caught. Where it came from, the hook of the process has said.
+/// The message to print of a panic that somebody else caught. The hook of the process has already told where it came
+/// from.
 pub fn of_panic(payload: &(dyn Any + Send)) -> String {
     message(&text_of(payload))
 }

@@ -18,7 +18,7 @@ pub fn write(path: &Path, text: &str) -> Result<(), Refusal> {
     write_file(path, text).map_err(|error| Refusal::to_write(path.display().to_string(), error))
 }
 
-/// Prints to standard output. Whoever closed it early has read enough.
+/// Prints to standard output. If it was closed early, the reader has seen enough.
 pub fn print(text: &str) -> Result<(), Refusal> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {

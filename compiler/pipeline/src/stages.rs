@@ -22,7 +22,7 @@ pub fn parse(file: FileId, text: &str, said: &mut Diagnostics) -> ast::Chart {
 pub fn check(tree: &ast::Chart, default_name: &str, said: &mut Diagnostics) -> Option<Chart> {
     let (chart, found) = grafc_model::check(tree, default_name);
     said.append(found);
-    // The author shall see all faults at once, in the order of the text.
+    // The author sees all faults at once, in the order of the text.
     said.sort_by_place();
     chart.filter(|_| !said.has_errors())
 }

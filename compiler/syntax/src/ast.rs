@@ -202,7 +202,7 @@ impl Step {
         self.word(StepMark::Initial).is_some()
     }
 
-    /// `activated`: the step bears an activation link (symbol 41).
+    /// `activated`: the step has an activation link (symbol 41).
     pub fn is_activated(&self) -> bool {
         self.word(StepMark::Activated).is_some()
     }

@@ -17,7 +17,7 @@ pub(crate) enum Parsed {
     Item(Item),
 }
 
-/// What is under construction, and the faults found on the way.
+/// What is under construction, and the faults found so far.
 pub(crate) struct Builder<'text> {
     pub(crate) file: FileId,
     pub(crate) text: &'text str,

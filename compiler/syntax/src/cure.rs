@@ -1,4 +1,4 @@
-//! Cures for slips that other languages suggest.
+//! Help for mistakes that other languages suggest.
 
 use crate::expected::contains;
 use crate::token::{Lexeme, Token, begins_item};
@@ -35,7 +35,7 @@ impl Cure {
     }
 }
 
-/// The cure for a slip, if one is known.
+/// The help for a mistake, if there is one.
 pub(crate) fn of(slip: &Slip) -> Option<Cure> {
     let has = |terminal: &str| contains(slip.expected, terminal);
     // Whatever has been reduced, behind an operand `+` is possible; in arithmetic `-` is then possible as well.
@@ -131,7 +131,7 @@ pub(crate) fn of(slip: &Slip) -> Option<Cure> {
     })
 }
 
-/// `C = 3` in brackets, where it is no more than that.
+/// `C = 3` in brackets, where it is just that.
 fn in_brackets(slip: &Slip) -> Option<Fix> {
     let operand = |lexeme: &Lexeme| {
         matches!(lexeme.token, Token::Name | Token::Whole | Token::Integer | Token::Real | Token::Duration)

@@ -213,7 +213,7 @@ fn is_quote(run: &str) -> bool {
     matches!(run, "“" | "”" | "„" | "«" | "»" | "'" | "‘" | "’")
 }
 
-/// The change that a cure asks for. Quotation marks are changed two by two.
+/// The change that a hint asks for. Quotation marks are changed two by two.
 fn fix(file: FileId, text: &str, run: Range<usize>, instead: &str) -> Option<Fix> {
     let whole = |range: Range<usize>| Span::new(file, range.start, range.end);
     if !is_quote(&text[run.clone()]) {

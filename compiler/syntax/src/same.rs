@@ -1,4 +1,4 @@
-//! Whether two trees are the same but for their places.
+//! Whether two trees are the same, apart from their places.
 //!
 //! The parser fills the arena in the order of the text, so the arenas of two texts with the same meaning are equal
 //! element by element, and nothing needs to be walked in depth.

@@ -1,4 +1,4 @@
-//! The parser's tables that are kept are those of the grammar. `UPDATE_EXPECT=1` makes them anew.
+//! The parser's tables that are kept are those of the grammar. `UPDATE_EXPECT=1` makes them again.
 
 use std::path::Path;
 

@@ -139,7 +139,7 @@ fn tried(options: &Options) -> Result<bool, String> {
     }
     let noticed = faults.len() - unnoticed.len() - undecided.len();
     println!("{noticed} of {} noticed, in {} s", faults.len(), start.elapsed().as_secs());
-    for (heading, list) in [("not noticed", &unnoticed), ("undecided, for want of a tool", &undecided)] {
+    for (heading, list) in [("not noticed", &unnoticed), ("undecided, because a tool is missing", &undecided)] {
         if !list.is_empty() {
             println!("{} {heading}:\n  {}", list.len(), list.join("\n  "));
         }

@@ -1,7 +1,7 @@
 //! The long run: random charts through many executors, on all processors.
 //!
 //! Charts are taken in blocks of consecutive seeds, which threads share among themselves. What comes out does not
-//! depend on who took which block, save the times.
+//! depend on who took which block, except the times.
 
 use super::coverage::Coverage;
 use crate::executors::{Executor, Outcome, Simulator, Task};

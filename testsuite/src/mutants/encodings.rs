@@ -176,7 +176,7 @@ pub(super) const FAULTS: &[Fault] = &[
     Fault {
         name: "dormant-timers-run-on",
         at: COMPILER,
-        breaks: "the timers of a step that has been left start anew when it is entered again (X5)",
+        breaks: "the timers of a step that has been left start again when it is entered again (X5)",
         text: "(pool.truth(true), pool.truth(false))",
         instead: "(pool.truth(true), pool.truth(true))",
     },

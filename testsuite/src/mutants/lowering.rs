@@ -29,7 +29,7 @@ pub(super) const FAULTS: &[Fault] = &[
     Fault {
         name: "off-delay-never-ends",
         at: COMPILER.within("run_delay"),
-        breaks: "an off-delay holds for ever (X6)",
+        breaks: "an off-delay holds forever (X6)",
         text: "self.pool.and([still, not_over])",
         instead: "still",
     },
@@ -92,7 +92,7 @@ pub(super) const FAULTS: &[Fault] = &[
     Fault {
         name: "input-event-with-the-start",
         at: COMPILER,
-        breaks: "inputs are compared with those of the first call for ever (R7)",
+        breaks: "inputs are compared with those of the first call forever (R7)",
         text: "statements.extend(self.remember(lowering));",
         instead: "",
     },

@@ -148,14 +148,14 @@ pub(super) const FAULTS: &[Fault] = &[
     Fault {
         name: "transient-in-the-same-micro-step",
         at: COMPILER,
-        breaks: "what a change brings about in the next micro-step is taken to be in the same (R8)",
+        breaks: "what a change causes in the next micro-step is taken to be in the same (R8)",
         text: "time + u32::from(*edge.weight())",
         instead: "time + 0 * u32::from(*edge.weight())",
     },
     Fault {
         name: "transient-no-circles",
         at: COMPILER,
-        breaks: "changes that bring each other about for ever are taken to end (R9)",
+        breaks: "changes that cause each other endlessly are taken to end (R9)",
         text: "cyclic && reached",
         instead: "cyclic && !reached",
     },

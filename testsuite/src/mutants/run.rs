@@ -88,7 +88,7 @@ pub fn patience(without_fault: Duration) -> Duration {
     PATIENCE.0 + without_fault * PATIENCE.1
 }
 
-/// Stops a test program, and with it the programs that it has started: an endless one would go on for ever.
+/// Stops a test program, and with it the programs that it has started: an endless one would never stop.
 fn stop(child: &mut Child) -> io::Result<()> {
     if cfg!(unix) {
         // The group has the number of its first process. Without the command `kill` the others stay.

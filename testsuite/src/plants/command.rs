@@ -25,7 +25,7 @@ pub struct Arguments {
 /// Says of each chart what came of it. The exit code is 1 if there was a fault.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     let executors = executors::select(&arguments.executors)?;
-    // Whoever asks for one by its name has heard of it already.
+    // Who asks for one by its name knows of it already.
     for executor in executors::all() {
         let broad = arguments.executors.split(',').any(|name| name.trim() == "all");
         if let Some(missing) = executor.missing().filter(|_| broad) {

@@ -92,7 +92,7 @@ rules! {
     CodesysPlaces;
     /// A condition is wired from the expression right before its transition.
     CodesysCondition;
-    /// Pins bear the names that the tool gives them.
+    /// Pins have the names that the tool gives them.
     CodesysPins;
     /// Divergences are closed by convergences of their kind and width, from the inside out.
     CodesysNesting;
@@ -100,7 +100,7 @@ rules! {
     CodesysFlow;
     /// Actions have the attributes and the qualifiers that the tool knows.
     CodesysAction;
-    /// Steps, transitions, divergences, jumps and actions bear their data.
+    /// Steps, transitions, divergences, jumps and actions have their data.
     CodesysData;
 }
 

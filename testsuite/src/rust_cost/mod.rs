@@ -31,7 +31,7 @@ pub const BASE: usize = 100;
 pub struct Job {
     /// The charts.
     pub rings: Vec<Rings>,
-    /// What grafc shall write for each.
+    /// What grafc is asked to write for each.
     pub encodings: Vec<Encoding>,
     /// In which profiles.
     pub evolutions: Vec<Evolution>,

@@ -38,7 +38,7 @@ pub fn explore(chart: &Chart, initial_actions: bool, patience: usize) -> Needs {
             let micro_steps = needs.reaction(&mut simulator, &stimulus, since.is_none());
             if micro_steps < ENDLESS {
                 let reached = simulator.state();
-                // Twice, for memories that are not looked at may differ.
+                // Twice, since memories that are not looked at may differ.
                 let times = met.entry(format!("{:?}{:?}", reached.situation(), reached.variables())).or_default();
                 *times += 1;
                 if *times <= 2 {

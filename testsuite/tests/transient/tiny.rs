@@ -1,4 +1,4 @@
-//! Tiny charts, drawn at random, that are rich in what lets one micro-step bring about another: activities, variables
+//! Tiny charts, drawn at random, that are rich in what lets one micro-step cause another: activities, variables
 //! and wires in conditions, edges and delays of them, orders, enclosures, actions on clearing, several tokens.
 
 use fastrand::Rng;

@@ -96,7 +96,7 @@ impl Ladder<'_> {
     }
 
     /// The coils of a body that only sets and resets, if they can share the rung of its condition: Beremiz looks at the
-    /// condition anew for each coil, so what is in it can only be written by the last.
+    /// condition again for each coil, so what is in it can only be written by the last.
     fn constants(&self, condition: FormulaId, body: &[Statement]) -> Option<Vec<Coil>> {
         let (mut coils, mut last) = (Vec::new(), None);
         let mut targets = FxHashSet::default();

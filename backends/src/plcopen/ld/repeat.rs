@@ -13,8 +13,8 @@
 //!
 //! What a call does once before its micro-steps is behind a contact `/further`; but timers are called there in each
 //! micro-step, as they were at the end of the one before, which makes no difference. Outputs are computed after each
-//! micro-step, which makes no difference, since nothing reads them and the last one is what remains; save where a division
-//! may raise DIV0, which only the last may do.
+//! micro-step, which makes no difference, since nothing reads them and the last one is what remains; except where a
+//! division may raise DIV0, which only the last may do.
 
 use super::circuit::Ladder;
 use super::local;

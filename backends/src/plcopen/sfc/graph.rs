@@ -1,8 +1,8 @@
 //! Steps, transitions and jumps in layers, arcs leading down.
 //!
 //! An arc that closes a circle, as a search from the initial steps meets it, becomes a jump; so does one into a step
-//! that other arcs lead to, if it comes from a fork, for only transitions can be joined there. A layer is one more than
-//! the longest way to it, so arcs may span several; each layer between holds a joint that keeps a column free.
+//! that other arcs lead to, if it comes from a fork, since only transitions can be joined there. A layer is one more
+//! than the longest way to it, so arcs may span several; each layer between holds a joint that keeps a column free.
 
 use super::texts::Texts;
 use grafc_logic::scan::StepId;
@@ -46,7 +46,7 @@ pub(super) enum Kind {
 
 /// A way over more layers than this is a jump: no eye follows it, and each layer costs a joint.
 const LONGEST: usize = 40;
-/// So many joints a box are drawn, for ways to a join cannot be jumps.
+/// So many joints a box are drawn, since ways to a join cannot be jumps.
 const MOST_JOINTS: usize = 50;
 
 /// So much stays free on each side of a box.

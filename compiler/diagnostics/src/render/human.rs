@@ -1,4 +1,4 @@
-//! Messages for people: headline, underlined places, reasons, cure.
+//! Messages for people: headline, underlined places, reasons, help.
 
 use super::excerpt::{Excerpt, Excerpts, LINES_AFTER_START, LINES_BEFORE_END, visible, visible_lines};
 use crate::{Diagnostic, Diagnostics, FileId, Label, Severity, SourceMap};

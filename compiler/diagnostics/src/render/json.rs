@@ -8,7 +8,7 @@
 //!
 //! Lines and columns count from 1, columns in characters, bytes from 0; an end is the place after the last character.
 //! `labels` holds the place itself, first, and then all others that are involved. `fixes` are changes of the text, each a
-//! cure by itself; a certain one is only another spelling of the same.
+//! correction by itself; a certain one is only another spelling of the same.
 
 use super::human::severity;
 use crate::{Applicability, Diagnostic, Diagnostics, Fix, Label, Position, SourceMap};

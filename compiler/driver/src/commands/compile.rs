@@ -1,4 +1,4 @@
-//! `grafc CHART --target T`: a chart to code, or to what lies on the way (`--emit`, `--dump-after`).
+//! `grafc CHART --target T`: a chart to code, or to the form after a stage (`--emit`, `--dump-after`).
 
 use super::refuse_output_over_input;
 use crate::Exit;

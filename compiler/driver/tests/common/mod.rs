@@ -104,7 +104,7 @@ impl Run {
         self
     }
 
-    /// Ended well, and said nothing.
+    /// Ended well, and printed nothing.
     #[track_caller]
     pub fn is_done(&self) -> &Run {
         assert_eq!((self.code, self.err.as_str()), (0, ""), "stdout: {}", self.out);

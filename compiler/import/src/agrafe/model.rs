@@ -148,7 +148,7 @@ pub struct Action {
     pub span: Span,
 }
 
-/// The subclasses of `ActionType`. What is required and missing is an error, so who writes charts finds it.
+/// The subclasses of `ActionType`. What is required and missing is an error, so that writers of charts can rely on it.
 pub enum ActionKind {
     Continuous {
         variable: Option<TermId>,

@@ -1,6 +1,6 @@
 //! The sorts and the number of the operands, as the constraints of the meta-model have them.
 //!
-//! The file repeats sorts at each term; they are found anew here, from the declarations. A whole number where a
+//! The file repeats sorts at each term; they are determined again here, from the declarations. A whole number where a
 //! condition should be would otherwise be read as a Boolean constant later.
 
 use super::model::{ActionKind, Model, NodeKind, Sort, Term, TermId, TermKind, VariableId};

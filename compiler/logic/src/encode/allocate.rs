@@ -1,7 +1,7 @@
 //! Stored actions (R7): every right side on old values, the last triggered assignment wins, and two that disagree raise
 //! ALLOC_CONFLICT.
 //!
-//! Variables are written one after the other. Whoever reads a variable is written before it; where the reading goes
+//! Variables are written one after the other. What reads a variable is written before it; where the reading goes
 //! round in a circle, one variable is copied first and the others read the copy.
 
 use crate::analysis::components::Components;

@@ -116,7 +116,7 @@ pub(crate) struct Lowering {
     pub(crate) redirected: FxHashMap<VariableId, VarId>,
 }
 
-/// Compilers of PLCs take no more than 150 nested parentheses; a reader takes fewer.
+/// Compilers of PLCs take at most 150 nested parentheses; a reader takes fewer.
 const DEEPEST: u32 = 40;
 
 /// What a formula may depend on.

@@ -137,7 +137,7 @@ impl Situation {
         self.step_of_bit.get(&v).copied()
     }
 
-    /// Notes that a variable keeps the value of another; of no account unless that is a state.
+    /// Notes that a variable keeps the value of another; irrelevant unless that is a state.
     pub(crate) fn kept_in(&mut self, variable: VarId, copy: VarId) {
         if let Some(set) = self.set_of_state.get(&variable) {
             self.sets[*set].before.push(copy);

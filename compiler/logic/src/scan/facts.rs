@@ -83,7 +83,7 @@ impl Program {
         divided
     }
 
-    /// A variable to write where a call does nothing at all, for no compiler takes an empty body; none if a call does
+    /// A variable to write where a call does nothing at all, since no compiler takes an empty body; none if a call does
     /// something, or if there are only constants.
     pub fn idle_variable(&self) -> Option<VarId> {
         if self.repeat.is_some() || !self.sections().into_iter().all(is_empty) {

@@ -9,7 +9,7 @@
 //! IF X1 AND a THEN X1 := FALSE; X2 := TRUE    LD X1  AND a  R X1  S X2                    4
 //! ```
 //!
-//! All rules stand in `docs/statistics.md`; who changes one here changes it there.
+//! All rules are in `docs/statistics.md`; a change here is a change there.
 
 use crate::scan::{Division, Program, Role, Statement, VarId};
 use grafc_formula::{Formula, FormulaId, Pool, Type};
@@ -157,7 +157,7 @@ impl Tally<'_> {
             let jumps = u64::from(!moves) + u64::from(!last);
             sum = sum.saturating_add(self.load(*when)).saturating_add(jumps).saturating_add(self.body(body, true));
         }
-        // Whoever comes here has found every condition false.
+        // Here every condition was found false.
         sum.saturating_add(self.body(otherwise, false))
     }
 

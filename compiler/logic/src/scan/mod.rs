@@ -103,7 +103,7 @@ pub struct Repeat {
 pub struct Limit {
     /// Counts the micro-steps of the call; its type holds the bound.
     pub count: VarId,
-    /// At most so many micro-steps: at least one, and no more than 31 bits hold.
+    /// At most so many micro-steps: at least one, and at most what 31 bits hold.
     pub bound: u32,
     /// The flag to raise when it is hit: LIVELOCK.
     pub flag: VarId,

@@ -52,8 +52,8 @@ pub enum ExprKind {
     },
     /// Both sides have the same type.
     Compare(Comparison, ExprId, ExprId),
-    /// Sides and result have the type of the node, save that `time * n`, `n * time` and `time / n` take a whole number.
-    /// Wraps around at the width of the type; division by zero gives 0 and raises DIV0.
+    /// Sides and result have the type of the node, except that `time * n`, `n * time` and `time / n` take a whole
+    /// number. Wraps around at the width of the type; division by zero gives 0 and raises DIV0.
     Arithmetic(Arithmetic, ExprId, ExprId),
     /// `-e`; wraps around.
     Negate(ExprId),

@@ -188,7 +188,7 @@ pub struct Step {
     pub expansion_of: Option<MacroId>,
     /// In the initial situation.
     pub initial: bool,
-    /// Bears an activation link.
+    /// Has an activation link.
     pub activated: bool,
     /// Is an enclosing step.
     pub enclosing: bool,

@@ -1,4 +1,4 @@
-//! E0307: a macro-step bears no actions.
+//! E0307: a macro-step has no actions.
 //!
 //! It stands for the steps of its expansion and has no state of its own (IEC 60848, table 10, symbol 42): actions belong to
 //! those steps, or depend on the activity `XM3`.

@@ -1,4 +1,4 @@
-//! E0319: only steps of an enclosure bear an activation link.
+//! E0319: only steps of an enclosure have an activation link.
 //!
 //! The link says that a step becomes active with the enclosing step (IEC 60848, table 10, symbol 41); without one it says
 //! nothing.

@@ -1,7 +1,7 @@
 //! E0411: no continuously assigned variable depends on itself (A1).
 //!
-//! Its value is the disjunction of its continuous actions in the situation at hand (IEC 60848, 4.10.2), not a stored one. Read in
-//! the condition of one of them, directly or over others, it would define itself.
+//! Its value is the disjunction of its continuous actions in the current situation (IEC 60848, 4.10.2), not a stored
+//! one. Read in the condition of one of them, directly or over others, it would define itself.
 //!
 //! Wrong: `step 1 { A if B }`, `step 2 { B if A }`
 //! Right: `step 1 { A if b }`, `step 2 { B if A }`

@@ -1,8 +1,8 @@
 //! E0310: an enclosure has an activation link.
 //!
-//! When the enclosing step becomes active, the steps that bear a link do (IEC 60848, table 10, symbol 41); without one the
-//! enclosure would stay empty. This holds even where the enclosing step is active from the start and never becomes so again:
-//! a link there costs a word, and does not break when a transition is added.
+//! When the enclosing step becomes active, the steps that have a link do (IEC 60848, table 10, symbol 41); without one
+//! the enclosure would stay empty. This holds even where the enclosing step is active from the start and never becomes
+//! so again: a link there costs a word, and does not break when a transition is added.
 //!
 //! Wrong: `enclosing step 2`, `grafcet X2/G2 { step 20 }`
 //! Right: `enclosing step 2`, `grafcet X2/G2 { activated step 20 }`

@@ -1,7 +1,7 @@
 //! W0402: the event of a stored action holds without any edge.
 //!
 //! The expression after `on event` is to name events, edges that is (IEC 60848, symbol 29). Where a part of it holds by level, the
-//! action is done anew with every input event as long as it does (R7).
+//! action is done again with every input event as long as it does (R7).
 //!
 //! Warned of: `C := C + 1 on event a`
 //! Not warned of: `C := C + 1 on event ↑a`, `… on event ↑a and b`

@@ -1,8 +1,8 @@
 //! W0401: an output of continuous actions is read.
 //!
 //! Outputs go to the process; what is said about them by reading them again is said better by the steps that give them
-//! (IEC 60848, 4.8.2: a condition is about inputs and internal variables). The value read is that of the situation at hand,
-//! steps passed through in one reaction included, and may differ from what is published.
+//! (IEC 60848, 4.8.2: a condition is about inputs and internal variables). The value read is that of the current
+//! situation, steps passed through in one reaction included, and may differ from what is published.
 //!
 //! Warned of: `step 2 { K }`, `transition 10 -> 11 : K`
 //! Not warned of: `transition 10 -> 11 : X2`; a stored output, which has a value of its own: `C := C + 1 on activation`

@@ -1,4 +1,4 @@
-//! W0405: a step with a self-loop has actions or times that the loop does not start anew.
+//! W0405: a step with a self-loop has actions or times that the loop does not restart.
 //!
 //! A step that is activated and deactivated at once stays active (IEC 60848, 4.5.6, rule 5): its actions on activation and on
 //! deactivation are not done, and its duration runs on.

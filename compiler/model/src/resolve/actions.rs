@@ -109,7 +109,7 @@ impl Interpretation<'_, '_> {
         }
     }
 
-    /// A macro-step bears no actions (E0307); what is in them is resolved all the same, and then forgotten.
+    /// A macro-step has no actions (E0307); what is in them is resolved all the same, and then forgotten.
     fn action_on_macro_step(&mut self, action: &ast::Action) {
         let before = (self.chart.continuous.len(), self.chart.stored.len(), self.chart.orders.len());
         self.action(StepId::new(0), action);

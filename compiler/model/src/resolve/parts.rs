@@ -41,7 +41,7 @@ pub struct Parts<'a> {
     /// Steps and transitions in source order: the order in which their actions count.
     pub holders: Vec<Holder>,
     /// A grafcet made up for what belongs to none: bare steps beside grafcet blocks (E0317), expansions without a
-    /// macro-step (E0301, E0306). Rules on grafcets leave it alone, for the fault has been reported.
+    /// macro-step (E0301, E0306). Rules on grafcets leave it alone, since the fault has been reported.
     pub stray: Option<GrafcetId>,
     /// The bare steps and transitions in `stray`.
     pub bare: Vec<Span>,

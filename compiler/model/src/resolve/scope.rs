@@ -278,7 +278,7 @@ pub fn kind(label: Label) -> &'static str {
     }
 }
 
-/// All labels: grafcets first, for they are the larger thing and keep their name in a quarrel.
+/// All labels: grafcets first: where labels collide, the grafcet keeps its name, since it is the larger thing.
 fn labels<'a>(parts: &Parts<'a>) -> impl Iterator<Item = (&'a str, Label, Span)> {
     let grafcets = parts.grafcets.iter_enumerated().filter(|(id, _)| !parts.is_stray(*id)).map(|(id, part)| {
         let name = part.ast.map_or(IMPLIED_GRAFCET, |grafcet| grafcet.name.text.as_str());

@@ -29,7 +29,7 @@ pub(super) fn settle(chart: &Chart, orders: &Orders, phase: Phase, before: &Acti
                 for &step in &grafcet.steps {
                     next[step] = false;
                 }
-                // An inactive enclosure obeys no order, hence its orders cannot conflict.
+                // An inactive enclosure obeys no order, so its orders cannot conflict.
                 continue;
             }
             let suppressed = phase == Phase::Start && chart.steps[enclosing].initial;

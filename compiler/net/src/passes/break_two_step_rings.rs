@@ -25,7 +25,7 @@ pub const PASS: Pass = Pass {
     run,
 };
 
-/// The search looks at no more than this many places for each place and arc of the net. What it has not looked at then is
+/// The search looks at at most this many places for each place and arc of the net. What it has not looked at then is
 /// taken for a ring: a place too many does no harm.
 const EFFORT: usize = 64;
 

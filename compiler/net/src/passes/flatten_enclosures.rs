@@ -4,7 +4,7 @@
 //!
 //! After:   51, 52 and t3 are within 5; no grafcet has an enclosing step
 //!
-//! A place is active only while the one that it is within is active; if it bears an activation link, it becomes active
+//! A place is active only while the one that it is within is active; if it has an activation link, it becomes active
 //! together with that one. A transition clears only while the place that it is within is active, which matters for
 //! source transitions: the others have a place before them to see to it.
 

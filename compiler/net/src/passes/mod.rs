@@ -1,6 +1,6 @@
 //! The passes that flatten a net, in order.
 //!
-//! A pass is a function with a line in [`ORDER`]; it names the facts that it needs and those that it brings about. The
+//! A pass is a function with a line in [`ORDER`]; it names the facts that it needs and those that it establishes. The
 //! runner refuses an order whose needs are not met, and in debug builds verifies the net after each pass.
 
 mod break_two_step_rings;

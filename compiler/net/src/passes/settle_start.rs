@@ -28,7 +28,7 @@ fn run(net: &mut Net, _diagnostics: &mut Diagnostics) {
         if let Some(enclosing) = grafcet.enclosing_step {
             if !active[enclosing] {
                 grafcet.steps.iter().for_each(|s| active[*s] = false);
-                // An inactive enclosure obeys no order, hence its orders cannot conflict.
+                // An inactive enclosure obeys no order, so its orders cannot conflict.
                 continue;
             }
             if !net.places[enclosing].initial {

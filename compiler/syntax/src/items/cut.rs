@@ -52,7 +52,7 @@ impl Cutter<'_> {
                 end += 1;
             }
         }
-        // Braces are not nested in an item, save that a slip nests them: so this is nearly always empty.
+        // Braces are not nested in an item, unless a mistake nests them: so this is nearly always empty.
         let mut open = Vec::new();
         while let Some(lexeme) = tokens.get(end) {
             match lexeme.token {

@@ -46,7 +46,7 @@ impl Executor for Plcopen {
 
     fn limits(&self) -> &str {
         match self.body {
-            Body::St | Body::Il | Body::Ld => "no products or quotients of times, which MATIEC reckons wrongly",
+            Body::St | Body::Il | Body::Ld => "no products or quotients of times, which MATIEC computes wrongly",
             Body::Sfc => "charts that can be drawn without meaning something else",
         }
     }
@@ -63,7 +63,7 @@ impl Executor for Plcopen {
         let mut sequences: Vec<Sequence> = Vec::new();
         let jobs = tasks.iter().map(|task| {
             if misreckons(task.chart) {
-                return Err(Outcome::PassedOver("MATIEC reckons products of times wrongly"));
+                return Err(Outcome::PassedOver("MATIEC computes products of times wrongly"));
             }
             match self.body {
                 Body::St | Body::Il | Body::Ld => Job::of(task).map_err(Outcome::Failed),

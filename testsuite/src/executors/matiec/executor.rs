@@ -34,7 +34,7 @@ impl Executor for Matiec {
     }
 
     fn limits(&self) -> &str {
-        "no products or quotients of times, which MATIEC reckons wrongly"
+        "no products or quotients of times, which MATIEC computes wrongly"
     }
 
     fn missing(&self) -> Option<&str> {
@@ -48,7 +48,7 @@ impl Executor for Matiec {
     fn run(&self, tasks: &[Task]) -> Vec<Outcome> {
         let jobs = tasks.iter().map(|task| {
             if misreckons(task.chart) {
-                return Err(Outcome::PassedOver("MATIEC reckons products of times wrongly"));
+                return Err(Outcome::PassedOver("MATIEC computes products of times wrongly"));
             }
             Job::of(task).map_err(Outcome::Failed)
         });

@@ -32,7 +32,7 @@ pub(crate) struct Unit {
     pub driver: String,
 }
 
-/// How the C code that MATIEC writes is used. Names are written in capitals there, but for that of the list of steps.
+/// How the C code that MATIEC writes is used. Names are written in capitals there, except that of the list of steps.
 ///
 /// MATIEC cuts off what is behind the point of a nanosecond, so that half of all literals of a time are one too short
 /// (`T#1ms` has 999,999). Here they are rounded: what is compared is what grafc wrote.
@@ -91,7 +91,7 @@ pub(crate) fn build_and_play(tools: &Tools, batch: &[usize], units: &[&Unit]) ->
     tools.play(folder.path()).map_err(|said| format!("{said}\n{source}"))
 }
 
-/// Whether MATIEC reckons something in a chart wrongly, so that a comparison would test MATIEC and not grafc.
+/// Whether MATIEC computes something in a chart wrongly, so that a comparison would test MATIEC and not grafc.
 ///
 /// It multiplies the nanoseconds of a time as 32 bits (`T#250ms * 10` is negative), and divides a time into fractions
 /// of a millisecond, of which `.gct` has none.

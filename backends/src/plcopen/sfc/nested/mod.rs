@@ -1,5 +1,5 @@
 //! The form of sequential function chart that CODESYS and TwinCAT export: a tree of sequences, each divergence closed by
-//! a convergence of its kind, and no places, for the tool draws by itself.
+//! a convergence of its kind, and no places, since the tool draws by itself.
 //!
 //! `tree` finds the nesting, or why there is none; `write` spells its elements. The chart's arcs that are not part of
 //! the tree are jumps.

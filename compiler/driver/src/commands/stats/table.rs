@@ -2,7 +2,7 @@
 
 use super::figures::{Decomposition, Figures, Repeat, Row, Transients};
 
-/// Lines are no longer than this, save for a name that is.
+/// Lines are at most this long, except for a name that is longer.
 const WIDTH: usize = 100;
 
 /// The heads of the table; the first column is aligned to the left, the others to the right.

@@ -1,7 +1,7 @@
 //! The components that have been found, each as the difference to another one.
 //!
-//! Where a token is divided, the branches are alike but for themselves: with the first in a component, the others differ
-//! from it in their own steps.
+//! Where a token is divided, the branches are alike except for themselves: with the first in a component, the others
+//! differ from it in their own steps.
 //!
 //! ```text
 //!        ┌─ 2 ─ 3 ─┐        a = {1, 2, 3, 6}
@@ -52,7 +52,7 @@ pub(super) struct Family {
     pub(super) regions: Vec<Region>,
     left_out: FxHashSet<(usize, StepId)>,
     owner: IndexVec<StepId, Option<usize>>,
-    /// The own step of a component at a side of a transition: there is no more than one.
+    /// The own step of a component at a side of a transition: there is at most one.
     at: FxHashMap<(TransitionId, Side, usize), StepId>,
     /// The sides at which `at` knows a step.
     known: FxHashSet<(TransitionId, Side)>,

@@ -5,15 +5,15 @@
 //! 2. every transition that leads into the set has exactly one step of the set before it and one after it, and every
 //!    transition that leads out of the set or within it has exactly one before and at most one after it;
 //! 3. where several transitions leave a step of the set, their conditions exclude each other;
-//! 4. if the grafcet is within a step, at most one step of the set bears an activation link;
+//! 4. if the grafcet is within a step, at most one step of the set has an activation link;
 //! 5. each situation that an order forces on the grafcet holds at most one step of the set.
 //!
 //! Proof, by induction over micro-steps. The start puts at most one token into the set by 1. If no step of the set is
 //! active, then by 2 no transition that leads into it clears (R3), and none comes. If one is, then by 3 at most one
 //! transition after it clears, by 2 no other transition around the set does, and that one moves the token or takes it
-//! away (R4). Then R5: an enclosure that is emptied harms nothing. One that starts was empty, for its enclosing step was
-//! inactive, and nothing in it has cleared: by 4 the links bring at most one token. An order leaves what it finds or
-//! makes the situation the forced one, and then 5 holds.
+//! away (R4). Then R5: an enclosure that is emptied harms nothing. One that starts was empty, since its enclosing step
+//! was inactive, and nothing in it has cleared: by 4 the links bring at most one token. An order leaves what it finds
+//! or makes the situation the forced one, and then 5 holds.
 //!
 //! What follows is used to keep formulas short: where nothing but clearings acts on a step, the step that the token
 //! comes to was inactive, and a clearing that does not lead back changes the situation. What does not follow: that the

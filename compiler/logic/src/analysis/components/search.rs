@@ -23,7 +23,7 @@ use grafc_net::Net;
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
-/// Searches that fail look at no more than this many steps and arcs for each step and arc of the net.
+/// Searches that fail look at at most this many steps and arcs for each step and arc of the net.
 const EFFORT: usize = 64;
 
 /// One search takes at most this part of what is left.

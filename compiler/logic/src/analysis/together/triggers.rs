@@ -1,7 +1,7 @@
 //! Whether two stored actions can be triggered in one micro-step (R7).
 //!
 //! An action is triggered in one of several ways: a step is activated by this transition or by that, or in a way of which
-//! nothing is known. Two actions cannot meet if no way of one goes with a way of the other.
+//! nothing is known. Two actions cannot meet if no way of one is possible together with a way of the other.
 
 use crate::analysis::Analysis;
 use grafc_formula::FormulaId;

@@ -128,7 +128,7 @@ impl Causes {
 }
 
 impl Change {
-    /// The transition that clears, again or anew.
+    /// The transition that clears, whether it cleared before or not.
     pub(super) fn transition(self, net: &Net) -> Option<TransitionId> {
         match self {
             Change::Clears(t) => Some(t),

@@ -15,7 +15,7 @@ pub(super) struct Times {
     last: Vec<Option<(u32, Option<u32>)>>,
 }
 
-/// A part of the graph in which changes can bring each other about for ever.
+/// A part of the graph in which changes can cause each other endlessly.
 pub(super) struct Endless {
     /// Transitions that clear in it, in order.
     pub(super) transitions: BTreeSet<TransitionId>,

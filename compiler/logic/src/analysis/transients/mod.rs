@@ -3,11 +3,11 @@
 //! A reaction ends with the first micro-step in which nothing changes: no step, no stored variable and no operand of an
 //! edge. Inputs and time stand still meanwhile. So whatever changes in a micro-step after the first was brought about
 //! by something that changed in the micro-step before it, or in the same one: by a clearing that activated the step
-//! before another transition, by a variable that a condition reads, by an order that settles a grafcet anew. `causes`
+//! before another transition, by a variable that a condition reads, by an order that settles a grafcet again. `causes`
 //! is the graph of all changes that are possible at all with an edge from each cause to its effects; it is made in
 //! `values` (expressions), `situation` (clearings, enclosures, orders) and `stored` (stored actions), which say why
 //! each list of causes is complete. A change in micro-step k is the end of a path that begins with a change in
-//! micro-step 1 and along which k - 1 edges lead into the next micro-step. Hence the longest path (`longest`) gives the
+//! micro-step 1 and along which k - 1 edges lead into the next micro-step. So the longest path (`longest`) gives the
 //! last micro-step in which something changes, the one after it finds nothing, and where changes cause each other in a
 //! circle no bound is known.
 //!

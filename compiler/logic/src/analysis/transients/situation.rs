@@ -59,7 +59,7 @@ impl<'a> Ways<'a> {
         self.occasions[self.analysis.net.transitions[t].condition] != Occasion::Level
     }
 
-    /// Whether the transition leads out of the step, be it back as well; of a large one this is not asked.
+    /// Whether the transition leads out of the step, even if also back to it; of a large one this is not asked.
     fn leads_out_of(&self, t: TransitionId, s: StepId) -> bool {
         self.analysis.net.transitions[t].pre.iter().take(PAIRS).any(|p| *p == s)
     }

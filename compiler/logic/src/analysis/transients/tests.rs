@@ -194,7 +194,7 @@ fn an_activity_in_a_condition() {
 
 #[test]
 fn a_delay_needs_time_to_pass() {
-    // vector 5g. 1: the delay has run out and r holds: 27 -> 28; 2: 28 -> 27; 3: nothing, for the delay starts anew
+    // vector 5g. 1: the delay has run out and r holds: 27 -> 28; 2: 28 -> 27; 3: nothing, for the delay starts again
     let found = longest("initial step 27 step 28 transition 27 -> 28 : 4s/X27 transition 28 -> 27 : b", 3);
     assert!(!found.single);
     // 1: 27 -> 28; 2: nothing

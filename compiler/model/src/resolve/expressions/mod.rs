@@ -1,8 +1,9 @@
 //! Expressions: from the syntax tree to the typed pool.
 //!
 //! An expression is resolved in four loops over its nodes: [`flatten`] lists them, parents first; [`infer`] says, children
-//! first, what each is by itself; [`demand`] says, parents first, what its place asks of it, for literals adapt to the type
-//! they meet; and [`emit`] writes the pool, children first. A faulty node is reported once and then agrees with everything.
+//! first, what each is by itself; [`demand`] says, parents first, what its place asks of it, since literals adapt to
+//! the type they meet; and [`emit`] writes the pool, children first. A faulty node is reported once and then agrees
+//! with everything.
 
 mod delays;
 mod demand;
