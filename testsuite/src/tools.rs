@@ -125,7 +125,7 @@ mod tests {
         assert_eq!(required(""), Ok(vec![]));
         assert_eq!(required("awlsim, plcopen-schema,"), Ok(vec![Tool::Awlsim, Tool::PlcopenSchema]));
         assert_eq!(required("all"), Ok(Tool::ALL.to_vec()));
-        let said = required("matiec,awlism").expect_err("a slip of the pen");
+        let said = required("matiec,awlism").expect_err("a typing error");
         assert!(said.starts_with("there is no tool `awlism`; there are rustc, ") && said.ends_with(", all"), "{said}");
     }
 

@@ -1,7 +1,7 @@
 //! Generated Rust where there is neither an operating system nor an allocator: `no_std`, with `panic=abort`.
 //!
 //! Everything goes into a static library, since that has to have all it needs: what would use `std` or allocate is
-//! refused. It is built for the machine at hand, and for a microcontroller where the toolchain has its `core`.
+//! refused. It is built for this machine, and for a microcontroller where the toolchain has its `core`.
 
 use grafc_backends::Target;
 use grafc_backends::rust::{self, Runtime};

@@ -1,6 +1,7 @@
 //! Texts that no one would write on purpose, through every stage: messages or code, never a panic, never a hang.
 //!
-//! Where MATIEC is at hand, what comes out for awkward but correct charts must be taken by it; where awlsim is, by that.
+//! Where MATIEC is available, what comes out for awkward but correct charts must be taken by it; where awlsim is, by
+//! that.
 
 use grafc_backends::{awl, il, st};
 use grafc_diagnostics::{Code, Diagnostics, FileId};

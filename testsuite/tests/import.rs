@@ -1,9 +1,9 @@
 //! Charts of AGRAFE: what they become, what is said about it, and that they then run.
 //!
 //! `testsuite/imports` holds `NAME.grafcet`, the chart `NAME.gct` and the report `NAME.report`, written by hand; those
-//! whose name begins with `delays` are imported with that option. AGRAFE's own charts are tested where they are at hand,
-//! see [`xmi::collection`]. A long run of them is
-//! `cargo test --release -p grafc-testsuite --test import -- --ignored --nocapture`.
+//! whose name begins with `delays` are imported with that option. AGRAFE's own charts are tested where they are
+//! available, see [`xmi::collection`]. A long run of them is `cargo test --release -p grafc-testsuite --test import --
+//! --ignored --nocapture`.
 
 use grafc_backends::st;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId};
@@ -349,7 +349,7 @@ fn damage(runs: u64) {
     );
 }
 
-/// What AGRAFE's own charts give to report, but for places.
+/// What AGRAFE's own charts give to report, without places.
 const REPORTS: [(&str, &[Code]); 16] = [
     ("conflictingActions1", &[]),
     ("conflictingActions2", &[]),

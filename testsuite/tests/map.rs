@@ -110,7 +110,7 @@ fn a_transition_is_named_on_its_lines() {
     assert!(named > 1000, "only {named} were looked for");
 }
 
-/// A variable of the chart stands on all lines of its declaration, save where it is remembered under another name.
+/// A variable of the chart stands on all lines of its declaration, except where it is remembered under another name.
 #[test]
 fn a_declaration_has_its_lines() {
     all(|mapped| {

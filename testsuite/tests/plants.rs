@@ -1,7 +1,7 @@
 //! Real charts, imported: a small form of `grafc-testsuite plants`, which the ordinary run can afford.
 //!
-//! The charts are not ours to keep here; where they are not at hand, the test says so and does nothing. Tools from outside
-//! that are missing are named, and left out.
+//! The charts are not ours to keep here; where they are not available, the test says so and does nothing. Tools from
+//! outside that are missing are named, and left out.
 
 use grafc_logic::Encoding;
 use grafc_testsuite::executors::{all, is_here_or_skip};

@@ -1,5 +1,5 @@
 //! PLCopen XML and the other files that hold Structured Text in a frame: each file written for the example charts is
-//! right by the rules of the project's own lint, and by the schema where it is at hand.
+//! right by the rules of the project's own lint, and by the schema where it is available.
 
 use grafc::{Options, Product};
 use grafc_backends::plcopen::{self, Body, Dialect};

@@ -93,7 +93,7 @@ fn charts() -> Vec<(String, String)> {
 #[test]
 fn drawings_are_right_by_the_lint_and_by_other_readers() {
     let mut documents: Vec<String> = Vec::new();
-    // Of the charts at hand many have several initial steps or an end, which no tree has.
+    // Of the charts here many have several initial steps or an end, which no tree has.
     for (dialect, least) in [(Dialect::Neutral, 13), (Dialect::Codesys, 8)] {
         let drawings = drawings(dialect);
         assert!(drawings.len() >= least, "only {} charts can be drawn", drawings.len());

@@ -116,7 +116,7 @@ struct AwlNames {
     variables: IndexVec<VarId, String>,
     timers: IndexVec<TimerId, timers::Names>,
     block: String,
-    /// The input that starts the chart anew.
+    /// The input that restarts the chart.
     restart: String,
     /// What measures time, if anything does.
     clock: Option<timers::Clock>,

@@ -53,12 +53,12 @@ impl From<Refusal> for Failure {
     }
 }
 
-/// The texts of a run and all that was said about them.
+/// The texts of a run and all messages about them.
 #[derive(Default)]
 pub struct Report {
     /// The texts.
     pub sources: SourceMap,
-    /// What was said, in any order.
+    /// The messages, in any order.
     pub diagnostics: Diagnostics,
 }
 
@@ -95,7 +95,7 @@ impl Report {
         if self.has_errors() { Exit::ChartErrors } else { Exit::Done }
     }
 
-    /// Everything that was said, for people with a last line that counts.
+    /// All messages, for people with a last line that counts.
     pub fn render(&mut self, format: Format, colour: bool) -> String {
         self.diagnostics.sort_by_place();
         match format {

@@ -41,7 +41,7 @@ impl Checked {
         }
     }
 
-    /// The chart, if no rule is broken, and what was said of it.
+    /// The chart, if no rule is broken, and the messages about it.
     pub fn into_chart(self) -> (Option<Chart>, Diagnostics) {
         let chart = match self.chart {
             Outcome::Valid(chart) => Some(chart),

@@ -111,7 +111,7 @@ impl Build {
         self
     }
 
-    /// Whether formulas are shortened by what is proved; they are, unless `false` is said here, as with `-O0`.
+    /// Whether formulas are shortened by what is proved; they are, unless `false` is given here, as with `-O0`.
     pub fn optimize(&mut self, optimize: bool) -> &mut Self {
         self.lowering.simplify = optimize;
         self
@@ -125,7 +125,7 @@ impl Build {
     }
 
     /// Whether initial steps do their actions on activation at the start, as `--initial-actions`; they do, unless `false`
-    /// is said here. This changes what the chart means.
+    /// is given here. This changes what the chart means.
     pub fn initial_actions(&mut self, initial_actions: bool) -> &mut Self {
         self.lowering.profile.initial_actions = initial_actions;
         self
@@ -225,7 +225,7 @@ impl From<Refusal> for Failure {
     }
 }
 
-/// The text of the chart and all that was said about it.
+/// The text of the chart and all messages about it.
 #[derive(Default)]
 struct Report {
     sources: SourceMap,
@@ -248,12 +248,12 @@ impl Report {
         made.map(|made| made.text).ok_or(Failure::Chart)
     }
 
-    /// Everything that was said, as the command line says it.
+    /// All messages, as the command line prints them.
     fn text(&self) -> String {
         render::human(&self.sources, &self.said, false) + &render::summary(&self.said)
     }
 
-    /// Everything that was said, in lines that cargo shows. It takes one line at a time.
+    /// All messages, in lines that cargo shows. It takes one line at a time.
     fn warnings(&self) -> String {
         let text = render::human(&self.sources, &self.said, false);
         text.lines().filter(|line| !line.is_empty()).map(|line| format!("cargo::warning={line}\n")).collect()

@@ -1,6 +1,6 @@
 //! Faults of grafc itself.
 //!
-//! No chart may make grafc panic. If one does, it is said in the form of all other messages, with what is needed to
+//! No chart may make grafc panic. If one does, it is reported in the form of all other messages, with what is needed to
 //! report it. Nothing has been written by then: commands write their output last, and whole.
 
 use grafc_diagnostics::Code;

@@ -1,7 +1,7 @@
 //! Reading and writing: files, and standard output.
 //!
-//! A file is written whole or not at all: into a temporary file beside it, which then takes its place. Who reads the
-//! file meanwhile sees the old text or the new one.
+//! A file is written whole or not at all: into a temporary file beside it, which then takes its place. A reader
+//! sees meanwhile the old text or the new one.
 
 use std::fmt;
 use std::fs::{self, File, OpenOptions, Permissions};

@@ -24,7 +24,7 @@ pub(crate) struct Builder<'text> {
     pub(crate) exprs: Exprs,
     /// The items that were read and have not been put into place yet.
     pub(crate) parsed: Vec<Parsed>,
-    /// What is read again after a fault has been reported: nothing more is said of it.
+    /// What is read again after a fault has been reported: no further messages about it.
     pub(crate) is_silent: bool,
     /// The faults in the item under way: they do not count if it cannot be read.
     pending: Vec<Diagnostic>,

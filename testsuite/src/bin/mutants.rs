@@ -44,7 +44,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// The test programs at hand, and how long each may take.
+/// The test programs available, and how long each may take.
 struct Bench {
     programs: Vec<(TestProgram, Duration)>,
     /// Those that lack a tool, and what is missing.

@@ -1,4 +1,4 @@
-//! A text of Rust as its tokens, and the function that each is in: what stays when code is laid out anew.
+//! A text of Rust as its tokens, and the function that each is in: what stays when code is reformatted.
 
 /// A token, and where it is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

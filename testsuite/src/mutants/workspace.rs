@@ -11,7 +11,7 @@ use std::process::Command;
 const LEFT_OUT: [&str; 3] = ["target", ".git", "fuzz"];
 
 /// Copies the workspace, with all faults put in. A file is written only if it has changed, so that a second run builds
-/// no more than it must; what the workspace does not have any more goes.
+/// no more than it must; what the workspace no longer has is deleted.
 pub fn copy(root: &Path, to: &Path) -> Result<(), String> {
     let told = |path: &Path, error: io::Error| format!("{}: {error}", path.display());
     let mut faulty = faulty_files(root)?;

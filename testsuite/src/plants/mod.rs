@@ -68,8 +68,8 @@ impl<'p> Trial<'p> {
         self.expected.windows(2).filter(|pair| pair[0].situation != pair[1].situation).count()
     }
 
-    /// Why an executor passes it over, if it does; an error where it does not do what the simulator does. Whoever knows
-    /// several encodings takes those whose turns these are.
+    /// Why an executor passes it over, if it does; an error where it does not do what the simulator does. An executor
+    /// with several encodings takes those whose turns these are.
     pub fn run(&self, executor: &dyn Executor, turns: &[usize]) -> Result<Option<&'static str>, String> {
         let (chart, profile, stimuli) = (&self.plant.chart, Profile::default(), &self.stimuli[..]);
         let turns = if executor.is_external() { turns } else { &turns[..1] };

@@ -3,7 +3,7 @@
 //!
 //! A rule is an entry of [`Rule`]. `frame` checks the project around the bodies, `graph` what is drawn in any dialect,
 //! `ladder` what is drawn as a ladder, `neutral` what Beremiz needs, `codesys` the form that all exports of CODESYS have. The schema is a check of its own;
-//! the order of children is checked here too, since the schema may not be at hand.
+//! the order of children is checked here too, since the schema may not be available.
 
 mod codesys;
 pub mod document;

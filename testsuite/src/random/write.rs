@@ -91,7 +91,7 @@ struct Writer<'a> {
     awkward: Vec<&'static str>,
     declared: Vec<Declared>,
     designations: u32,
-    /// What gives the times of a chart in which no step waits for ever.
+    /// What gives the times of a chart in which no step waits forever.
     waits: Option<Rng>,
     ink: &'a mut Ink,
     rng: &'a mut Rng,

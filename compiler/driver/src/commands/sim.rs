@@ -44,7 +44,7 @@ pub struct Arguments {
 pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let inputs = || [&args.chart, &args.trace].into_iter().chain(&args.against);
     refuse_second_standard_input(inputs())?;
-    // Who compares wants to know whether it is the same, not to see it.
+    // A comparison is asked whether it is the same, not what it is.
     let output = args.output.or(args.against.is_none().then_some(Place::Standard));
     if let Some(output) = &output {
         refuse_output_over_input(output, inputs())?;

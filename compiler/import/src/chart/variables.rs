@@ -67,7 +67,7 @@ pub fn uses(model: &Model) -> IndexVec<VariableId, Use> {
     uses
 }
 
-/// What is said about the variables, and what is done with them.
+/// Messages about the variables, and what is done with them.
 pub struct Variables {
     /// Which keyword declares it; none of step variables and of those that became delays.
     pub keywords: IndexVec<VariableId, Option<&'static str>>,

@@ -4,7 +4,7 @@
 //! A step that is left and entered at once stays active (rule 5), so where that can happen all resets come before all
 //! sets. Where it cannot, because every step lies in a component, a transition is one `IF`; and where nothing else looks
 //! at clearings, the `IF` tests steps and condition itself, in such an order that a step is written only after all
-//! transitions have read it. Where the order goes round in a circle, one step is copied and the copy read.
+//! transitions have read it. Where the order is circular, one step is copied and the copy read.
 
 use super::in_order::{Block, in_order};
 use super::task::Task;

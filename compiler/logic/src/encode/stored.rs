@@ -1,5 +1,5 @@
 //! The stored actions of a micro-step and what triggers them, in the order of R7: event, deactivation, clearing,
-//! activation. How they are carried out is said in `allocate`.
+//! activation. `allocate` describes how they are carried out.
 
 use crate::encode::allocate::{self, Position, Tokens, Trigger, Triggers};
 use crate::encode::clearings::{Clearings, StepEvents};

@@ -170,7 +170,7 @@ impl Program {
                 variables[v] = Origin::Step(s);
             }
         }
-        // A state, a flag and the mark of the first call are of the chart as a whole, whoever writes them.
+        // A state, a flag and the mark of the first call belong to the chart as a whole, whatever writes them.
         let shared = |v: VarId| matches!(self.variables[v].role, Role::State | Role::Flag(_));
         let states = self.state_of();
         for statement in self.statements() {

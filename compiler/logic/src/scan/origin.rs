@@ -3,8 +3,8 @@
 use super::{ActionId, OrderId, StepId, TransitionId, VarId};
 use grafc_model::chart::{GrafcetId, VariableId};
 
-/// What of the chart brings a statement about: no larger than a number, so that each statement can say it. What it stands
-/// for is in the tables of the program, see [`super::Elements`].
+/// What part of the chart a statement comes from: no larger than a number, so that each statement can say it. What it
+/// stands for is in the tables of the program, see [`super::Elements`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 pub enum Origin {
     /// The chart as a whole, or whatever the statements around come from.

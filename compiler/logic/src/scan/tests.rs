@@ -168,7 +168,7 @@ fn variables_come_from_what_writes_them_first() {
     let origins = p.origins();
     assert_eq!(origins.variables[clearing], back);
     assert_eq!(origins.variables[memory], Origin::Step(StepId::new(0)));
-    assert_eq!(origins.variables[flag], Origin::Chart, "whoever raises it");
+    assert_eq!(origins.variables[flag], Origin::Chart, "whatever raises it");
     let Held::Bit(x) = p.steps[1].held else { panic!("a bit") };
     assert_eq!(origins.variables[x], Origin::Step(StepId::new(1)));
     assert_eq!(verify(&p), Ok(()));

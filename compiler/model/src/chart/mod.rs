@@ -52,7 +52,7 @@ impl Chart {
         Chart(tables)
     }
 
-    /// The tables, to be changed in place. Who does, as tests do, answers for it that no rule is broken.
+    /// The tables, to be changed in place. A caller that does so, as tests do, must make sure that no rule is broken.
     pub fn edit(&mut self) -> &mut Tables {
         &mut self.0
     }

@@ -1,7 +1,7 @@
 //! W0407: transitions that are always true lead in a circle.
 //!
-//! While some of its steps are active, not all, and no order freezes them, the situation goes round without end and is
-//! never stable (IEC 60848, 4.9.3): the reaction is stopped at its bound, and the flag LIVELOCK is raised.
+//! While some of its steps are active, not all, and no order freezes them, the situation changes in a circle without
+//! end and is never stable (IEC 60848, 4.9.3): the reaction is stopped at its bound, and the flag LIVELOCK is raised.
 //!
 //! A transition counts only if each step before it is entered by another that counts: a circle that waits for a step from
 //! outside stops. A self-loop changes nothing, and a source transition holds its steps active, so neither counts.

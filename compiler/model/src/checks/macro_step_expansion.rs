@@ -39,7 +39,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     check_nesting(resolved, diagnostics);
 }
 
-/// What can be said of the macro-step alone.
+/// The rules on the macro-step alone.
 fn check_macro_step(resolved: &Resolved, id: MacroId, is_expanded: bool, diagnostics: &mut Diagnostics) {
     let written = resolved.parts.step(Node::Macro(id)).ast;
     let label = &written.label;
@@ -85,7 +85,7 @@ fn rest(label: &str) -> Option<&str> {
     label.strip_prefix('M').filter(|rest| !rest.is_empty())
 }
 
-/// What can be said of an expansion and its macro-step.
+/// The rules on an expansion and its macro-step.
 fn check_expansion(resolved: &Resolved, macro_step: MacroId, expansion: ExpansionId, diagnostics: &mut Diagnostics) {
     let part = &resolved.parts.expansions[expansion];
     let chart = &resolved.chart;

@@ -45,12 +45,12 @@ pub fn breaks_all(expected: &[&str], text: &str) {
     assert_eq!(codes(text), expected, "{text}");
 }
 
-/// Nothing is said of the chart.
+/// There is no message on the chart.
 pub fn passes(text: &str) {
     breaks_all(&[], text);
 }
 
-/// Nothing but these warnings is said of the chart.
+/// There are these warnings on the chart and no other message.
 pub fn passes_with(warnings: &[&str], text: &str) {
     let severity = |code: &&str| grafc_diagnostics::Code::parse(code).map(|code| code.severity());
     assert!(warnings.iter().all(|code| severity(code) == Some(Severity::Warning)), "{warnings:?} are warnings");

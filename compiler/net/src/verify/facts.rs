@@ -1,4 +1,4 @@
-//! What the facts of a net say, each from its meaning and not from the pass that brings it about; and that no pass has
+//! What the facts of a net say, each from its meaning and not from the pass that establishes it; and that no pass has
 //! filled in what belongs to a later one.
 
 use super::tables::ascending;

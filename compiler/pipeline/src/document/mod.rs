@@ -203,7 +203,7 @@ impl Document {
         })
     }
 
-    /// What may not be meant as far as only proofs can tell, in order of place. Nothing is said of a text with errors.
+    /// What may not be meant as far as only proofs can tell, in order of place. A text with errors gets no warnings.
     pub fn warnings(&self) -> &Diagnostics {
         self.of_text.warnings.get_or_init(|| {
             let analysis = self.analysis_of(false);

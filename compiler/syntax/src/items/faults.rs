@@ -1,6 +1,6 @@
-//! What is said about an item that cannot be read.
+//! Messages about an item that cannot be read.
 //!
-//! One mistake, one message: nothing is said where the lexer has said something already.
+//! One mistake, one message: none where the lexer has given one already.
 
 use super::attempt::Stop;
 use super::cut::Run;

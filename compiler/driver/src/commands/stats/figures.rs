@@ -9,7 +9,7 @@ use grafc_model::chart::{StepId, TransitionId};
 use grafc_model::reaction::{Evolution, Profile};
 use serde::Serialize;
 
-/// What is said of a chart. The names of the fields are those of the JSON object.
+/// The figures of a chart. The names of the fields are those of the JSON object.
 #[derive(Serialize)]
 pub struct Figures {
     pub chart: String,

@@ -200,7 +200,7 @@ fn several_tokens_at_the_start() {
     let parallel = chart("*1 2 *3 4", &["1, 3 -> 2, 4 : a", "2, 4 -> 1, 3 : b"]);
     assert_eq!(cover_of(&parallel), "1 2! | 3 4!");
     let shared = chart("*1 2 *3 *4 5", &["1, 3 -> 2 : a", "2 -> 1, 3 : b", "4, 3 -> 5 : not a and c", "5 -> 4, 3 : d"]);
-    assert_eq!(cover_of(&shared), "1 2! | 3 5 | 4", "1 2 and 3 2 5 and 4 5: whoever has 3 may go on");
+    assert_eq!(cover_of(&shared), "1 2! | 3 5 | 4", "1 2 and 3 2 5 and 4 5: the one that has 3 may go on");
 }
 
 #[test]

@@ -86,17 +86,17 @@ impl Causes {
         Causes { changes, edges: Vec::with_capacity(size), at_start: Vec::new() }
     }
 
-    /// `cause` can bring `effect` about in the same micro-step.
+    /// `cause` can cause `effect` in the same micro-step.
     pub(super) fn at_once(&mut self, cause: Change, effect: Change) {
         self.edge(cause, effect, false);
     }
 
-    /// `cause` can bring `effect` about in the next micro-step.
+    /// `cause` can cause `effect` in the next micro-step.
     pub(super) fn next(&mut self, cause: Change, effect: Change) {
         self.edge(cause, effect, true);
     }
 
-    /// What is new at the start of the reaction can bring it about in the first micro-step.
+    /// What is new at the start of the reaction can cause it in the first micro-step.
     pub(super) fn start(&mut self, change: Change) {
         let number = self.number(change);
         self.at_start.push(number);

@@ -58,7 +58,7 @@ fn a_chain_of_levels() {
 
 #[test]
 fn a_ring_of_levels_on_different_inputs() {
-    // with a and b true it goes round for ever
+    // with a and b true it never ends
     let found = longest("initial step 1 step 2 transition 1 -> 2 : a transition 2 -> 1 : b", None);
     assert_eq!((numbers(&found.cycle), found.single), (vec![1, 2], false));
     assert!(!found.ends_within(u32::MAX));
