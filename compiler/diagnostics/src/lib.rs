@@ -13,5 +13,5 @@ mod source;
 pub use code::{Code, Severity};
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
 pub use fix::{Applicability, Edit, Fix, Misfit, apply};
-pub use lines::{Place, Position, Unit};
+pub use lines::{EditorPosition, Position, Unit};
 pub use source::{FileId, SourceFile, SourceMap, Span};

@@ -24,7 +24,7 @@ pub struct Position {
 
 /// A place in a text, as editors give it: line and column from 0.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
-pub struct Place {
+pub struct EditorPosition {
     /// The line.
     pub line: u32,
     /// So many units of the line are before it.
@@ -107,7 +107,7 @@ impl Lines {
     }
 
     /// Line and column of a byte, in a unit; within a line end they are those of the end of the line.
-    pub(crate) fn place(&self, text: &str, byte: usize, unit: Unit) -> Place {
+    pub(crate) fn place(&self, text: &str, byte: usize, unit: Unit) -> EditorPosition {
         let byte = floor(text, byte);
         let line = self.line_of(byte);
         let range = self.line(text, line);
@@ -117,11 +117,11 @@ impl Lines {
             Unit::Utf16 => self.before(text, byte).since(self.before(text, range.start)).utf16,
             Unit::Characters => self.before(text, byte).since(self.before(text, range.start)).characters,
         };
-        Place { line: line as u32, column: column as u32 }
+        EditorPosition { line: line as u32, column: column as u32 }
     }
 
     /// The byte at a place: that of the character which the place lies in, at most the end of its line or of the text.
-    pub(crate) fn byte(&self, text: &str, place: Place, unit: Unit) -> usize {
+    pub(crate) fn byte(&self, text: &str, place: EditorPosition, unit: Unit) -> usize {
         let range = self.line(text, place.line as usize);
         let column = place.column as usize;
         let (total, of): (usize, fn(Sums) -> usize) = match unit {
@@ -201,8 +201,8 @@ pub(crate) fn ceiling(text: &str, byte: usize) -> usize {
 mod tests {
     use super::*;
 
-    fn at(line: u32, column: u32) -> Place {
-        Place { line, column }
+    fn at(line: u32, column: u32) -> EditorPosition {
+        EditorPosition { line, column }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Source texts and places in them.
 
-use crate::lines::{Lines, Place, Position, Unit, ceiling, floor};
+use crate::lines::{EditorPosition, Lines, Position, Unit, ceiling, floor};
 use std::fmt;
 use std::ops::Range;
 use std::sync::OnceLock;
@@ -82,12 +82,12 @@ impl SourceFile {
     }
 
     /// Line and column of a byte, as editors count them.
-    pub fn place(&self, byte: usize, unit: Unit) -> Place {
+    pub fn place(&self, byte: usize, unit: Unit) -> EditorPosition {
         self.lines().place(&self.text, byte, unit)
     }
 
     /// The byte at a line and column, as editors count them.
-    pub fn byte(&self, place: Place, unit: Unit) -> usize {
+    pub fn byte(&self, place: EditorPosition, unit: Unit) -> usize {
         self.lines().byte(&self.text, place, unit)
     }
 

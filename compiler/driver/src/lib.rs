@@ -7,8 +7,8 @@ mod choices;
 pub mod command_line;
 mod commands;
 mod map;
-mod place;
 mod report;
+mod stream;
 
 use clap::CommandFactory;
 use command_line::{Command, CommandLine};

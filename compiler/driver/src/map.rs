@@ -39,14 +39,14 @@ struct Entry<'m> {
     at: Option<&'m str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     comment: Option<&'m str>,
-    start: Place,
-    end: Place,
+    start: LineColumn,
+    end: LineColumn,
     lines: &'m [(u32, u32)],
 }
 
 /// A place in the chart, from 1; columns in characters.
 #[derive(Serialize)]
-struct Place {
+struct LineColumn {
     line: usize,
     column: usize,
 }
@@ -104,7 +104,7 @@ fn entry<'m>(element: &'m Element, sources: &SourceMap) -> Entry<'m> {
     let range = file.range(element.span);
     let place = |byte| {
         let position = file.position(byte);
-        Place { line: position.line, column: position.column }
+        LineColumn { line: position.line, column: position.column }
     };
     Entry {
         kind: element.kind.name(),

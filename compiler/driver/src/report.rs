@@ -1,7 +1,7 @@
 //! What a run says about charts, and where it says it.
 
 use crate::Exit;
-use crate::place::Place;
+use crate::stream::Stream;
 use clap::ValueEnum;
 use grafc::files::{Refusal, print};
 use grafc_diagnostics::{Diagnostics, FileId, SourceMap, render};
@@ -64,8 +64,8 @@ pub struct Report {
 
 impl Report {
     /// Reads a text; none if it is not UTF-8, which is an error at its first bad byte.
-    pub fn load(&mut self, place: &Place) -> Result<Option<FileId>, Refusal> {
-        let added = grafc::add(&mut self.sources, place.input_name(), place.read()?);
+    pub fn load(&mut self, stream: &Stream) -> Result<Option<FileId>, Refusal> {
+        let added = grafc::add(&mut self.sources, stream.input_name(), stream.read()?);
         Ok(added.map_err(|diagnostic| self.diagnostics.push(diagnostic)).ok())
     }
 

@@ -5,7 +5,7 @@
 
 mod common;
 
-use common::{DUBIOUS, FAULTY, Place, Run, VALVE};
+use common::{DUBIOUS, FAULTY, Folder, Run, VALVE};
 use grafc::{Build, Encoding, Evolution, Runtime};
 use std::path::PathBuf;
 use std::process::Command;
@@ -21,13 +21,13 @@ fn build_script() {
 }
 
 /// Runs the build script in a place, with the folder `out` in it.
-fn script(place: &Place, chart: &str) -> Run {
-    std::fs::create_dir_all(place.path("out")).unwrap();
+fn script(folder: &Folder, chart: &str) -> Run {
+    std::fs::create_dir_all(folder.path("out")).unwrap();
     let output = Command::new(std::env::current_exe().unwrap())
         .args(["--exact", "build_script", "--nocapture", "--quiet"])
-        .current_dir(place.path("."))
+        .current_dir(folder.path("."))
         .env(CHART, chart)
-        .env("OUT_DIR", place.path("out"))
+        .env("OUT_DIR", folder.path("out"))
         .output();
     Run::of(output.unwrap())
 }
@@ -38,9 +38,9 @@ fn directives(run: &Run) -> Vec<&str> {
 }
 
 /// A builder that writes into a place.
-fn build(place: &Place) -> Build {
-    let mut build = Build::new(place.path("valve.gct"));
-    build.out_dir(place.path("."));
+fn build(folder: &Folder) -> Build {
+    let mut build = Build::new(folder.path("valve.gct"));
+    build.out_dir(folder.path("."));
     build
 }
 
@@ -53,29 +53,29 @@ fn unwrapped(code: &str, module: &str) -> String {
 
 #[test]
 fn a_chart_becomes_a_module_in_out_dir() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    let run = script(&place, "valve.gct");
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    let run = script(&folder, "valve.gct");
     run.is_done();
     assert_eq!(directives(&run), ["cargo::rerun-if-changed=valve.gct"]);
-    assert_eq!(place.names(), ["out", "valve.gct"]);
-    let code = place.read("out/valve.rs");
+    assert_eq!(folder.names(), ["out", "valve.gct"]);
+    let code = folder.read("out/valve.rs");
     assert!(code.contains("    pub struct Valve {"), "{code}");
 }
 
 #[test]
 fn the_code_is_that_of_the_command_line() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
     let same = |build: &mut Build, arguments: &[&str]| {
-        let path = build.module("m").out_dir(place.path(".")).try_compile().unwrap();
-        assert_eq!(path, place.path(".").join("m.rs"));
+        let path = build.module("m").out_dir(folder.path(".")).try_compile().unwrap();
+        assert_eq!(path, folder.path(".").join("m.rs"));
         let all: Vec<&str> = ["valve.gct", "--target", "rust"].iter().chain(arguments).copied().collect();
-        let expected = place.run(&all).is_done().out.clone();
+        let expected = folder.run(&all).is_done().out.clone();
         let expected: Vec<&str> = expected.lines().map(str::trim_start).collect();
         // Deeper in, a line may be broken in two.
         let words = |text: &str| text.split_whitespace().collect::<String>();
-        assert_eq!(words(&unwrapped(&place.read("m.rs"), "m")), words(&expected.join("\n")), "{arguments:?}");
+        assert_eq!(words(&unwrapped(&folder.read("m.rs"), "m")), words(&expected.join("\n")), "{arguments:?}");
     };
-    let new = || Build::new(place.path("valve.gct"));
+    let new = || Build::new(folder.path("valve.gct"));
     same(&mut new(), &[]);
     for encoding in [Encoding::SinglePhase, Encoding::Sequent, Encoding::Switch] {
         same(new().encoding(encoding), &["--encoding", encoding.name()]);
@@ -90,37 +90,37 @@ fn the_code_is_that_of_the_command_line() {
 
 #[test]
 fn the_name_of_module_and_file_can_be_chosen() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    build(&place).module("LeftValve").try_compile().unwrap();
-    assert!(place.read("LeftValve.rs").starts_with("pub mod left_valve {\n"));
-    build(&place).module("type").try_compile().unwrap();
-    let code = place.read("type.rs");
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    build(&folder).module("LeftValve").try_compile().unwrap();
+    assert!(folder.read("LeftValve.rs").starts_with("pub mod left_valve {\n"));
+    build(&folder).module("type").try_compile().unwrap();
+    let code = folder.read("type.rs");
     assert!(code.starts_with("pub mod ") && !code.starts_with("pub mod type {"), "{code}");
 }
 
 #[test]
 fn errors_are_said_as_the_command_line_says_them() {
     let two_faults = FAULTY.replace("input  a", "input  a, a");
-    let place = Place::new(&[("valve.gct", &two_faults), ("bytes.gct", "")]);
-    std::fs::write(place.path("bytes.gct"), b"initial step 1 \xFF\n").unwrap();
+    let folder = Folder::new(&[("valve.gct", &two_faults), ("bytes.gct", "")]);
+    std::fs::write(folder.path("bytes.gct"), b"initial step 1 \xFF\n").unwrap();
     for chart in ["valve.gct", "bytes.gct", "missing.gct"] {
-        let run = script(&place, chart);
-        let expected = place.run(&[chart, "--target", "rust"]);
+        let run = script(&folder, chart);
+        let expected = folder.run(&[chart, "--target", "rust"]);
         assert!(expected.err.contains("error"), "{}", expected.err);
         assert_eq!((run.code, run.err.as_str()), (expected.code, expected.err.as_str()), "{chart}");
         // Cargo has to run the script again once the chart is right.
         assert_eq!(directives(&run), [format!("cargo::rerun-if-changed={chart}")]);
     }
-    let both = script(&place, "valve.gct");
+    let both = script(&folder, "valve.gct");
     both.ends(1, "error[E0202]").ends(1, "error[E0201]").ends(1, "2 errors");
 }
 
 #[test]
 fn after_an_error_the_old_code_is_still_there() {
-    let place = Place::new(&[("valve.gct", FAULTY), ("valve.rs", "old")]);
-    let error = build(&place).try_compile().unwrap_err();
-    assert_eq!(place.read("valve.rs"), "old");
-    assert_eq!(place.names(), ["valve.gct", "valve.rs"]);
+    let folder = Folder::new(&[("valve.gct", FAULTY), ("valve.rs", "old")]);
+    let error = build(&folder).try_compile().unwrap_err();
+    assert_eq!(folder.read("valve.rs"), "old");
+    assert_eq!(folder.names(), ["valve.gct", "valve.rs"]);
     assert!(error.to_string().starts_with("error[E0201]: "), "{error}");
     // It is `Debug` that is printed of an error that `main` returns.
     assert_eq!(format!("{error:?}"), error.to_string());
@@ -128,10 +128,10 @@ fn after_an_error_the_old_code_is_still_there() {
 
 #[test]
 fn warnings_go_to_cargo_line_by_line() {
-    let place = Place::new(&[("valve.gct", DUBIOUS)]);
-    let run = script(&place, "valve.gct");
+    let folder = Folder::new(&[("valve.gct", DUBIOUS)]);
+    let run = script(&folder, "valve.gct");
     run.is_done();
-    let expected = place.run(&["valve.gct", "--target", "rust"]).err;
+    let expected = folder.run(&["valve.gct", "--target", "rust"]).err;
     let expected: Vec<&str> = expected.lines().filter(|line| !line.is_empty()).collect();
     let (count, picture) = expected.split_last().unwrap();
     assert_eq!(*count, "1 warning");
@@ -139,18 +139,18 @@ fn warnings_go_to_cargo_line_by_line() {
     let said: Vec<&str> =
         directives(&run).into_iter().filter_map(|line| line.strip_prefix("cargo::warning=")).collect();
     assert_eq!(said, picture);
-    assert!(place.read("out/valve.rs").contains("pub struct "));
+    assert!(folder.read("out/valve.rs").contains("pub struct "));
 }
 
 #[test]
 fn what_cannot_be_written_is_named_with_its_reason() {
-    let place = Place::new(&[("valve.gct", DUBIOUS), ("valve.rs", VALVE)]);
-    let error = build(&place).out_dir(place.path("none")).try_compile().unwrap_err().to_string();
+    let folder = Folder::new(&[("valve.gct", DUBIOUS), ("valve.rs", VALVE)]);
+    let error = build(&folder).out_dir(folder.path("none")).try_compile().unwrap_err().to_string();
     assert!(error.contains("warning[W0403]") && error.contains("error: cannot write `"), "{error}");
-    let error = Build::new(place.path("valve.rs")).out_dir(place.path(".")).try_compile().unwrap_err().to_string();
+    let error = Build::new(folder.path("valve.rs")).out_dir(folder.path(".")).try_compile().unwrap_err().to_string();
     assert!(error.contains("the output would overwrite `"), "{error}");
-    assert_eq!(place.read("valve.rs"), VALVE);
+    assert_eq!(folder.read("valve.rs"), VALVE);
     assert_eq!(std::env::var_os("OUT_DIR").map(PathBuf::from), None);
-    let error = Build::new(place.path("valve.gct")).try_compile().unwrap_err().to_string();
+    let error = Build::new(folder.path("valve.gct")).try_compile().unwrap_err().to_string();
     assert!(error.contains("there is no `OUT_DIR`") && error.contains("help: "), "{error}");
 }

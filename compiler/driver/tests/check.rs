@@ -2,31 +2,31 @@
 
 mod common;
 
-use common::{DUBIOUS, FAULTY, Place, VALVE};
+use common::{DUBIOUS, FAULTY, Folder, VALVE};
 use serde_json::Value;
 
 #[test]
 fn a_sound_chart_is_met_with_silence() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    assert_eq!(place.run(&["check", "valve.gct"]).is_done().out, "");
-    assert_eq!(place.run(&["check", "valve.gct", "--format", "json"]).is_done().out, "");
-    assert_eq!(place.run_with(&["check", "-"], VALVE).is_done().out, "");
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    assert_eq!(folder.run(&["check", "valve.gct"]).is_done().out, "");
+    assert_eq!(folder.run(&["check", "valve.gct", "--format", "json"]).is_done().out, "");
+    assert_eq!(folder.run_with(&["check", "-"], VALVE).is_done().out, "");
 }
 
 #[test]
 fn all_charts_are_checked_and_counted() {
-    let place = Place::new(&[("a.gct", FAULTY), ("b.gct", DUBIOUS), ("c.gct", VALVE), ("d.gct", FAULTY)]);
-    let run = place.run(&["check", "a.gct", "b.gct", "c.gct", "d.gct"]);
+    let folder = Folder::new(&[("a.gct", FAULTY), ("b.gct", DUBIOUS), ("c.gct", VALVE), ("d.gct", FAULTY)]);
+    let run = folder.run(&["check", "a.gct", "b.gct", "c.gct", "d.gct"]);
     run.ends(1, "a.gct:6:25").ends(1, "b.gct:6:25").ends(1, "d.gct:6:25");
     assert!(run.err.ends_with("\n2 errors, 1 warning\n"), "{}", run.err);
     assert_eq!(run.out, "");
-    place.run(&["check", "b.gct"]).ends(0, "W0403");
+    folder.run(&["check", "b.gct"]).ends(0, "W0403");
 }
 
 #[test]
 fn json_goes_to_standard_output_one_object_a_line() {
-    let place = Place::new(&[("a.gct", FAULTY), ("b.gct", DUBIOUS)]);
-    let run = place.run(&["check", "a.gct", "b.gct", "--format", "json"]);
+    let folder = Folder::new(&[("a.gct", FAULTY), ("b.gct", DUBIOUS)]);
+    let run = folder.run(&["check", "a.gct", "b.gct", "--format", "json"]);
     assert_eq!((run.code, run.err.as_str()), (1, ""));
     let messages: Vec<Value> = run.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     assert_eq!(messages.len(), 2);
@@ -42,8 +42,8 @@ fn json_goes_to_standard_output_one_object_a_line() {
 
 #[test]
 fn sarif_goes_to_standard_output_as_one_log() {
-    let place = Place::new(&[("a.gct", FAULTY), ("b.gct", DUBIOUS), ("c.gct", VALVE)]);
-    let run = place.run(&["check", "a.gct", "b.gct", "--format", "sarif"]);
+    let folder = Folder::new(&[("a.gct", FAULTY), ("b.gct", DUBIOUS), ("c.gct", VALVE)]);
+    let run = folder.run(&["check", "a.gct", "b.gct", "--format", "sarif"]);
     assert_eq!((run.code, run.err.as_str()), (1, ""));
     let log: Value = serde_json::from_str(&run.out).unwrap();
     assert_eq!(log["version"], "2.1.0");
@@ -57,29 +57,29 @@ fn sarif_goes_to_standard_output_as_one_log() {
     assert_eq!(results[0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "a.gct");
 
     let clean: Value =
-        serde_json::from_str(&place.run(&["check", "c.gct", "--format", "sarif"]).is_done().out).unwrap();
+        serde_json::from_str(&folder.run(&["check", "c.gct", "--format", "sarif"]).is_done().out).unwrap();
     assert_eq!(clean["runs"][0]["results"], serde_json::json!([]));
 }
 
 #[test]
 fn one_chart_that_cannot_be_read_does_not_hide_the_others() {
-    let place = Place::new(&[("a.gct", FAULTY)]);
-    place.run(&["check", "missing.gct", "a.gct"]).ends(3, "cannot read `missing.gct`").ends(3, "E0201");
+    let folder = Folder::new(&[("a.gct", FAULTY)]);
+    folder.run(&["check", "missing.gct", "a.gct"]).ends(3, "cannot read `missing.gct`").ends(3, "E0201");
 }
 
 #[test]
 fn no_colour_where_there_is_no_terminal() {
-    let place = Place::new(&[("a.gct", FAULTY)]);
-    assert!(!place.run(&["check", "a.gct"]).err.contains('\u{1b}'));
+    let folder = Folder::new(&[("a.gct", FAULTY)]);
+    assert!(!folder.run(&["check", "a.gct"]).err.contains('\u{1b}'));
 }
 
 #[test]
 fn wrong_use_ends_with_2() {
-    let place = Place::new(&[("a.gct", VALVE)]);
-    place.run(&["check"]).ends(2, "CHART");
-    place.run(&["check", "a.gct", "--format", "xml"]).ends(2, "possible values: human, json, sarif");
-    place.run(&["check", "-", "-"]).ends(2, "standard input is named twice");
-    place.run(&["check", "a.gct", "--target", "st"]).ends(2, "--target");
+    let folder = Folder::new(&[("a.gct", VALVE)]);
+    folder.run(&["check"]).ends(2, "CHART");
+    folder.run(&["check", "a.gct", "--format", "xml"]).ends(2, "possible values: human, json, sarif");
+    folder.run(&["check", "-", "-"]).ends(2, "standard input is named twice");
+    folder.run(&["check", "a.gct", "--target", "st"]).ends(2, "--target");
 }
 
 #[test]
@@ -92,8 +92,8 @@ transition 1 -> 9 : a and ↑(a · ↑a)
 transition 1 -> : b
 transition 1 -> : a or
 ";
-    let place = Place::new(&[("mixed.gct", text)]);
-    let run = place.run(&["check", "mixed.gct"]);
+    let folder = Folder::new(&[("mixed.gct", text)]);
+    let run = folder.run(&["check", "mixed.gct"]);
     run.ends(1, "mixed.gct:1:10").ends(1, "mixed.gct:2:6").ends(1, "mixed.gct:4:33").ends(1, "mixed.gct:6:23");
     assert!(run.err.contains("E0202") && run.err.contains("E0413"), "{}", run.err);
     // The step `9` and the variable `b` may stand in what could not be read.

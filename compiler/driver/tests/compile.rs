@@ -2,81 +2,81 @@
 
 mod common;
 
-use common::{DUBIOUS, FAULTY, Place, VALVE};
+use common::{DUBIOUS, FAULTY, Folder, VALVE};
 
 #[test]
 fn code_goes_to_standard_output_or_to_a_file() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    let printed = place.run(&["valve.gct", "--target", "st"]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    let printed = folder.run(&["valve.gct", "--target", "st"]);
     printed.is_done();
     assert!(printed.out.contains("FUNCTION_BLOCK Valve"), "{}", printed.out);
     assert!(printed.out.contains("END_FUNCTION_BLOCK"), "{}", printed.out);
 
-    let written = place.run(&["--target", "st", "-o", "valve.st", "valve.gct"]);
+    let written = folder.run(&["--target", "st", "-o", "valve.st", "valve.gct"]);
     assert_eq!(written.is_done().out, "");
-    assert_eq!(place.read("valve.st"), printed.out);
-    assert_eq!(place.run(&["valve.gct", "--target", "st", "-o", "-"]).is_done().out, printed.out);
+    assert_eq!(folder.read("valve.st"), printed.out);
+    assert_eq!(folder.run(&["valve.gct", "--target", "st", "-o", "-"]).is_done().out, printed.out);
 }
 
 #[test]
 fn equal_runs_give_equal_code() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    let first = place.run(&["valve.gct", "--target", "st"]);
-    assert_eq!(place.run(&["valve.gct", "--target", "st"]).is_done().out, first.out);
-    let elsewhere = place.path("valve.gct").display().to_string();
-    assert_eq!(place.run(&[&elsewhere, "--target", "st"]).is_done().out, first.out);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    let first = folder.run(&["valve.gct", "--target", "st"]);
+    assert_eq!(folder.run(&["valve.gct", "--target", "st"]).is_done().out, first.out);
+    let elsewhere = folder.path("valve.gct").display().to_string();
+    assert_eq!(folder.run(&[&elsewhere, "--target", "st"]).is_done().out, first.out);
 }
 
 #[test]
 fn standard_input_is_a_chart_too() {
-    let place = Place::new(&[]);
-    let run = place.run_with(&["-", "--target", "st"], VALVE);
+    let folder = Folder::new(&[]);
+    let run = folder.run_with(&["-", "--target", "st"], VALVE);
     assert!(run.is_done().out.contains("FUNCTION_BLOCK Valve"));
-    place.run_with(&["-", "--target", "st"], FAULTY).ends(1, "<stdin>:6:25");
+    folder.run_with(&["-", "--target", "st"], FAULTY).ends(1, "<stdin>:6:25");
 }
 
 #[test]
 fn a_chart_without_a_name_is_called_after_its_file() {
     let nameless = VALVE.replace("chart Valve \"one valve\"", "");
-    let place = Place::new(&[("pump.gct", &nameless)]);
-    assert!(place.run(&["pump.gct", "--target", "st"]).is_done().out.contains("FUNCTION_BLOCK pump"));
-    let run = place.run_with(&["-", "--target", "st"], &nameless);
+    let folder = Folder::new(&[("pump.gct", &nameless)]);
+    assert!(folder.run(&["pump.gct", "--target", "st"]).is_done().out.contains("FUNCTION_BLOCK pump"));
+    let run = folder.run_with(&["-", "--target", "st"], &nameless);
     assert!(run.is_done().out.contains("FUNCTION_BLOCK chart"), "{}", run.out);
 }
 
 #[test]
 fn a_chart_named_like_a_command_is_given_by_path() {
-    let place = Place::new(&[("check", VALVE)]);
-    assert!(place.run(&["./check", "--target", "st"]).is_done().out.contains("FUNCTION_BLOCK Valve"));
+    let folder = Folder::new(&[("check", VALVE)]);
+    assert!(folder.run(&["./check", "--target", "st"]).is_done().out.contains("FUNCTION_BLOCK Valve"));
 }
 
 #[test]
 fn errors_stop_without_output() {
-    let place = Place::new(&[("faulty.gct", FAULTY), ("old.st", "as it was")]);
-    let run = place.run(&["faulty.gct", "--target", "st"]);
+    let folder = Folder::new(&[("faulty.gct", FAULTY), ("old.st", "as it was")]);
+    let run = folder.run(&["faulty.gct", "--target", "st"]);
     run.ends(1, "error[E0201]").ends(1, "faulty.gct:6:25");
     assert_eq!(run.out, "");
     assert!(run.err.ends_with("\n1 error\n"), "{}", run.err);
 
-    place.run(&["faulty.gct", "--target", "st", "-o", "new.st"]).ends(1, "E0201");
-    place.run(&["faulty.gct", "--target", "st", "-o", "old.st"]).ends(1, "E0201");
-    assert_eq!(place.names(), ["faulty.gct", "old.st"]);
-    assert_eq!(place.read("old.st"), "as it was");
+    folder.run(&["faulty.gct", "--target", "st", "-o", "new.st"]).ends(1, "E0201");
+    folder.run(&["faulty.gct", "--target", "st", "-o", "old.st"]).ends(1, "E0201");
+    assert_eq!(folder.names(), ["faulty.gct", "old.st"]);
+    assert_eq!(folder.read("old.st"), "as it was");
 }
 
 #[test]
 fn warnings_do_not_stop() {
-    let place = Place::new(&[("dubious.gct", DUBIOUS)]);
-    let run = place.run(&["dubious.gct", "--target", "st", "-o", "out.st"]);
+    let folder = Folder::new(&[("dubious.gct", DUBIOUS)]);
+    let run = folder.run(&["dubious.gct", "--target", "st", "-o", "out.st"]);
     run.ends(0, "warning[W0403]");
     assert!(run.err.ends_with("\n1 warning\n"), "{}", run.err);
-    assert!(place.read("out.st").contains("FUNCTION_BLOCK dubious"));
+    assert!(folder.read("out.st").contains("FUNCTION_BLOCK dubious"));
 }
 
 #[test]
 fn messages_may_be_json_and_go_to_standard_error() {
-    let place = Place::new(&[("faulty.gct", FAULTY)]);
-    let run = place.run(&["faulty.gct", "--target", "st", "--format", "json"]);
+    let folder = Folder::new(&[("faulty.gct", FAULTY)]);
+    let run = folder.run(&["faulty.gct", "--target", "st", "--format", "json"]);
     assert_eq!(run.ends(1, "").out, "");
     let message: serde_json::Value = serde_json::from_str(run.err.trim_end()).unwrap();
     assert_eq!(message["code"], "E0201");
@@ -85,18 +85,18 @@ fn messages_may_be_json_and_go_to_standard_error() {
 
 #[test]
 fn a_text_that_is_not_utf8_is_an_error_at_its_first_bad_byte() {
-    let place = Place::new(&[]);
-    std::fs::write(place.path("latin.gct"), b"initial step 1 \"f\xFCllen\"\n").unwrap();
-    place.run(&["latin.gct", "--target", "st"]).ends(1, "error[E0110]").ends(1, "offset 17").ends(1, "latin.gct:1:18");
-    place.run_with(&["check", "-"], b"\xFF").ends(1, "E0110");
+    let folder = Folder::new(&[]);
+    std::fs::write(folder.path("latin.gct"), b"initial step 1 \"f\xFCllen\"\n").unwrap();
+    folder.run(&["latin.gct", "--target", "st"]).ends(1, "error[E0110]").ends(1, "offset 17").ends(1, "latin.gct:1:18");
+    folder.run_with(&["check", "-"], b"\xFF").ends(1, "E0110");
 }
 
 #[test]
 fn choices_reach_the_code() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
     let code = |arguments: &[&str]| {
         let all: Vec<&str> = ["valve.gct", "--target", "st"].iter().chain(arguments).copied().collect();
-        place.run(&all).is_done().out.clone()
+        folder.run(&all).is_done().out.clone()
     };
     let plain = code(&[]);
     assert_eq!(code(&["--encoding", "single-phase", "--evolution", "stable", "--initial-actions", "on"]), plain);
@@ -111,10 +111,10 @@ fn choices_reach_the_code() {
 
 #[test]
 fn choices_reach_the_files_of_tools() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
     let code = |arguments: &[&str]| {
         let all: Vec<&str> = ["valve.gct", "--target"].iter().chain(arguments).copied().collect();
-        place.run(&all).is_done().out.clone()
+        folder.run(&all).is_done().out.clone()
     };
     let plain = code(&["plcopen"]);
     assert_eq!(code(&["plcopen", "--dialect", "neutral", "--body", "st"]), plain);
@@ -127,7 +127,7 @@ fn choices_reach_the_files_of_tools() {
     assert!(instructions.contains("<IL>") && instructions.contains("--body il"), "{instructions}");
     let ladder = code(&["plcopen", "--body", "ld", "--evolution", "scan"]);
     assert!(ladder.contains("<LD>") && ladder.contains("--body ld"), "{ladder}");
-    place
+    folder
         .run(&["valve.gct", "--target", "plcopen", "--dialect", "codesys", "--body", "ld"])
         .ends(2, "`--body ld` draws for the readers of `--dialect neutral` alone");
     let drawn = code(&["plcopen", "--body", "sfc", "--evolution", "scan"]);
@@ -145,16 +145,16 @@ fn choices_reach_the_files_of_tools() {
         (["il", "--mnemonics", "german"], "`--target awl`"),
     ] {
         let all: Vec<&str> = ["valve.gct", "--target"].iter().chain(&arguments).copied().collect();
-        place.run(&all).ends(2, &format!("`{}` is an option of {owner}", arguments[1]));
+        folder.run(&all).ends(2, &format!("`{}` is an option of {owner}", arguments[1]));
     }
 }
 
 #[test]
 fn an_instruction_list_is_the_same_function_block() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
     let code = |target: &str, arguments: &[&str]| {
         let all: Vec<&str> = ["valve.gct", "--target", target].iter().chain(arguments).copied().collect();
-        place.run(&all).is_done().out.clone()
+        folder.run(&all).is_done().out.clone()
     };
     let declarations = |text: &str| {
         let (head, body) = text.rsplit_once("END_VAR").unwrap();
@@ -166,19 +166,19 @@ fn an_instruction_list_is_the_same_function_block() {
     assert_eq!(declarations(&list).0, declarations(&text).0);
     assert!(!declarations(&list).1.contains(';') && declarations(&list).1.contains("    LD    X1 "), "{list}");
     assert!(code("il", &["--pou", "configuration", "--task-interval", "50ms"]).contains("T#50ms"));
-    place.run(&["valve.gct", "--target", "il", "--task-interval", "50ms"]).ends(2, "of a configuration's task");
-    place.run(&["valve.gct", "--target", "il", "--runtime", "crate"]).ends(2, "an option of `--target rust`");
-    place
+    folder.run(&["valve.gct", "--target", "il", "--task-interval", "50ms"]).ends(2, "of a configuration's task");
+    folder.run(&["valve.gct", "--target", "il", "--runtime", "crate"]).ends(2, "an option of `--target rust`");
+    folder
         .run(&["valve.gct", "--target", "rust", "--pou", "program"])
         .ends(2, "`--target st`, `--target il` and `--target awl`");
 }
 
 #[test]
 fn a_source_of_step_7_has_numbered_blocks() {
-    let place = Place::new(&[("valve.gct", VALVE), ("scale.gct", SCALE)]);
+    let folder = Folder::new(&[("valve.gct", VALVE), ("scale.gct", SCALE)]);
     let code = |arguments: &[&str]| {
         let all: Vec<&str> = ["valve.gct", "--target", "awl"].iter().chain(arguments).copied().collect();
-        place.run(&all).is_done().out.clone()
+        folder.run(&all).is_done().out.clone()
     };
     let plain = code(&[]);
     assert_eq!(code(&["--pou", "function-block", "--block-number", "1", "--mnemonics", "english"]), plain);
@@ -189,12 +189,12 @@ fn a_source_of_step_7_has_numbered_blocks() {
     assert!(code(&["--mnemonics", "german"]).contains("      U     #"));
     let wrong = |arguments: &[&str], said: &str| {
         let all: Vec<&str> = ["valve.gct", "--target", "awl"].iter().chain(arguments).copied().collect();
-        place.run(&all).ends(2, said);
+        folder.run(&all).ends(2, said);
     };
     wrong(&["--pou", "configuration"], "`--pou program` writes an OB 1");
     wrong(&["--task-interval", "50ms"], "an option of `--target st`");
     wrong(&["--block-number", "0"], "0");
-    place
+    folder
         .run(&["scale.gct", "--target", "awl"])
         .ends(1, "error[E0504]: `weight` is an `lreal`")
         .ends(1, "scale.gct:1:7");
@@ -206,9 +206,9 @@ const SCALE: &str = "input weight : lreal\noutput full : bool\ninitial step 1\ns
 
 #[test]
 fn every_encoding_holds_the_situation_in_its_own_way() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
     let code =
-        |encoding: &str| place.run(&["valve.gct", "--target", "st", "--encoding", encoding]).is_done().out.clone();
+        |encoding: &str| folder.run(&["valve.gct", "--target", "st", "--encoding", encoding]).is_done().out.clone();
     let encodings = ["single-phase", "r-trigger", "s-trigger", "sequent", "switch"];
     let codes = encodings.map(code);
     for (place, text) in codes.iter().enumerate() {
@@ -223,10 +223,10 @@ fn every_encoding_holds_the_situation_in_its_own_way() {
 
 #[test]
 fn the_level_of_optimisation_is_said_if_it_is_not_the_usual_one() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
     let code = |arguments: &[&str]| {
         let all: Vec<&str> = ["valve.gct", "--target", "st"].iter().chain(arguments).copied().collect();
-        place.run(&all).is_done().out.clone()
+        folder.run(&all).is_done().out.clone()
     };
     let plain = code(&["-O0"]);
     assert_eq!(code(&["-O", "0"]), plain);
@@ -241,9 +241,9 @@ fn the_level_of_optimisation_is_said_if_it_is_not_the_usual_one() {
 
 #[test]
 fn code_says_what_made_it() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
     let head = |arguments: &[&str]| {
-        let out = place.run(arguments).is_done().out.clone();
+        let out = folder.run(arguments).is_done().out.clone();
         out.lines().take(4).collect::<Vec<_>>().join("\n")
     };
     let plain = head(&["valve.gct", "--target", "st"]);
@@ -254,36 +254,36 @@ fn code_says_what_made_it() {
 
 #[test]
 fn wrong_use_ends_with_2() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    place.run(&[]).ends(2, "Usage: grafc");
-    place.run(&["valve.gct"]).ends(2, "--target <TARGET>|--emit <STAGE>|--dump-after <PASS>");
-    place.run(&["--target", "st"]).ends(2, "CHART");
-    place.run(&["valve.gct", "--target", "fortran"]).ends(2, "possible values: st");
-    place.run(&["valve.gct", "--target", "st", "--encoding", "gray"]).ends(2, "single-phase");
-    place.run(&["valve.gct", "--target", "st", "-O2"]).ends(2, "possible values: 0, 1");
-    place.run(&["valve.gct", "--target", "st", "-O"]).ends(2, "--optimize <LEVEL>");
-    place.run(&["valve.gct", "--target", "st", "--bound", "0"]).ends(2, "--bound");
-    place.run(&["valve.gct", "--target", "st", "--task-interval", "20ms"]).ends(2, "--pou configuration");
-    place
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    folder.run(&[]).ends(2, "Usage: grafc");
+    folder.run(&["valve.gct"]).ends(2, "--target <TARGET>|--emit <STAGE>|--dump-after <PASS>");
+    folder.run(&["--target", "st"]).ends(2, "CHART");
+    folder.run(&["valve.gct", "--target", "fortran"]).ends(2, "possible values: st");
+    folder.run(&["valve.gct", "--target", "st", "--encoding", "gray"]).ends(2, "single-phase");
+    folder.run(&["valve.gct", "--target", "st", "-O2"]).ends(2, "possible values: 0, 1");
+    folder.run(&["valve.gct", "--target", "st", "-O"]).ends(2, "--optimize <LEVEL>");
+    folder.run(&["valve.gct", "--target", "st", "--bound", "0"]).ends(2, "--bound");
+    folder.run(&["valve.gct", "--target", "st", "--task-interval", "20ms"]).ends(2, "--pou configuration");
+    folder
         .run(&["valve.gct", "--target", "st", "--pou", "configuration", "--task-interval", "0ms"])
         .ends(2, "task-interval");
-    place.run(&["valve.gct", "--target", "st", "--nonsense"]).ends(2, "--nonsense");
-    place.run(&["chek", "valve.gct"]).ends(2, "similar command exists: 'check'");
-    place.run(&["valve.gct", "check"]).ends(2, "check");
-    assert_eq!(place.names(), ["valve.gct"]);
+    folder.run(&["valve.gct", "--target", "st", "--nonsense"]).ends(2, "--nonsense");
+    folder.run(&["chek", "valve.gct"]).ends(2, "similar command exists: 'check'");
+    folder.run(&["valve.gct", "check"]).ends(2, "check");
+    assert_eq!(folder.names(), ["valve.gct"]);
 }
 
 #[test]
 fn the_chart_is_never_overwritten() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    place.run(&["valve.gct", "--target", "st", "-o", "valve.gct"]).ends(2, "overwrite `valve.gct`");
-    place.run(&["valve.gct", "--target", "st", "-o", "./valve.gct"]).ends(2, "overwrite");
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    folder.run(&["valve.gct", "--target", "st", "-o", "valve.gct"]).ends(2, "overwrite `valve.gct`");
+    folder.run(&["valve.gct", "--target", "st", "-o", "./valve.gct"]).ends(2, "overwrite");
     #[cfg(unix)]
     {
-        std::os::unix::fs::symlink("valve.gct", place.path("link.st")).unwrap();
-        place.run(&["valve.gct", "--target", "st", "-o", "link.st"]).ends(2, "overwrite");
-        std::fs::hard_link(place.path("valve.gct"), place.path("hard.st")).unwrap();
-        place.run(&["valve.gct", "--target", "st", "-o", "hard.st"]).ends(2, "overwrite");
+        std::os::unix::fs::symlink("valve.gct", folder.path("link.st")).unwrap();
+        folder.run(&["valve.gct", "--target", "st", "-o", "link.st"]).ends(2, "overwrite");
+        std::fs::hard_link(folder.path("valve.gct"), folder.path("hard.st")).unwrap();
+        folder.run(&["valve.gct", "--target", "st", "-o", "hard.st"]).ends(2, "overwrite");
     }
-    assert_eq!(place.read("valve.gct"), VALVE);
+    assert_eq!(folder.read("valve.gct"), VALVE);
 }

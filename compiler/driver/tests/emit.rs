@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{DUBIOUS, FAULTY, Place, VALVE};
+use common::{DUBIOUS, FAULTY, Folder, VALVE};
 
 /// A macro-step, and an enclosure that is forced.
 const HIERARCHY: &str = "\
@@ -33,8 +33,8 @@ fn below<'t>(text: &'t str, heading: &str) -> Vec<&'t str> {
 
 #[test]
 fn each_stage_says_what_it_knows() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    let emit = |stage: &str| place.run(&["valve.gct", "--emit", stage]).is_done().out.clone();
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    let emit = |stage: &str| folder.run(&["valve.gct", "--emit", stage]).is_done().out.clone();
     assert!(emit("ast").contains("    transition (1)\n      from 1\n      to 2\n      when a\n"), "{}", emit("ast"));
     assert_eq!(below(&emit("model"), "transitions"), ["(1): 1 -> 2 when a", "(2): 2 -> 1 when b"]);
     assert_eq!(below(&emit("model"), "continuous actions"), ["2: V"]);
@@ -47,23 +47,23 @@ fn each_stage_says_what_it_knows() {
 
 #[test]
 fn the_text_goes_where_code_would_go() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
     for stage in STAGES {
-        let printed = place.run(&["valve.gct", "--emit", stage]).is_done().out.clone();
-        assert_eq!(place.run(&["valve.gct", "--emit", stage, "-o", "out.txt"]).is_done().out, "");
-        assert_eq!(place.read("out.txt"), printed);
-        assert_eq!(place.run_with(&["-", "--emit", stage], VALVE).is_done().out, printed);
+        let printed = folder.run(&["valve.gct", "--emit", stage]).is_done().out.clone();
+        assert_eq!(folder.run(&["valve.gct", "--emit", stage, "-o", "out.txt"]).is_done().out, "");
+        assert_eq!(folder.read("out.txt"), printed);
+        assert_eq!(folder.run_with(&["-", "--emit", stage], VALVE).is_done().out, printed);
     }
-    place.run(&["valve.gct", "--emit", "net", "-o", "valve.gct"]).ends(2, "overwrite `valve.gct`");
-    assert_eq!(place.read("valve.gct"), VALVE);
+    folder.run(&["valve.gct", "--emit", "net", "-o", "valve.gct"]).ends(2, "overwrite `valve.gct`");
+    assert_eq!(folder.read("valve.gct"), VALVE);
 }
 
 #[test]
 fn the_encoding_and_the_profile_reach_what_follows_them() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
     let emit = |arguments: &[&str]| {
         let all: Vec<&str> = ["valve.gct", "--emit"].iter().chain(arguments).copied().collect();
-        place.run(&all).is_done().out.clone()
+        folder.run(&all).is_done().out.clone()
     };
     assert!(emit(&["scan", "--encoding", "switch"]).contains("  case at_G1\n    1:  -- step 1\n"));
     assert!(emit(&["logic", "--encoding", "switch"]).contains("  where at_G1 is\n    1:\n"));
@@ -74,8 +74,8 @@ fn the_encoding_and_the_profile_reach_what_follows_them() {
 
 #[test]
 fn a_pass_leaves_no_trace_of_what_it_removes() {
-    let place = Place::new(&[("h.gct", HIERARCHY)]);
-    let after = |pass: &str| place.run(&["h.gct", "--dump-after", pass]).is_done().out.clone();
+    let folder = Folder::new(&[("h.gct", HIERARCHY)]);
+    let after = |pass: &str| folder.run(&["h.gct", "--dump-after", pass]).is_done().out.clone();
     let text = after("expand-macro-steps");
     assert_eq!(below(&text, "facts"), ["no macro-steps"]);
     assert_eq!(
@@ -90,18 +90,18 @@ fn a_pass_leaves_no_trace_of_what_it_removes() {
     assert!(below(&text, "orders").is_empty() && !text.contains("G3 in 3"), "{text}");
     assert!(below(&text, "places").contains(&"activated 5 of G3, within 3"), "{text}");
     assert!(below(&text, "grafcets").contains(&"forced by 3: {6}"), "{text}");
-    assert_eq!(place.run(&["h.gct", "--emit", "net"]).is_done().out, text);
-    place.run(&["h.gct", "--dump-after", "flatten-enclosures", "-o", "net.txt"]).is_done();
-    assert_eq!(place.read("net.txt"), text);
+    assert_eq!(folder.run(&["h.gct", "--emit", "net"]).is_done().out, text);
+    folder.run(&["h.gct", "--dump-after", "flatten-enclosures", "-o", "net.txt"]).is_done();
+    assert_eq!(folder.read("net.txt"), text);
 }
 
 #[test]
 fn a_pass_that_some_encodings_need_is_shown_with_these() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    let run = place.run(&["valve.gct", "--dump-after", "break-two-step-rings", "--encoding", "r-trigger"]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    let run = folder.run(&["valve.gct", "--dump-after", "break-two-step-rings", "--encoding", "r-trigger"]);
     // Step 1 leads to step 2 and back.
     assert!(run.out.contains("auxiliary"), "{}", run.out);
-    place
+    folder
         .run(&["valve.gct", "--dump-after", "break-two-step-rings"])
         .ends(2, "`break-two-step-rings` is not run with `--encoding single-phase`")
         .ends(2, "--encoding r-trigger");
@@ -109,31 +109,31 @@ fn a_pass_that_some_encodings_need_is_shown_with_these() {
 
 #[test]
 fn errors_stop_without_output() {
-    let place = Place::new(&[("faulty.gct", FAULTY), ("broken.gct", "step { \n")]);
+    let folder = Folder::new(&[("faulty.gct", FAULTY), ("broken.gct", "step { \n")]);
     for stage in &STAGES[1..] {
-        let run = place.run(&["faulty.gct", "--emit", stage, "-o", "out.txt"]);
+        let run = folder.run(&["faulty.gct", "--emit", stage, "-o", "out.txt"]);
         assert_eq!(run.ends(1, "error[E0201]").out, "");
     }
-    assert_eq!(place.run(&["faulty.gct", "--dump-after", "rank-orders", "-o", "out.txt"]).ends(1, "E0201").out, "");
-    assert_eq!(place.run(&["broken.gct", "--emit", "ast", "-o", "out.txt"]).ends(1, "error[E01").out, "");
-    assert_eq!(place.names(), ["broken.gct", "faulty.gct"]);
+    assert_eq!(folder.run(&["faulty.gct", "--dump-after", "rank-orders", "-o", "out.txt"]).ends(1, "E0201").out, "");
+    assert_eq!(folder.run(&["broken.gct", "--emit", "ast", "-o", "out.txt"]).ends(1, "error[E01").out, "");
+    assert_eq!(folder.names(), ["broken.gct", "faulty.gct"]);
     // A tree does not know what names mean.
-    let tree = place.run(&["faulty.gct", "--emit", "ast"]);
+    let tree = folder.run(&["faulty.gct", "--emit", "ast"]);
     assert!(tree.is_done().out.contains("    when nowhere\n"), "{}", tree.out);
 }
 
 #[test]
 fn warnings_do_not_stop() {
-    let place = Place::new(&[("dubious.gct", DUBIOUS)]);
-    let run = place.run(&["dubious.gct", "--emit", "model"]);
+    let folder = Folder::new(&[("dubious.gct", DUBIOUS)]);
+    let run = folder.run(&["dubious.gct", "--emit", "model"]);
     assert!(run.ends(0, "warning[W0403]").out.contains("when not ↑a"), "{}", run.out);
 }
 
 #[test]
 fn wrong_use_ends_with_2() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    place.run(&["valve.gct", "--emit", "bytecode"]).ends(2, "possible values: ast, model, net, logic, scan");
-    place
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    folder.run(&["valve.gct", "--emit", "bytecode"]).ends(2, "possible values: ast, model, net, logic, scan");
+    folder
         .run(&["valve.gct", "--dump-after", "nothing"])
         .ends(2, "possible values: expand-macro-steps, rank-orders, settle-start");
     for (pair, what) in [
@@ -145,9 +145,9 @@ fn wrong_use_ends_with_2() {
         (["--dump-after", "rank-orders", "--task-interval", "1s"], "cannot be used with '--task-interval <DURATION>'"),
     ] {
         let all: Vec<&str> = ["valve.gct", "-o", "out.txt"].into_iter().chain(pair).collect();
-        assert_eq!(place.run(&all).ends(2, what).out, "");
+        assert_eq!(folder.run(&all).ends(2, what).out, "");
     }
-    place.run(&["--emit", "net"]).ends(2, "CHART");
-    place.run(&["check", "valve.gct", "--emit", "net"]).ends(2, "--emit");
-    assert_eq!(place.names(), ["valve.gct"]);
+    folder.run(&["--emit", "net"]).ends(2, "CHART");
+    folder.run(&["check", "valve.gct", "--emit", "net"]).ends(2, "--emit");
+    assert_eq!(folder.names(), ["valve.gct"]);
 }

@@ -2,50 +2,50 @@
 
 mod common;
 
-use common::{FAULTY, Place, VALVE};
+use common::{FAULTY, Folder, VALVE};
 
 #[test]
 fn what_cannot_be_read_is_named_with_its_reason() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    let run = place.run(&["missing.gct", "--target", "st"]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    let run = folder.run(&["missing.gct", "--target", "st"]);
     run.ends(3, "cannot read `missing.gct`: no such file or directory").ends(3, "help: check the path");
-    place.run(&[".", "--target", "st"]).ends(3, "cannot read `.`: is a directory").ends(3, "help:");
-    place.run(&["check", "valve.gct/x"]).ends(3, "valve.gct/x");
-    place.run(&["check", ""]).ends(3, "cannot read ``");
+    folder.run(&[".", "--target", "st"]).ends(3, "cannot read `.`: is a directory").ends(3, "help:");
+    folder.run(&["check", "valve.gct/x"]).ends(3, "valve.gct/x");
+    folder.run(&["check", ""]).ends(3, "cannot read ``");
 }
 
 #[test]
 fn what_cannot_be_written_is_named_with_its_reason() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    std::fs::create_dir(place.path("directory")).unwrap();
-    place.run(&["valve.gct", "--target", "st", "-o", "no/out.st"]).ends(3, "cannot write `no/out.st`: no such file");
-    place.run(&["valve.gct", "--target", "st", "-o", "directory"]).ends(3, "cannot write `directory`: is a directory");
-    assert_eq!(place.names(), ["directory", "valve.gct"]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    std::fs::create_dir(folder.path("directory")).unwrap();
+    folder.run(&["valve.gct", "--target", "st", "-o", "no/out.st"]).ends(3, "cannot write `no/out.st`: no such file");
+    folder.run(&["valve.gct", "--target", "st", "-o", "directory"]).ends(3, "cannot write `directory`: is a directory");
+    assert_eq!(folder.names(), ["directory", "valve.gct"]);
 }
 
 #[test]
 fn a_file_is_replaced_whole_and_nothing_is_left_beside_it() {
-    let place = Place::new(&[("valve.gct", VALVE), ("out.st", &"old ".repeat(100_000))]);
-    place.run(&["valve.gct", "--target", "st", "-o", "out.st"]).is_done();
-    assert!(!place.read("out.st").contains("old old"));
-    assert_eq!(place.names(), ["out.st", "valve.gct"]);
+    let folder = Folder::new(&[("valve.gct", VALVE), ("out.st", &"old ".repeat(100_000))]);
+    folder.run(&["valve.gct", "--target", "st", "-o", "out.st"]).is_done();
+    assert!(!folder.read("out.st").contains("old old"));
+    assert_eq!(folder.names(), ["out.st", "valve.gct"]);
 }
 
 #[test]
 fn paths_may_hold_blanks_and_any_letters() {
-    let place = Place::new(&[("мой клапан №1.gct", VALVE), ("漢字 'x\".gct", FAULTY)]);
-    place.run(&["мой клапан №1.gct", "--target", "st", "-o", "выход $(x) 1.st"]).is_done();
-    assert!(place.read("выход $(x) 1.st").contains("FUNCTION_BLOCK Valve"));
-    place.run(&["check", "漢字 'x\".gct"]).ends(1, "漢字 'x\".gct:6:25");
-    let log = place.run(&["check", "漢字 'x\".gct", "--format", "sarif"]).out;
+    let folder = Folder::new(&[("мой клапан №1.gct", VALVE), ("漢字 'x\".gct", FAULTY)]);
+    folder.run(&["мой клапан №1.gct", "--target", "st", "-o", "выход $(x) 1.st"]).is_done();
+    assert!(folder.read("выход $(x) 1.st").contains("FUNCTION_BLOCK Valve"));
+    folder.run(&["check", "漢字 'x\".gct"]).ends(1, "漢字 'x\".gct:6:25");
+    let log = folder.run(&["check", "漢字 'x\".gct", "--format", "sarif"]).out;
     assert!(log.contains("\"%E6%BC%A2%E5%AD%97%20%27x%22.gct\""), "{log}");
 }
 
 #[test]
 fn a_chart_with_an_odd_name_still_makes_code() {
     let nameless = VALVE.replace("chart Valve \"one valve\"", "");
-    let place = Place::new(&[("1 *) ; клапан.gct", &nameless)]);
-    let run = place.run(&["1 *) ; клапан.gct", "--target", "st"]);
+    let folder = Folder::new(&[("1 *) ; клапан.gct", &nameless)]);
+    let run = folder.run(&["1 *) ; клапан.gct", "--target", "st"]);
     let heading = run.is_done().out.lines().find(|line| line.starts_with("FUNCTION_BLOCK ")).unwrap();
     let name = heading.trim_start_matches("FUNCTION_BLOCK ");
     assert!(name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_'), "{name}");
@@ -57,67 +57,67 @@ mod unix {
     use common::Run;
     use std::os::unix::fs::{PermissionsExt, symlink};
 
-    fn mode(place: &Place, name: &str) -> u32 {
-        std::fs::metadata(place.path(name)).unwrap().permissions().mode() & 0o7777
+    fn mode(folder: &Folder, name: &str) -> u32 {
+        std::fs::metadata(folder.path(name)).unwrap().permissions().mode() & 0o7777
     }
 
     #[test]
     fn permissions_are_kept_and_new_files_get_the_usual_ones() {
-        let place = Place::new(&[("valve.gct", VALVE), ("old.st", ""), ("ordinary", "")]);
-        std::fs::set_permissions(place.path("old.st"), std::fs::Permissions::from_mode(0o666)).unwrap();
-        place.run(&["valve.gct", "--target", "st", "-o", "old.st"]).is_done();
-        place.run(&["valve.gct", "--target", "st", "-o", "new.st"]).is_done();
-        assert_eq!(mode(&place, "old.st"), 0o666);
-        assert_eq!(mode(&place, "new.st"), mode(&place, "ordinary"));
+        let folder = Folder::new(&[("valve.gct", VALVE), ("old.st", ""), ("ordinary", "")]);
+        std::fs::set_permissions(folder.path("old.st"), std::fs::Permissions::from_mode(0o666)).unwrap();
+        folder.run(&["valve.gct", "--target", "st", "-o", "old.st"]).is_done();
+        folder.run(&["valve.gct", "--target", "st", "-o", "new.st"]).is_done();
+        assert_eq!(mode(&folder, "old.st"), 0o666);
+        assert_eq!(mode(&folder, "new.st"), mode(&folder, "ordinary"));
     }
 
     #[test]
     fn a_write_protected_file_stays() {
-        let place = Place::new(&[("valve.gct", VALVE), ("out.st", "precious")]);
-        std::fs::set_permissions(place.path("out.st"), std::fs::Permissions::from_mode(0o444)).unwrap();
-        let run = place.run(&["valve.gct", "--target", "st", "-o", "out.st"]);
+        let folder = Folder::new(&[("valve.gct", VALVE), ("out.st", "precious")]);
+        std::fs::set_permissions(folder.path("out.st"), std::fs::Permissions::from_mode(0o444)).unwrap();
+        let run = folder.run(&["valve.gct", "--target", "st", "-o", "out.st"]);
         run.ends(3, "cannot write `out.st`: permission denied");
-        assert_eq!(place.read("out.st"), "precious");
-        assert_eq!(place.names(), ["out.st", "valve.gct"]);
+        assert_eq!(folder.read("out.st"), "precious");
+        assert_eq!(folder.names(), ["out.st", "valve.gct"]);
     }
 
     #[test]
     fn an_unreadable_chart_is_refused() {
-        let place = Place::new(&[("valve.gct", VALVE)]);
-        std::fs::set_permissions(place.path("valve.gct"), std::fs::Permissions::from_mode(0o000)).unwrap();
-        if std::fs::read(place.path("valve.gct")).is_ok() {
+        let folder = Folder::new(&[("valve.gct", VALVE)]);
+        std::fs::set_permissions(folder.path("valve.gct"), std::fs::Permissions::from_mode(0o000)).unwrap();
+        if std::fs::read(folder.path("valve.gct")).is_ok() {
             return; // The superuser may read everything.
         }
-        place.run(&["check", "valve.gct"]).ends(3, "cannot read `valve.gct`: permission denied");
+        folder.run(&["check", "valve.gct"]).ends(3, "cannot read `valve.gct`: permission denied");
     }
 
     #[test]
     fn a_link_stays_a_link() {
-        let place = Place::new(&[("valve.gct", VALVE), ("real.st", "old")]);
-        symlink("real.st", place.path("link.st")).unwrap();
-        place.run(&["valve.gct", "--target", "st", "-o", "link.st"]).is_done();
-        assert!(std::fs::symlink_metadata(place.path("link.st")).unwrap().is_symlink());
-        assert!(place.read("real.st").contains("FUNCTION_BLOCK"));
+        let folder = Folder::new(&[("valve.gct", VALVE), ("real.st", "old")]);
+        symlink("real.st", folder.path("link.st")).unwrap();
+        folder.run(&["valve.gct", "--target", "st", "-o", "link.st"]).is_done();
+        assert!(std::fs::symlink_metadata(folder.path("link.st")).unwrap().is_symlink());
+        assert!(folder.read("real.st").contains("FUNCTION_BLOCK"));
     }
 
     #[test]
     fn a_device_is_written_to_and_not_replaced() {
-        let place = Place::new(&[("valve.gct", VALVE)]);
-        place.run(&["valve.gct", "--target", "st", "-o", "/dev/null"]).is_done();
+        let folder = Folder::new(&[("valve.gct", VALVE)]);
+        folder.run(&["valve.gct", "--target", "st", "-o", "/dev/null"]).is_done();
         assert!(!std::fs::metadata("/dev/null").unwrap().is_file());
-        let run = place.run(&["valve.gct", "--target", "st", "-o", "/dev/stdout"]);
+        let run = folder.run(&["valve.gct", "--target", "st", "-o", "/dev/stdout"]);
         assert!(run.is_done().out.contains("END_FUNCTION_BLOCK"));
     }
 
     #[test]
     #[cfg(target_os = "linux")]
     fn a_full_disk_is_said() {
-        let place = Place::new(&[("valve.gct", VALVE)]);
-        place.run(&["valve.gct", "--target", "st", "-o", "/dev/full"]).ends(3, "cannot write `/dev/full`: no space");
+        let folder = Folder::new(&[("valve.gct", VALVE)]);
+        folder.run(&["valve.gct", "--target", "st", "-o", "/dev/full"]).ends(3, "cannot write `/dev/full`: no space");
         let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
         let output = std::process::Command::new(assert_cmd::cargo::cargo_bin!("grafc"))
             .args(["valve.gct", "--target", "st"])
-            .current_dir(place.path("."))
+            .current_dir(folder.path("."))
             .stdout(full)
             .output();
         Run::of(output.unwrap()).ends(3, "cannot write `<stdout>`: no space");
@@ -125,7 +125,7 @@ mod unix {
 
     #[test]
     fn a_reader_that_has_had_enough_is_no_fault() {
-        let place = Place::new(&[("valve.gct", VALVE), ("faulty.gct", FAULTY)]);
+        let folder = Folder::new(&[("valve.gct", VALVE), ("faulty.gct", FAULTY)]);
         for (command, code) in [
             ("man", 0),
             ("completions zsh", 0),
@@ -139,7 +139,7 @@ mod unix {
             let output = std::process::Command::new("sh")
                 .args(["-c", &script])
                 .arg(assert_cmd::cargo::cargo_bin!("grafc"))
-                .current_dir(place.path("."))
+                .current_dir(folder.path("."))
                 .output();
             assert_eq!(Run::of(output.unwrap()).err, format!("ended with {code}\n"), "{command}");
         }

@@ -2,39 +2,39 @@
 
 mod common;
 
-use common::Place;
+use common::Folder;
 use grafc_diagnostics::Code;
 
 const COMMANDS: [&str; 7] = ["check", "sim", "fmt", "stats", "explain", "completions", "man"];
 
 #[test]
 fn help_of_every_command_shows_an_example() {
-    let place = Place::new(&[]);
-    let root = place.run(&["--help"]);
+    let folder = Folder::new(&[]);
+    let root = folder.run(&["--help"]);
     assert!(root.is_done().out.contains("Example:\n  grafc valve.gct --target st"), "{}", root.out);
     assert!(root.out.contains("\n  grafc valve.gct --emit net\n"), "{}", root.out);
     assert!(root.out.contains("Exit codes: 0 done, 1 the chart has errors"), "{}", root.out);
     for command in COMMANDS {
         assert!(root.out.contains(&format!("\n  {command} ")), "{command} is listed");
         for flag in ["--help", "-h"] {
-            let run = place.run(&[command, flag]);
+            let run = folder.run(&[command, flag]);
             assert!(run.is_done().out.contains(&format!("Example:\n  grafc {command}")), "{}", run.out);
         }
-        assert!(place.run(&["help", command]).is_done().out.contains("Example:"));
+        assert!(folder.run(&["help", command]).is_done().out.contains("Example:"));
     }
 }
 
 #[test]
 fn the_version_is_that_of_the_package() {
-    let place = Place::new(&[]);
-    assert_eq!(place.run(&["--version"]).is_done().out, format!("grafc {}\n", env!("CARGO_PKG_VERSION")));
+    let folder = Folder::new(&[]);
+    assert_eq!(folder.run(&["--version"]).is_done().out, format!("grafc {}\n", env!("CARGO_PKG_VERSION")));
 }
 
 #[test]
 fn completions_know_every_command() {
-    let place = Place::new(&[]);
+    let folder = Folder::new(&[]);
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
-        let script = place.run(&["completions", shell]).is_done().out.clone();
+        let script = folder.run(&["completions", shell]).is_done().out.clone();
         for command in COMMANDS {
             assert!(script.contains(command), "{shell}: {command}");
         }
@@ -45,39 +45,39 @@ fn completions_know_every_command() {
             "{shell}"
         );
     }
-    place.run(&["completions", "cmd"]).ends(2, "possible values: bash");
+    folder.run(&["completions", "cmd"]).ends(2, "possible values: bash");
 }
 
 #[test]
 fn the_manual_is_roff_and_there_is_one_for_each_command() {
-    let place = Place::new(&[]);
-    let page = place.run(&["man"]).is_done().out.clone();
+    let folder = Folder::new(&[]);
+    let page = folder.run(&["man"]).is_done().out.clone();
     assert!(page.contains(".TH grafc 1"), "{page}");
     assert!(page.contains("\\-\\-target") && page.contains("Exit codes"), "{page}");
     for command in COMMANDS {
-        let page = place.run(&["man", command]).is_done().out.clone();
+        let page = folder.run(&["man", command]).is_done().out.clone();
         assert!(page.contains(&format!(".TH grafc-{command} 1")), "{page}");
     }
-    place.run(&["man", "nothing"]).ends(2, "no command `nothing`");
+    folder.run(&["man", "nothing"]).ends(2, "no command `nothing`");
 }
 
 #[test]
 fn every_code_has_its_page_by_code_and_by_name() {
-    let place = Place::new(&[]);
+    let folder = Folder::new(&[]);
     for code in [Code::E0201, Code::W0401, Code::E0901] {
-        assert_eq!(place.run(&["explain", code.as_str()]).is_done().out, code.page());
-        assert_eq!(place.run(&["explain", code.slug()]).is_done().out, code.page());
-        assert_eq!(place.run(&["explain", &code.as_str().to_lowercase()]).is_done().out, code.page());
+        assert_eq!(folder.run(&["explain", code.as_str()]).is_done().out, code.page());
+        assert_eq!(folder.run(&["explain", code.slug()]).is_done().out, code.page());
+        assert_eq!(folder.run(&["explain", &code.as_str().to_lowercase()]).is_done().out, code.page());
     }
 }
 
 #[test]
 fn an_unknown_code_leads_to_near_ones() {
-    let place = Place::new(&[]);
-    let run = place.run(&["explain", "E0202x"]);
+    let folder = Folder::new(&[]);
+    let run = folder.run(&["explain", "E0202x"]);
     assert_eq!(run.ends(2, "no diagnostic has the code `E0202x`").out, "");
     run.ends(2, "perhaps `E0202` (declared-twice)");
-    place.run(&["explain", "unknown-nam"]).ends(2, "`E0201` (unknown-name)");
-    place.run(&["explain", "qqqqqqqqqqqq"]).ends(2, "errors run from E0101 to E0901, warnings from W0401");
-    place.run(&["explain"]).ends(2, "CODE");
+    folder.run(&["explain", "unknown-nam"]).ends(2, "`E0201` (unknown-name)");
+    folder.run(&["explain", "qqqqqqqqqqqq"]).ends(2, "errors run from E0101 to E0901, warnings from W0401");
+    folder.run(&["explain"]).ends(2, "CODE");
 }

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::Place;
+use common::Folder;
 use serde_json::Value;
 
 /// One step; the grafcet around it has no name.
@@ -34,19 +34,19 @@ const FAULTY: &str = "\
 
 #[test]
 fn the_chart_is_written_and_the_report_told() {
-    let place = Place::new(&[("one.grafcet", ONE_STEP)]);
-    let run = place.run(&["import", "one.grafcet", "-o", "one.gct"]);
+    let folder = Folder::new(&[("one.grafcet", ONE_STEP)]);
+    let run = folder.run(&["import", "one.grafcet", "-o", "one.gct"]);
     run.ends(0, "warning[W0701]: a grafcet without a name is called `G1`").ends(0, "one.grafcet:2:3");
     assert_eq!(run.out, "");
-    assert_eq!(std::fs::read_to_string(place.path("one.gct")).unwrap(), CHART);
-    assert_eq!(place.run(&["fmt", "--check", "one.gct"]).is_done().out, "");
-    assert_eq!(place.run_with(&["import", "-"], ONE_STEP).out, CHART);
+    assert_eq!(std::fs::read_to_string(folder.path("one.gct")).unwrap(), CHART);
+    assert_eq!(folder.run(&["fmt", "--check", "one.gct"]).is_done().out, "");
+    assert_eq!(folder.run_with(&["import", "-"], ONE_STEP).out, CHART);
 }
 
 #[test]
 fn the_report_can_be_read_by_tools() {
-    let place = Place::new(&[("one.grafcet", ONE_STEP)]);
-    let run = place.run(&["import", "one.grafcet", "-o", "one.gct", "--format", "json"]);
+    let folder = Folder::new(&[("one.grafcet", ONE_STEP)]);
+    let run = folder.run(&["import", "one.grafcet", "-o", "one.gct", "--format", "json"]);
     let message: Value = serde_json::from_str(&run.err).unwrap();
     assert_eq!((message["code"].as_str(), message["slug"].as_str()), (Some("W0701"), Some("import-changed")));
     assert_eq!((message["start"]["line"].as_u64(), message["start"]["column"].as_u64()), (Some(2), Some(3)));
@@ -54,24 +54,24 @@ fn the_report_can_be_read_by_tools() {
 
 #[test]
 fn nothing_is_written_if_there_are_errors() {
-    let place = Place::new(&[("faulty.grafcet", FAULTY), ("kept.gct", CHART)]);
-    let run = place.run(&["import", "faulty.grafcet", "-o", "kept.gct"]);
+    let folder = Folder::new(&[("faulty.grafcet", FAULTY), ("kept.gct", CHART)]);
+    let run = folder.run(&["import", "faulty.grafcet", "-o", "kept.gct"]);
     run.ends(1, "E0705").ends(1, "E0704").ends(1, "2 errors");
-    assert_eq!(std::fs::read_to_string(place.path("kept.gct")).unwrap(), CHART);
-    place.run(&["import", "faulty.grafcet", "-o", "new.gct"]).ends(1, "");
-    assert!(!place.path("new.gct").exists());
+    assert_eq!(std::fs::read_to_string(folder.path("kept.gct")).unwrap(), CHART);
+    folder.run(&["import", "faulty.grafcet", "-o", "new.gct"]).ends(1, "");
+    assert!(!folder.path("new.gct").exists());
 }
 
 #[test]
 fn wrong_use_and_missing_files() {
-    let place = Place::new(&[("one.grafcet", ONE_STEP)]);
-    place.run(&["import", "one.grafcet", "-o", "one.grafcet"]).ends(2, "would overwrite");
-    place.run(&["import", "two.grafcet"]).ends(3, "cannot read");
+    let folder = Folder::new(&[("one.grafcet", ONE_STEP)]);
+    folder.run(&["import", "one.grafcet", "-o", "one.grafcet"]).ends(2, "would overwrite");
+    folder.run(&["import", "two.grafcet"]).ends(3, "cannot read");
 }
 
 #[test]
 fn bytes_that_are_not_utf8() {
-    let place = Place::new(&[]);
-    std::fs::write(place.path("old.grafcet"), b"<grafcet:Grafcet name='F\xFCllen'/>").unwrap();
-    place.run(&["import", "old.grafcet"]).ends(1, "E0110").ends(1, "old.grafcet:1:25");
+    let folder = Folder::new(&[]);
+    std::fs::write(folder.path("old.grafcet"), b"<grafcet:Grafcet name='F\xFCllen'/>").unwrap();
+    folder.run(&["import", "old.grafcet"]).ends(1, "E0110").ends(1, "old.grafcet:1:25");
 }

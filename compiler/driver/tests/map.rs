@@ -2,11 +2,11 @@
 
 mod common;
 
-use common::{FAULTY, Place, VALVE};
+use common::{FAULTY, Folder, VALVE};
 use serde_json::Value;
 
-fn map(place: &Place, name: &str) -> Value {
-    serde_json::from_str(&place.read(name)).expect("JSON")
+fn map(folder: &Folder, name: &str) -> Value {
+    serde_json::from_str(&folder.read(name)).expect("JSON")
 }
 
 /// The lines of an element, each by its number.
@@ -21,9 +21,9 @@ fn lines_of(map: &Value, kind: &str, name: &str) -> Vec<u64> {
 /// The chart has six elements; where they are in it can be counted in its text.
 #[test]
 fn every_element_is_there_with_its_place() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    place.run(&["valve.gct", "--target", "st", "-o", "valve.st", "--map", "valve.json"]).is_done();
-    let map = map(&place, "valve.json");
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    folder.run(&["valve.gct", "--target", "st", "-o", "valve.st", "--map", "valve.json"]).is_done();
+    let map = map(&folder, "valve.json");
     for (field, value) in
         [("chart", "valve.gct"), ("output", "valve.st"), ("target", "st"), ("encoding", "single-phase")]
     {
@@ -61,9 +61,9 @@ fn every_element_is_there_with_its_place() {
 /// What is about an element can be read beside it in the code.
 #[test]
 fn lines_and_elements_are_one_table_in_two_orders() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    place.run(&["valve.gct", "--target", "st", "-o", "valve.st", "--map", "valve.json"]).is_done();
-    let (map, code) = (map(&place, "valve.json"), place.read("valve.st"));
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    folder.run(&["valve.gct", "--target", "st", "-o", "valve.st", "--map", "valve.json"]).is_done();
+    let (map, code) = (map(&folder, "valve.json"), folder.read("valve.st"));
     let code: Vec<&str> = code.lines().map(str::trim).collect();
     let texts = |kind: &str, name: &str| -> Vec<&str> {
         lines_of(&map, kind, name).into_iter().map(|line| code[line as usize - 1]).collect()
@@ -99,24 +99,24 @@ fn lines_and_elements_are_one_table_in_two_orders() {
 
 #[test]
 fn a_map_changes_nothing_and_is_the_same_each_time() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
     for target in ["st", "il", "awl", "scl", "rust"] {
-        let plain = place.run(&["valve.gct", "--target", target]).is_done().out.clone();
-        let mapped = place.run(&["valve.gct", "--target", target, "--map", "one.json"]).is_done().out.clone();
+        let plain = folder.run(&["valve.gct", "--target", target]).is_done().out.clone();
+        let mapped = folder.run(&["valve.gct", "--target", target, "--map", "one.json"]).is_done().out.clone();
         assert_eq!(plain, mapped, "{target}");
-        place.run(&["valve.gct", "--target", target, "--map", "two.json"]).is_done();
-        assert_eq!(place.read("one.json"), place.read("two.json"), "{target}");
-        assert_eq!(map(&place, "one.json")["output"], Value::Null, "{target}");
+        folder.run(&["valve.gct", "--target", target, "--map", "two.json"]).is_done();
+        assert_eq!(folder.read("one.json"), folder.read("two.json"), "{target}");
+        assert_eq!(map(&folder, "one.json")["output"], Value::Null, "{target}");
         // Nothing is said of lines that are not there.
         let count = plain.lines().count() as u64;
-        let last = map(&place, "one.json")["lines"].as_array().and_then(|runs| runs.last().cloned()).expect("a run");
+        let last = map(&folder, "one.json")["lines"].as_array().and_then(|runs| runs.last().cloned()).expect("a run");
         assert!(last["last"].as_u64().is_some_and(|line| line <= count), "{target}");
     }
 }
 
 #[test]
 fn a_map_takes_the_place_of_nothing_else() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
     for (arguments, said) in [
         (&["--target", "st", "-o", "valve.st", "--map", "./valve.st"][..], "one place"),
         (&["--target", "st", "--map", "-"], "one place"),
@@ -124,18 +124,18 @@ fn a_map_takes_the_place_of_nothing_else() {
         (&["--target", "plcopen", "--map", "valve.json"], "`--map` is an option of"),
         (&["--emit", "scan", "--map", "valve.json"], "cannot be used with"),
     ] {
-        let run = place.run(&[&["valve.gct"], arguments].concat());
+        let run = folder.run(&[&["valve.gct"], arguments].concat());
         run.ends(2, said);
-        assert!(!place.path("valve.json").exists() && !place.path("valve.st").exists(), "{arguments:?}");
+        assert!(!folder.path("valve.json").exists() && !folder.path("valve.st").exists(), "{arguments:?}");
     }
-    assert_eq!(place.read("valve.gct"), VALVE);
-    let run = place.run(&["valve.gct", "--target", "st", "-o", "valve.st", "--map", "-"]);
+    assert_eq!(folder.read("valve.gct"), VALVE);
+    let run = folder.run(&["valve.gct", "--target", "st", "-o", "valve.st", "--map", "-"]);
     assert!(run.is_done().out.starts_with("{\n  \"version\": 1,\n"), "the code is elsewhere");
 }
 
 #[test]
 fn errors_stop_without_a_map() {
-    let place = Place::new(&[("faulty.gct", FAULTY)]);
-    place.run(&["faulty.gct", "--target", "st", "-o", "f.st", "--map", "f.json"]).ends(1, "error[E0201]");
-    assert!(!place.path("f.json").exists() && !place.path("f.st").exists());
+    let folder = Folder::new(&[("faulty.gct", FAULTY)]);
+    folder.run(&["faulty.gct", "--target", "st", "-o", "f.st", "--map", "f.json"]).ends(1, "error[E0201]");
+    assert!(!folder.path("f.json").exists() && !folder.path("f.st").exists());
 }

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{DUBIOUS, FAULTY, Place, VALVE};
+use common::{DUBIOUS, FAULTY, Folder, VALVE};
 use serde_json::{Value, json};
 
 /// The row of an encoding, as numbers and words.
@@ -13,8 +13,8 @@ fn row<'t>(table: &'t str, encoding: &str) -> Vec<&'t str> {
 
 #[test]
 fn a_chart_has_a_row_for_each_encoding() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    let table = place.run(&["stats", "valve.gct", "--evolution", "scan"]).is_done().out.clone();
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    let table = folder.run(&["stats", "valve.gct", "--evolution", "scan"]).is_done().out.clone();
     assert!(table.starts_with("Valve: 2 steps, 2 transitions, evolution scan\n\nencoding  "), "{table}");
     // clr_1 := X1 AND a; clr_2 := X2 AND b; X1 := clr_2 OR X1 AND NOT clr_1; X2 alike; V := X2: 3 + 3 + 4 + 4 + 2.
     // In the instruction list also LDN started, JMPCN, ST started, ST X1 of the first call.
@@ -32,9 +32,9 @@ fn a_chart_has_a_row_for_each_encoding() {
 
 #[test]
 fn where_evolutions_are_repeated_the_bound_is_shown() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
     // Both inputs at once never let it rest, so there has to be a bound.
-    let run = |arguments: &[&str]| row(&place.run(arguments).is_done().out, "single-phase")[5].to_string();
+    let run = |arguments: &[&str]| row(&folder.run(arguments).is_done().out, "single-phase")[5].to_string();
     assert_eq!(run(&["stats", "valve.gct"]), "200");
     assert_eq!(run(&["stats", "valve.gct", "--bound", "7"]), "7");
 }
@@ -45,8 +45,8 @@ fn what_is_proved_of_evolutions_is_said() {
     let once = "input a : bool\ninitial step 1\nstep 2\ntransition 1 -> 2 : ↑a\ntransition 2 -> 1 : ↑a\n";
     // A contradiction on an input: 2 -> 1 cannot follow 1 -> 2, but 1 -> 2 may be followed by nothing.
     let ends = "input a : bool\ninitial step 1\nstep 2\ntransition 1 -> 2 : a\ntransition 2 -> 1 : not a\n";
-    let place = Place::new(&[("once.gct", once), ("ends.gct", ends), ("valve.gct", VALVE)]);
-    let run = |chart: &str| place.run(&["stats", chart]).is_done().out.clone();
+    let folder = Folder::new(&[("once.gct", once), ("ends.gct", ends), ("valve.gct", VALVE)]);
+    let run = |chart: &str| folder.run(&["stats", chart]).is_done().out.clone();
     assert!(run("once.gct").contains("one micro-step is always enough"), "{}", run("once.gct"));
     assert_eq!(row(&run("once.gct"), "single-phase")[5], "none");
     assert!(run("ends.gct").contains("one micro-step is always enough"), "{}", run("ends.gct"));
@@ -59,8 +59,8 @@ fn what_is_proved_of_evolutions_is_said() {
 
 #[test]
 fn json_is_one_object_with_keys_that_stay() {
-    let place = Place::new(&[("valve.gct", VALVE)]);
-    let run = place.run(&["stats", "valve.gct", "--format", "json"]);
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    let run = folder.run(&["stats", "valve.gct", "--format", "json"]);
     let figures: Value = serde_json::from_str(&run.is_done().out).unwrap();
     assert!(run.out.ends_with("}\n") && run.out.lines().count() == 1, "{}", run.out);
     assert_eq!(keys(&figures), ["chart", "encodings", "evolution", "steps", "switch", "transients", "transitions"]);
@@ -82,7 +82,7 @@ fn json_is_one_object_with_keys_that_stay() {
     assert_eq!(keys(&figures["switch"]["states"][0]), ["idle", "name", "steps"]);
     assert_eq!(figures["switch"]["bits"], json!([]));
 
-    let scan = place.run(&["stats", "valve.gct", "--format", "json", "--evolution", "scan"]);
+    let scan = folder.run(&["stats", "valve.gct", "--format", "json", "--evolution", "scan"]);
     let figures: Value = serde_json::from_str(&scan.is_done().out).unwrap();
     assert_eq!(figures["encodings"][0]["loop"], Value::Null);
 }
@@ -115,8 +115,8 @@ grafcet G2 {
 
 #[test]
 fn switch_says_which_steps_share_a_variable() {
-    let place = Place::new(&[("source.gct", SOURCE)]);
-    let table = place.run(&["stats", "source.gct"]).is_done().out.clone();
+    let folder = Folder::new(&[("source.gct", SOURCE)]);
+    let table = folder.run(&["stats", "source.gct"]).is_done().out.clone();
     let after = |heading: &str| -> Vec<Vec<&str>> {
         let lines = table.lines().skip_while(|line| *line != heading).skip(1).take_while(|line| !line.is_empty());
         lines.map(|line| line.split_whitespace().collect()).collect()
@@ -126,7 +126,7 @@ fn switch_says_which_steps_share_a_variable() {
     let bits = after("steps that stay bits");
     assert_eq!(bits.iter().map(|line| line[0]).collect::<Vec<_>>(), ["11", "12"], "{table}");
     assert!(bits[0].join(" ").contains("`-> 11`"), "the source transition is to blame: {table}");
-    let figures = place.run(&["stats", "source.gct", "--format", "json"]);
+    let figures = folder.run(&["stats", "source.gct", "--format", "json"]);
     let figures: Value = serde_json::from_str(&figures.is_done().out).unwrap();
     assert_eq!(figures["switch"]["bits"][1]["step"], json!("12"));
     assert!(figures["switch"]["bits"][0]["because"].as_str().is_some_and(|why| why.contains("`-> 11`")), "{figures}");
@@ -139,8 +139,8 @@ fn lines_stay_within_a_hundred_columns() {
         chart.push_str(&format!("step {s}\ntransition {} -> {s} : ↑a\n", s - 1));
     }
     chart.push_str("transition 400 -> 1 : ↑a\n");
-    let place = Place::new(&[("ring.gct", &chart)]);
-    let table = place.run(&["stats", "ring.gct"]).is_done().out.clone();
+    let folder = Folder::new(&[("ring.gct", &chart)]);
+    let table = folder.run(&["stats", "ring.gct"]).is_done().out.clone();
     let longest = table.lines().map(|line| line.chars().count()).max();
     assert!(longest.is_some_and(|n| n <= 100), "{table}");
     assert!(table.lines().all(|line| line == line.trim_end()), "{table}");
@@ -151,21 +151,21 @@ fn lines_stay_within_a_hundred_columns() {
 
 #[test]
 fn a_chart_with_errors_has_no_figures() {
-    let place = Place::new(&[("faulty.gct", FAULTY), ("dubious.gct", DUBIOUS)]);
-    let run = place.run(&["stats", "faulty.gct"]);
+    let folder = Folder::new(&[("faulty.gct", FAULTY), ("dubious.gct", DUBIOUS)]);
+    let run = folder.run(&["stats", "faulty.gct"]);
     assert_eq!(run.ends(1, "E0201").out, "");
-    let run = place.run(&["stats", "dubious.gct"]);
+    let run = folder.run(&["stats", "dubious.gct"]);
     run.ends(0, "W0403").ends(0, "1 warning");
     assert!(run.out.contains("\nsingle-phase "), "{}", run.out);
-    let run = place.run(&["stats", "faulty.gct", "--format", "json"]);
+    let run = folder.run(&["stats", "faulty.gct", "--format", "json"]);
     assert_eq!(run.ends(1, "\"code\":\"E0201\"").out, "");
 }
 
 #[test]
 fn wrong_use_ends_with_2_and_a_missing_file_with_3() {
-    let place = Place::new(&[("a.gct", VALVE)]);
-    place.run(&["stats"]).ends(2, "CHART");
-    place.run(&["stats", "a.gct", "--format", "sarif"]).ends(2, "possible values: human, json");
-    place.run(&["stats", "missing.gct"]).ends(3, "cannot read `missing.gct`");
-    assert!(place.run_with(&["stats", "-"], VALVE).is_done().out.starts_with("Valve: 2 steps"));
+    let folder = Folder::new(&[("a.gct", VALVE)]);
+    folder.run(&["stats"]).ends(2, "CHART");
+    folder.run(&["stats", "a.gct", "--format", "sarif"]).ends(2, "possible values: human, json");
+    folder.run(&["stats", "missing.gct"]).ends(3, "cannot read `missing.gct`");
+    assert!(folder.run_with(&["stats", "-"], VALVE).is_done().out.starts_with("Valve: 2 steps"));
 }

@@ -8,7 +8,7 @@
 //! A switch in the compiler itself (`cfg` around a right and a wrong line) would not hang on texts. It would put two
 //! hundred wrong lines between the right ones, inside conditions and arguments, where rustfmt does not look and where a
 //! reader must tell them apart each time. So a fault stays a text, but one that hangs on as little as possible
-//! (`place`): tokens, not characters; in any file of a part of the compiler; in a function only where the text is in
+//! (`spot`): tokens, not characters; in any file of a part of the compiler; in a function only where the text is in
 //! several; under other names of local variables, if need be. Code can be moved, laid out and renamed in this way without
 //! a change here. A line that is written differently needs its fault written differently: `testsuite/tests/mutants.rs`
 //! says at once which fault has no place any more. `cargo run --release -p grafc-testsuite --bin mutants` tries them
@@ -19,13 +19,13 @@ mod bodies;
 mod encodings;
 mod lowering;
 mod net;
-pub mod place;
 mod proofs;
 pub mod run;
+pub mod spot;
 mod tokens;
 pub mod workspace;
 
-use place::{Index, Place, Source, sources};
+use spot::{Index, Source, Spot, sources};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -140,7 +140,7 @@ impl Fault {
 /// What was found in the workspace.
 pub struct Places {
     /// The place of each fault that has one, file by file from the top.
-    pub found: Vec<(&'static Fault, Place)>,
+    pub found: Vec<(&'static Fault, Spot)>,
     /// What is wrong with the others.
     pub complaints: Vec<String>,
 }
@@ -150,7 +150,7 @@ pub struct Places {
 /// # Errors
 /// What cannot be read.
 pub fn places(root: &Path) -> Result<Places, String> {
-    let (mut found, mut complaints) = (Vec::<(&Fault, Place)>::new(), Vec::new());
+    let (mut found, mut complaints) = (Vec::<(&Fault, Spot)>::new(), Vec::new());
     for part in Part::ALL {
         let sources: Vec<Source> = sources(root, part)?;
         let index = Index::new(&sources);
@@ -182,7 +182,7 @@ pub fn faulty_files(root: &Path) -> Result<BTreeMap<String, String>, String> {
     }
     let mut files: BTreeMap<String, String> = BTreeMap::new();
     // From the end of each file, so that what is left to do stays where it is.
-    for (fault, Place { file, range, instead }) in found.iter().rev() {
+    for (fault, Spot { file, range, instead }) in found.iter().rev() {
         if !files.contains_key(file) {
             let content = std::fs::read_to_string(root.join(file)).map_err(|error| format!("{file}: {error}"))?;
             files.insert(file.clone(), content);

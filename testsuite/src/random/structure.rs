@@ -9,16 +9,16 @@ pub(super) struct Frame {
     /// Its name; of an expansion that of its macro-step.
     pub name: String,
     /// What it is.
-    pub place: Place,
+    pub place: FrameKind,
     /// Its steps and macro-steps.
     pub nodes: Vec<Node>,
     /// Its arcs, a transition a pair.
     pub arcs: Vec<(Vec<String>, Vec<String>)>,
 }
 
-/// Where a frame stands.
+/// What a frame is, and where.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) enum Place {
+pub(super) enum FrameKind {
     /// A partial grafcet at the top.
     Top,
     /// Enclosed by this step.
@@ -55,7 +55,7 @@ pub(super) fn draw(rng: &mut Rng, kind: Kind, size: usize) -> Vec<Frame> {
     for index in 0..count {
         let macros = rng.f32() < 0.25;
         let name = format!("G{index}");
-        draw_frame(rng, &mut frames, name, Place::Top, ((index + 1) * 100 * size, size), macros);
+        draw_frame(rng, &mut frames, name, FrameKind::Top, ((index + 1) * 100 * size, size), macros);
     }
     if kind == Kind::Hierarchical {
         enclose(rng, &mut frames);
@@ -74,12 +74,12 @@ fn draw_frame(
     rng: &mut Rng,
     frames: &mut Vec<Frame>,
     name: String,
-    place: Place,
+    place: FrameKind,
     (base, size): (usize, usize),
     macros: bool,
 ) {
-    let expansion = matches!(place, Place::Expansion(_));
-    let grafcet = if let Place::Expansion(of) = &place { of.clone() } else { name.clone() };
+    let expansion = matches!(place, FrameKind::Expansion(_));
+    let grafcet = if let FrameKind::Expansion(of) = &place { of.clone() } else { name.clone() };
     let count = if expansion { rng.usize(0..=3) } else { rng.usize(2..=8 * size) };
     let mut nodes: Vec<Node> = Vec::new();
     for index in 0..count {
@@ -136,7 +136,7 @@ fn draw_frame(
     for (index, label) in expansions.into_iter().enumerate() {
         let nested = rng.f32() < 0.2;
         let base = (base + 20 * size * (index + 1), size);
-        draw_frame(rng, frames, label, Place::Expansion(grafcet.clone()), base, nested);
+        draw_frame(rng, frames, label, FrameKind::Expansion(grafcet.clone()), base, nested);
     }
 }
 
@@ -176,12 +176,12 @@ fn region(rng: &mut Rng, arcs: &mut Vec<(Vec<String>, Vec<String>)>, from: &str,
 /// Encloses some grafcets by steps of earlier ones, up to three levels and more.
 fn enclose(rng: &mut Rng, frames: &mut [Frame]) {
     for index in 1..frames.len() {
-        if frames[index].place != Place::Top || rng.f32() < 0.35 {
+        if frames[index].place != FrameKind::Top || rng.f32() < 0.35 {
             continue;
         }
         let (before, rest) = frames.split_at_mut(index);
         let hosts: Vec<usize> =
-            (0..before.len()).filter(|&i| !matches!(before[i].place, Place::Expansion(_))).collect();
+            (0..before.len()).filter(|&i| !matches!(before[i].place, FrameKind::Expansion(_))).collect();
         let host = &mut before[hosts[rng.usize(0..hosts.len())]];
         let steps: Vec<usize> = (0..host.nodes.len()).filter(|&i| host.nodes[i].kind != NodeKind::Macro).collect();
         if steps.is_empty() {
@@ -191,7 +191,7 @@ fn enclose(rng: &mut Rng, frames: &mut [Frame]) {
         step.kind = NodeKind::Enclosing;
         let (label, initial) = (step.label.clone(), step.initial);
         let inside = &mut rest[0];
-        inside.place = Place::In(label);
+        inside.place = FrameKind::In(label);
         let candidates: Vec<usize> =
             (0..inside.nodes.len()).filter(|&i| inside.nodes[i].kind != NodeKind::Macro).collect();
         for &i in &candidates {
@@ -205,7 +205,7 @@ fn enclose(rng: &mut Rng, frames: &mut [Frame]) {
         if !initial {
             // Nor may an expansion start something in an enclosure that is not active.
             let name = inside.name.clone();
-            for expansion in rest.iter_mut().filter(|f| f.place == Place::Expansion(name.clone())) {
+            for expansion in rest.iter_mut().filter(|f| f.place == FrameKind::Expansion(name.clone())) {
                 expansion.nodes.iter_mut().for_each(|n| n.initial = false);
             }
         }
@@ -215,7 +215,7 @@ fn enclose(rng: &mut Rng, frames: &mut [Frame]) {
 /// Lets steps force later grafcets.
 fn force(rng: &mut Rng, frames: &mut [Frame]) {
     for target in 1..frames.len() {
-        if matches!(frames[target].place, Place::Expansion(_)) {
+        if matches!(frames[target].place, FrameKind::Expansion(_)) {
             continue;
         }
         let steps: Vec<String> =
@@ -223,7 +223,7 @@ fn force(rng: &mut Rng, frames: &mut [Frame]) {
         let name = frames[target].name.clone();
         for _ in 0..if rng.f32() < 0.5 { 0 } else { rng.usize(1..=2) } {
             let host = &mut frames[rng.usize(0..target)];
-            let same = host.name == name || host.place == Place::Expansion(name.clone());
+            let same = host.name == name || host.place == FrameKind::Expansion(name.clone());
             let choices: Vec<usize> =
                 (0..host.nodes.len()).filter(|&i| host.nodes[i].kind != NodeKind::Macro).collect();
             if same || choices.is_empty() {
@@ -247,7 +247,7 @@ fn force(rng: &mut Rng, frames: &mut [Frame]) {
 
 /// Gives each top grafcet that nothing would ever activate an initial step, or at times a source transition.
 fn keep_alive(rng: &mut Rng, frames: &mut [Frame]) {
-    for frame in frames.iter_mut().filter(|f| f.place == Place::Top) {
+    for frame in frames.iter_mut().filter(|f| f.place == FrameKind::Top) {
         if frame.nodes.iter().any(|n| n.initial) || frame.arcs.iter().any(|(pre, _)| pre.is_empty()) {
             continue;
         }

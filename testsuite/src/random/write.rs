@@ -4,7 +4,7 @@
 
 use super::expression::{Allowed, Scope};
 use super::ink::Ink;
-use super::structure::{Frame, NodeKind, Place};
+use super::structure::{Frame, FrameKind, NodeKind};
 use fastrand::Rng;
 use grafc_model::chart::Type;
 use std::fmt::Write as _;
@@ -63,7 +63,7 @@ pub(super) fn chart(rng: &mut Rng, ink: &mut Ink, name: &str, frames: &[Frame]) 
 fn nest(ink: &mut Ink, frames: &[Frame], blocks: &mut [String]) {
     for (index, frame) in frames.iter().enumerate().rev() {
         let holds = |host: &Frame| host.nodes.iter().any(|node| node.label == frame.name);
-        if matches!(frame.place, Place::Expansion(_))
+        if matches!(frame.place, FrameKind::Expansion(_))
             && ink.chance(0.3)
             && let Some(host) = frames.iter().position(holds)
             && let Some(end) = blocks[host].rfind('}')
@@ -100,7 +100,7 @@ struct Writer<'a> {
 impl Writer<'_> {
     fn name_activities(&mut self, frames: &[Frame]) {
         for frame in frames {
-            if !matches!(frame.place, Place::Expansion(_)) && self.rng.f32() < 0.5 {
+            if !matches!(frame.place, FrameKind::Expansion(_)) && self.rng.f32() < 0.5 {
                 self.scope.activities.push(format!("X{}", frame.name));
             }
             for node in &frame.nodes {
@@ -205,9 +205,9 @@ impl Writer<'_> {
         let comment = self.ink.attached(0.1);
         let _ = match &frame.place {
             _ if implied => Ok(()),
-            Place::Top => writeln!(out, "grafcet {}{comment} {{", frame.name),
-            Place::In(step) => writeln!(out, "grafcet X{step}/{}{comment} {{", frame.name),
-            Place::Expansion(_) => writeln!(out, "expansion {}{comment} {{", frame.name),
+            FrameKind::Top => writeln!(out, "grafcet {}{comment} {{", frame.name),
+            FrameKind::In(step) => writeln!(out, "grafcet X{step}/{}{comment} {{", frame.name),
+            FrameKind::Expansion(_) => writeln!(out, "expansion {}{comment} {{", frame.name),
         };
         for node in &frame.nodes {
             let words = [

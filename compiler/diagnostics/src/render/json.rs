@@ -23,14 +23,14 @@ struct Message<'a> {
     file: &'a str,
     start: Position,
     end: Position,
-    labels: Vec<Place<'a>>,
+    labels: Vec<JsonLabel<'a>>,
     notes: &'a [String],
     help: Option<&'a str>,
     fixes: Vec<Cure<'a>>,
 }
 
 #[derive(Serialize)]
-struct Place<'a> {
+struct JsonLabel<'a> {
     primary: bool,
     file: &'a str,
     start: Position,
@@ -66,10 +66,10 @@ pub fn json(sources: &SourceMap, diagnostics: &Diagnostics) -> String {
 }
 
 fn message<'a>(sources: &'a SourceMap, diagnostic: &'a Diagnostic) -> Message<'a> {
-    let primary = place(sources, &diagnostic.primary, true);
+    let primary = json_label(sources, &diagnostic.primary, true);
     let (file, start, end) = (primary.file, primary.start, primary.end);
     let mut labels = vec![primary];
-    labels.extend(diagnostic.secondary.iter().map(|label| place(sources, label, false)));
+    labels.extend(diagnostic.secondary.iter().map(|label| json_label(sources, label, false)));
     Message {
         code: diagnostic.code.as_str(),
         slug: diagnostic.code.slug(),
@@ -95,11 +95,11 @@ fn cure<'a>(sources: &'a SourceMap, fix: &'a Fix) -> Cure<'a> {
     Cure { title: &fix.title, certain: fix.applicability == Applicability::Certain, edits: edits.collect() }
 }
 
-fn place<'a>(sources: &'a SourceMap, label: &'a Label, primary: bool) -> Place<'a> {
+fn json_label<'a>(sources: &'a SourceMap, label: &'a Label, primary: bool) -> JsonLabel<'a> {
     let file = sources.file(label.span.file);
     let range = file.range(label.span);
     let (start, end) = (file.position(range.start), file.position(range.end));
-    Place { primary, file: &file.name, start, end, text: &label.text }
+    JsonLabel { primary, file: &file.name, start, end, text: &label.text }
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use super::refuse_second_standard_input;
 use crate::Exit;
-use crate::place::Place;
 use crate::report::{Failure, Format, Report, to_stderr};
+use crate::stream::Stream;
 use clap::Args;
 
 const AFTER_HELP: &str = "\
@@ -18,7 +18,7 @@ Messages for people go to standard error, json and sarif to standard output.";
 pub struct Arguments {
     /// The charts; `-` is standard input
     #[arg(required = true, value_name = "CHART")]
-    charts: Vec<Place>,
+    charts: Vec<Stream>,
     /// The form of messages
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -29,10 +29,10 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     refuse_second_standard_input(&args.charts)?;
     let mut report = Report::default();
     let mut exit = Exit::Done;
-    for place in &args.charts {
-        match report.load(place) {
+    for stream in &args.charts {
+        match report.load(stream) {
             Ok(Some(file)) => {
-                let (_, said) = grafc::check(file, &report.sources.file(file).text, &place.chart_name());
+                let (_, said) = grafc::check(file, &report.sources.file(file).text, &stream.chart_name());
                 report.diagnostics.append(said);
             }
             Ok(None) => {}

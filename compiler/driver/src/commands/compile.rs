@@ -5,8 +5,8 @@ use crate::Exit;
 use crate::arguments::{ProfileArguments, option};
 use crate::choices::{self, Choices};
 use crate::map::{self, Made};
-use crate::place::Place;
 use crate::report::{Failure, Format, Report};
+use crate::stream::Stream;
 use clap::builder::PossibleValuesParser;
 use clap::{ArgGroup, Args, ValueEnum};
 use grafc::header;
@@ -23,7 +23,7 @@ use grafc_net::passes;
 pub struct Arguments {
     /// The chart; `-` is standard input
     #[arg(required = true, value_name = "CHART")]
-    chart: Option<Place>,
+    chart: Option<Stream>,
     /// What to make of it
     #[arg(long, group = "product", value_name = "TARGET", value_parser = choices::targets())]
     target: Option<String>,
@@ -35,10 +35,10 @@ pub struct Arguments {
     dump_after: Option<String>,
     /// Where to put it [default: standard output]
     #[arg(short, long, value_name = "FILE")]
-    output: Option<Place>,
+    output: Option<Stream>,
     /// And where to put which lines of the code come from which element of the chart, as JSON
     #[arg(long, value_name = "FILE", conflicts_with_all = choices::NO_CODE)]
-    map: Option<Place>,
+    map: Option<Stream>,
     /// How the situation is held and the next one found
     #[arg(long, value_enum, default_value_t = EncodingName::SinglePhase, value_name = "ENCODING")]
     encoding: EncodingName,
@@ -129,7 +129,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
             "add `--encoding r-trigger` or `--encoding s-trigger`".to_string(),
         ));
     }
-    let output = args.output.clone().unwrap_or(Place::Standard);
+    let output = args.output.clone().unwrap_or(Stream::Standard);
     refuse_output_over_input(&output, [chart])?;
     if let Some(map) = &args.map {
         refuse_map(map, chart, &output, args.target.as_deref())?;
@@ -146,24 +146,24 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let exit = report.tell(args.format);
     if let Some(made) = made {
         output.write(&made.text)?;
-        if let (Some(place), Some(map)) = (&args.map, &made.map) {
+        if let (Some(stream), Some(map)) = (&args.map, &made.map) {
             let (chart, target) = (chart.file_name(), args.target.as_deref().unwrap_or_default());
-            let output = args.output.as_ref().filter(|output| **output != Place::Standard).map(Place::file_name);
+            let output = args.output.as_ref().filter(|output| **output != Stream::Standard).map(Stream::file_name);
             let about = Made { chart: &chart, output: output.as_deref(), target, encoding: encoding.name() };
-            place.write(&map::json(map, &about, &report.sources))?;
+            stream.write(&map::json(map, &about, &report.sources))?;
         }
     }
     Ok(exit)
 }
 
 /// A map that nobody can write, or that would take the place of something else.
-fn refuse_map(map: &Place, chart: &Place, output: &Place, target: Option<&str>) -> Result<(), Failure> {
+fn refuse_map(map: &Stream, chart: &Stream, output: &Stream, target: Option<&str>) -> Result<(), Failure> {
     let mapped = || Target::ALL.iter().filter(|about| about.mapped);
     if target.is_some_and(|target| mapped().all(|about| about.name != target)) {
         let what = format!("`--map` is an option of {}", choices::sentence(mapped(), "--target "));
         return Err(Failure::WrongUse(what, "leave it out".to_string()));
     }
-    if map.is_same_place(output) {
+    if map.is_same_stream(output) {
         let what = "the map and the code would be written to one place".to_string();
         return Err(Failure::WrongUse(what, "choose another file with `--map` or `-o`".to_string()));
     }
@@ -175,7 +175,7 @@ fn refuse_map(map: &Place, chart: &Place, output: &Place, target: Option<&str>) 
 }
 
 /// What is asked for, if anything is.
-fn product(args: &Arguments, chart: &Place, lowering: &grafc_logic::Options) -> Option<Result<Product, Failure>> {
+fn product(args: &Arguments, chart: &Stream, lowering: &grafc_logic::Options) -> Option<Result<Product, Failure>> {
     if let Some(pass) = &args.dump_after {
         return Some(Ok(Product::NetAfter(pass.clone())));
     }

@@ -2,8 +2,8 @@
 
 use super::refuse_second_standard_input;
 use crate::Exit;
-use crate::place::Place;
 use crate::report::{Failure, Format, Report, to_stderr};
+use crate::stream::Stream;
 use clap::Args;
 use grafc::files::print;
 
@@ -20,7 +20,7 @@ A chart with errors is left alone. With --check, exit code 1 says that a chart w
 pub struct Arguments {
     /// The charts; `-` is standard input
     #[arg(required = true, value_name = "CHART")]
-    charts: Vec<Place>,
+    charts: Vec<Stream>,
     /// Write nothing, but print the names of charts that would change
     #[arg(long)]
     check: bool,
@@ -31,8 +31,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     refuse_second_standard_input(&args.charts)?;
     let mut report = Report::default();
     let mut exit = Exit::Done;
-    for place in &args.charts {
-        match format(place, args.check, &mut report) {
+    for stream in &args.charts {
+        match format(stream, args.check, &mut report) {
             Ok(one) => exit = exit.max(one),
             Err(failure) => {
                 to_stderr(&failure.to_string());
@@ -43,21 +43,21 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     Ok(exit.max(report.tell(Format::Human)))
 }
 
-fn format(place: &Place, check: bool, report: &mut Report) -> Result<Exit, Failure> {
-    let Some(file) = report.load(place)? else { return Ok(Exit::ChartErrors) };
+fn format(stream: &Stream, check: bool, report: &mut Report) -> Result<Exit, Failure> {
+    let Some(file) = report.load(stream)? else { return Ok(Exit::ChartErrors) };
     let (formatted, said) = grafc::format(file, &report.sources.file(file).text);
     report.diagnostics.append(said);
     let Some(formatted) = formatted else { return Ok(Exit::ChartErrors) };
     let changed = formatted != report.sources.file(file).text;
-    match (check, place) {
+    match (check, stream) {
         (true, _) if changed => {
-            print(&format!("{}\n", place.input_name()))?;
+            print(&format!("{}\n", stream.input_name()))?;
             Ok(Exit::ChartErrors)
         }
         (true, _) => Ok(Exit::Done),
-        (false, Place::Standard) => place.write(&formatted).map(|()| Exit::Done).map_err(Failure::from),
+        (false, Stream::Standard) => stream.write(&formatted).map(|()| Exit::Done).map_err(Failure::from),
         // A file that is right already keeps its time stamp.
-        (false, Place::File(_)) if !changed => Ok(Exit::Done),
-        (false, Place::File(_)) => place.write(&formatted).map(|()| Exit::Done).map_err(Failure::from),
+        (false, Stream::File(_)) if !changed => Ok(Exit::Done),
+        (false, Stream::File(_)) => stream.write(&formatted).map(|()| Exit::Done).map_err(Failure::from),
     }
 }

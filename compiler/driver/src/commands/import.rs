@@ -2,8 +2,8 @@
 
 use super::refuse_output_over_input;
 use crate::Exit;
-use crate::place::Place;
 use crate::report::{Failure, Format, Report};
+use crate::stream::Stream;
 use clap::Args;
 
 const AFTER_HELP: &str = "\
@@ -19,10 +19,10 @@ W0703 lost. The result is in the format of `grafc fmt`; `grafc check` says wheth
 pub struct Arguments {
     /// The file of the other tool; `-` is standard input
     #[arg(value_name = "FILE")]
-    file: Place,
+    file: Stream,
     /// Where to put the chart [default: standard output]
     #[arg(short, long, value_name = "CHART")]
-    output: Option<Place>,
+    output: Option<Stream>,
     /// Take variables that are named like delays, such as `2s/X202`, for these delays
     #[arg(long)]
     delays: bool,
@@ -33,7 +33,7 @@ pub struct Arguments {
 
 /// Imports one chart.
 pub fn run(args: Arguments) -> Result<Exit, Failure> {
-    let output = args.output.unwrap_or(Place::Standard);
+    let output = args.output.unwrap_or(Stream::Standard);
     refuse_output_over_input(&output, [&args.file])?;
 
     let mut report = Report::default();

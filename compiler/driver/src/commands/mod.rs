@@ -10,12 +10,12 @@ pub mod man;
 pub mod sim;
 pub mod stats;
 
-use crate::place::Place;
 use crate::report::Failure;
+use crate::stream::Stream;
 
 /// Standard input can be read once.
-fn refuse_second_standard_input<'a>(places: impl IntoIterator<Item = &'a Place>) -> Result<(), Failure> {
-    match places.into_iter().filter(|place| **place == Place::Standard).count() {
+fn refuse_second_standard_input<'a>(streams: impl IntoIterator<Item = &'a Stream>) -> Result<(), Failure> {
+    match streams.into_iter().filter(|stream| **stream == Stream::Standard).count() {
         0 | 1 => Ok(()),
         _ => Err(Failure::WrongUse(
             "standard input is named twice".to_string(),
@@ -25,7 +25,7 @@ fn refuse_second_standard_input<'a>(places: impl IntoIterator<Item = &'a Place>)
 }
 
 /// An output that is one of the inputs would destroy it.
-fn refuse_output_over_input<'a>(output: &Place, inputs: impl IntoIterator<Item = &'a Place>) -> Result<(), Failure> {
+fn refuse_output_over_input<'a>(output: &Stream, inputs: impl IntoIterator<Item = &'a Stream>) -> Result<(), Failure> {
     match inputs.into_iter().find(|input| output.is_same_file(input)) {
         None => Ok(()),
         Some(input) => Err(Failure::WrongUse(

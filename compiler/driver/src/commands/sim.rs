@@ -3,8 +3,8 @@
 use super::{refuse_output_over_input, refuse_second_standard_input};
 use crate::Exit;
 use crate::arguments::ProfileArguments;
-use crate::place::Place;
 use crate::report::{Failure, Format, Report};
+use crate::stream::Stream;
 use clap::Args;
 use grafc::files::print;
 
@@ -23,16 +23,16 @@ that differs is an error.";
 pub struct Arguments {
     /// The chart; `-` is standard input
     #[arg(value_name = "CHART")]
-    chart: Place,
+    chart: Stream,
     /// The inputs over time; `-` is standard input
     #[arg(long, value_name = "IN.csv")]
-    trace: Place,
+    trace: Stream,
     /// A result recorded elsewhere, to compare with; `-` is standard input
     #[arg(long, value_name = "RECORDED.csv")]
-    against: Option<Place>,
+    against: Option<Stream>,
     /// Where to put the result [default: standard output; nowhere with `--against`]
     #[arg(short, long, value_name = "OUT.csv")]
-    output: Option<Place>,
+    output: Option<Stream>,
     #[command(flatten)]
     profile: ProfileArguments,
     /// The form of messages, which go to standard error
@@ -45,7 +45,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let inputs = || [&args.chart, &args.trace].into_iter().chain(&args.against);
     refuse_second_standard_input(inputs())?;
     // A comparison is asked whether it is the same, not what it is.
-    let output = args.output.or(args.against.is_none().then_some(Place::Standard));
+    let output = args.output.or(args.against.is_none().then_some(Stream::Standard));
     if let Some(output) = &output {
         refuse_output_over_input(output, inputs())?;
     }
@@ -53,7 +53,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let mut report = Report::default();
     let chart = report.load(&args.chart)?;
     let trace = report.load(&args.trace)?;
-    let against = args.against.as_ref().map(|place| report.load(place)).transpose()?;
+    let against = args.against.as_ref().map(|stream| report.load(stream)).transpose()?;
     let mut made = None;
     if let (Some(chart), Some(trace)) = (chart, trace)
         && against != Some(None)

@@ -41,17 +41,17 @@ transition (1) 1 -> 2 : a
 transition (2) 2 -> 1 : not rise a
 ";
 
-pub struct Place {
+pub struct Folder {
     directory: TempDir,
 }
 
-impl Place {
+impl Folder {
     pub fn new(files: &[(&str, &str)]) -> Self {
-        let place = Place { directory: TempDir::new().unwrap() };
+        let folder = Folder { directory: TempDir::new().unwrap() };
         for (name, text) in files {
-            std::fs::write(place.path(name), text).unwrap();
+            std::fs::write(folder.path(name), text).unwrap();
         }
-        place
+        folder
     }
 
     pub fn path(&self, name: &str) -> PathBuf {

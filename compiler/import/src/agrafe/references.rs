@@ -154,9 +154,9 @@ fn as_action(entity: Entity) -> Option<ActionId> {
 }
 
 /// A step of a way: from which element, by which feature, to which place in it.
-type Place<'a> = (ElementId, &'a str, u32);
+type Hop<'a> = (ElementId, &'a str, u32);
 
-fn places(document: &Document) -> FxHashMap<Place<'_>, ElementId> {
+fn places(document: &Document) -> FxHashMap<Hop<'_>, ElementId> {
     let mut places = FxHashMap::default();
     let mut counts: FxHashMap<&str, u32> = FxHashMap::default();
     for (parent, element) in document.elements.iter_enumerated() {
@@ -176,7 +176,7 @@ fn ids(document: &Document) -> FxHashMap<&str, ElementId> {
 }
 
 struct Resolver<'a> {
-    places: FxHashMap<Place<'a>, ElementId>,
+    places: FxHashMap<Hop<'a>, ElementId>,
     ids: FxHashMap<&'a str, ElementId>,
     roots: &'a [ElementId],
     entities: &'a IndexVec<ElementId, Entity>,

@@ -9,7 +9,7 @@ use rustc_hash::FxHashMap;
 
 /// Where comments go.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Place {
+pub enum Attachment {
     /// Before everything.
     Head,
     /// Before an element that is written.
@@ -20,7 +20,7 @@ pub enum Place {
 
 /// The comments of each place, as lines.
 pub struct Comments {
-    lines: FxHashMap<Place, Vec<String>>,
+    lines: FxHashMap<Attachment, Vec<String>>,
 }
 
 impl Comments {
@@ -30,12 +30,12 @@ impl Comments {
         is_item: impl Fn(ElementId) -> bool,
         is_block: impl Fn(ElementId) -> bool,
     ) -> Self {
-        let mut lines: FxHashMap<Place, Vec<String>> = FxHashMap::default();
+        let mut lines: FxHashMap<Attachment, Vec<String>> = FxHashMap::default();
         let next = next_items(document, &is_item);
         for comment in &document.comments {
             let place = match comment.parent {
-                None if comment.start < document.root_span().start => Place::Head,
-                None => Place::End(ElementId::new(0)),
+                None if comment.start < document.root_span().start => Attachment::Head,
+                None => Attachment::End(ElementId::new(0)),
                 Some(parent) => place(document, parent, comment.start, &next, (&is_item, &is_block)),
             };
             lines.entry(place).or_default().extend(spell(&comment.text));
@@ -44,7 +44,7 @@ impl Comments {
     }
 
     /// The comments of a place.
-    pub fn take(&mut self, place: Place) -> Vec<String> {
+    pub fn take(&mut self, place: Attachment) -> Vec<String> {
         self.lines.remove(&place).unwrap_or_default()
     }
 }
@@ -68,23 +68,23 @@ fn place(
     start: u32,
     next: &IndexVec<ElementId, Option<ElementId>>,
     (is_item, is_block): (&impl Fn(ElementId) -> bool, &impl Fn(ElementId) -> bool),
-) -> Place {
+) -> Attachment {
     let mut at = parent;
     loop {
         if is_block(at) {
             let children = &document.elements[at].children;
             let behind = children.partition_point(|&child| document.elements[child].span.start < start);
             return match children.get(behind).and_then(|&child| next[child]) {
-                Some(item) => Place::Before(item),
-                None => Place::End(at),
+                Some(item) => Attachment::Before(item),
+                None => Attachment::End(at),
             };
         }
         if is_item(at) {
-            return Place::Before(at);
+            return Attachment::Before(at);
         }
         match document.elements[at].parent {
             Some(around) => at = around,
-            None => return Place::End(ElementId::new(0)),
+            None => return Attachment::End(ElementId::new(0)),
         }
     }
 }

@@ -16,7 +16,7 @@ mod variables;
 use crate::Options;
 use crate::agrafe::model::{ActionId, GrafcetId, GrafcetKind, Model, NodeId, NodeKind, VariableId};
 use crate::xml::{Document, ElementId};
-use comments::{Comments, Place};
+use comments::{Attachment, Comments};
 use conditions::Level;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use hierarchy::Hierarchy;
@@ -121,7 +121,7 @@ fn place_comments(
 
 impl Writer<'_> {
     fn chart(&mut self) {
-        self.comments_of(Place::Head);
+        self.comments_of(Attachment::Head);
         if let Some(name) = &self.model.name {
             let name = spell(&clean(name));
             self.text.push(&format!("chart {name}\n"));
@@ -135,7 +135,7 @@ impl Writer<'_> {
             }
         }
         for container in std::mem::take(&mut self.containers) {
-            self.comments_of(Place::End(container));
+            self.comments_of(Attachment::End(container));
         }
         for grafcet in self.model.grafcets.indices() {
             if self.hierarchy.is_block(self.model, grafcet) {
@@ -143,8 +143,8 @@ impl Writer<'_> {
             }
         }
         self.text.push("\n");
-        self.comments_of(Place::End(self.model.grafcets[GrafcetId::new(0)].element));
-        self.comments_of(Place::End(ElementId::new(0)));
+        self.comments_of(Attachment::End(self.model.grafcets[GrafcetId::new(0)].element));
+        self.comments_of(Attachment::End(ElementId::new(0)));
     }
 
     fn grafcet(&mut self, id: GrafcetId) {
@@ -171,7 +171,7 @@ impl Writer<'_> {
             self.transition(node);
         }
         if grafcet.kind != GrafcetKind::Chart {
-            self.comments_of(Place::End(grafcet.element));
+            self.comments_of(Attachment::End(grafcet.element));
         }
         self.text.push("}\n");
     }
@@ -243,10 +243,10 @@ impl Writer<'_> {
     }
 
     fn comments_before(&mut self, element: ElementId) {
-        self.comments_of(Place::Before(element));
+        self.comments_of(Attachment::Before(element));
     }
 
-    fn comments_of(&mut self, place: Place) {
+    fn comments_of(&mut self, place: Attachment) {
         for line in self.comments.take(place) {
             self.text.push(&line);
             self.text.push("\n");

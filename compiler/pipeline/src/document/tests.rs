@@ -1,6 +1,6 @@
 use super::*;
 use grafc_backends::{Target, plcopen, st};
-use grafc_diagnostics::{Code, Place, Unit, render};
+use grafc_diagnostics::{Code, EditorPosition, Unit, render};
 use grafc_logic::Encoding;
 use grafc_model::symbols::{Entity, Mention};
 use std::sync::Mutex;
@@ -139,8 +139,8 @@ fn edits_that_do_not_fit_change_nothing() {
     document.edit(3..5, "𝄞𝄞").expect("an edit");
     assert_eq!(document.text(), "// 𝄞𝄞\ninitial step 1\n");
     // After the second of two characters that take four bytes in UTF-8 and two units in UTF-16 each.
-    assert_eq!(document.source().place(11, Unit::Utf16), Place { line: 0, column: 7 });
-    assert_eq!(document.source().byte(Place { line: 1, column: 8 }, Unit::Utf16), 12 + 8);
+    assert_eq!(document.source().place(11, Unit::Utf16), EditorPosition { line: 0, column: 7 });
+    assert_eq!(document.source().byte(EditorPosition { line: 1, column: 8 }, Unit::Utf16), 12 + 8);
 }
 
 #[test]

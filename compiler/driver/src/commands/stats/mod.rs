@@ -5,8 +5,8 @@ mod table;
 
 use crate::Exit;
 use crate::arguments::ProfileArguments;
-use crate::place::Place;
 use crate::report::{Failure, Format, Report};
+use crate::stream::Stream;
 use clap::{Args, ValueEnum};
 use figures::Figures;
 use grafc::Document;
@@ -24,7 +24,7 @@ What is counted, and how, is in docs/statistics.md.";
 pub struct Arguments {
     /// The chart; `-` is standard input
     #[arg(value_name = "CHART")]
-    chart: Place,
+    chart: Stream,
     #[command(flatten)]
     profile: ProfileArguments,
     /// The form of the figures, and of messages, which go to standard error

@@ -7,69 +7,69 @@ use std::path::PathBuf;
 
 /// What a file name on the command line stands for.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Place {
+pub enum Stream {
     /// `-`: standard input or standard output.
     Standard,
     /// Any other name.
     File(PathBuf),
 }
 
-impl From<OsString> for Place {
+impl From<OsString> for Stream {
     fn from(name: OsString) -> Self {
-        if name == "-" { Place::Standard } else { Place::File(name.into()) }
+        if name == "-" { Stream::Standard } else { Stream::File(name.into()) }
     }
 }
 
-impl Place {
+impl Stream {
     /// What messages call it when it is read.
     pub fn input_name(&self) -> String {
         match self {
-            Place::Standard => "<stdin>".to_string(),
-            Place::File(path) => path.display().to_string(),
+            Stream::Standard => "<stdin>".to_string(),
+            Stream::File(path) => path.display().to_string(),
         }
     }
 
     /// The name without folders, for the head of what is made of it.
     pub fn file_name(&self) -> String {
         match self {
-            Place::File(path) => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),
-            Place::Standard => "standard input".to_string(),
+            Stream::File(path) => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),
+            Stream::Standard => "standard input".to_string(),
         }
     }
 
     /// The name of a chart that does not give itself one.
     pub fn chart_name(&self) -> String {
         match self {
-            Place::Standard => "chart".to_string(),
-            Place::File(path) => grafc::chart_name(path),
+            Stream::Standard => "chart".to_string(),
+            Stream::File(path) => grafc::chart_name(path),
         }
     }
 
     /// Whether both name one existing file, by whatever paths.
-    pub fn is_same_file(&self, other: &Place) -> bool {
+    pub fn is_same_file(&self, other: &Stream) -> bool {
         match (self, other) {
-            (Place::File(a), Place::File(b)) => files::is_same_file(a, b),
-            (Place::Standard, _) | (_, Place::Standard) => false,
+            (Stream::File(a), Stream::File(b)) => files::is_same_file(a, b),
+            (Stream::Standard, _) | (_, Stream::Standard) => false,
         }
     }
 
     /// Whether what is written to one would be written to the other, whether or not it is there yet.
-    pub fn is_same_place(&self, other: &Place) -> bool {
+    pub fn is_same_stream(&self, other: &Stream) -> bool {
         match (self, other) {
-            (Place::Standard, Place::Standard) => true,
-            (Place::File(a), Place::File(b)) => {
+            (Stream::Standard, Stream::Standard) => true,
+            (Stream::File(a), Stream::File(b)) => {
                 let absolute = |path| std::path::absolute(path).ok();
                 files::is_same_file(a, b) || absolute(a).is_some_and(|a| Some(a) == absolute(b))
             }
-            (Place::Standard, Place::File(_)) | (Place::File(_), Place::Standard) => false,
+            (Stream::Standard, Stream::File(_)) | (Stream::File(_), Stream::Standard) => false,
         }
     }
 
     /// Everything that is there.
     pub fn read(&self) -> Result<Vec<u8>, Refusal> {
         match self {
-            Place::File(path) => files::read(path),
-            Place::Standard => {
+            Stream::File(path) => files::read(path),
+            Stream::Standard => {
                 let mut bytes = Vec::new();
                 match io::stdin().lock().read_to_end(&mut bytes) {
                     Ok(_) => Ok(bytes),
@@ -82,8 +82,8 @@ impl Place {
     /// Puts a text there, whole or not at all.
     pub fn write(&self, text: &str) -> Result<(), Refusal> {
         match self {
-            Place::Standard => print(text),
-            Place::File(path) => files::write(path, text),
+            Stream::Standard => print(text),
+            Stream::File(path) => files::write(path, text),
         }
     }
 }

@@ -18,7 +18,7 @@ pub struct Source {
 
 /// Where a fault applies, and what stands there with it.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Place {
+pub struct Spot {
     /// The file, from the root of the workspace.
     pub file: String,
     /// The right text.
@@ -71,7 +71,7 @@ impl<'s> Index<'s> {
     ///
     /// # Errors
     /// What is wrong if there is none, or more than one.
-    pub fn place(&self, fault: &Fault) -> Result<Place, String> {
+    pub fn place(&self, fault: &Fault) -> Result<Spot, String> {
         let pattern = tokens(fault.text);
         let mut found = self.all(&pattern, false);
         if found.is_empty() {
@@ -86,7 +86,7 @@ impl<'s> Index<'s> {
                 let at = tokens.partition_point(|token| token.start < first.start);
                 let end = tokens[at + pattern.len() - 1].end();
                 let instead = with_names(fault.instead, renamed);
-                Ok(Place { file: source.file.clone(), range: first.start..end, instead })
+                Ok(Spot { file: source.file.clone(), range: first.start..end, instead })
             }
             [] => Err(format!("`{}`: its text is nowhere in {}", fault.name, fault.at.part.folders().join(", "))),
             several => {
