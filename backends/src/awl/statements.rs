@@ -15,7 +15,7 @@ pub(super) fn body(program: &Program, names: &mut AwlNames, mnemonics: Mnemonics
     let (conditions, numbers) = (Conditions::new(program), Numbers::new(program));
     let origins = traced.then(|| program.origins());
     let code = Code::new(mnemonics, traced);
-    let mut body = Body { program, names, conditions, numbers, code, depth: 0, origins };
+    let mut body = AwlStatements { program, names, conditions, numbers, code, depth: 0, origins };
     if let Some(clock) = &body.names.clock {
         clock.update(&mut body.code);
     }
@@ -33,7 +33,8 @@ pub(super) fn body(program: &Program, names: &mut AwlNames, mnemonics: Mnemonics
     body.code
 }
 
-struct Body<'p, 'n> {
+/// The statements of a call, and what it takes to spell them.
+struct AwlStatements<'p, 'n> {
     program: &'p Program,
     names: &'n mut AwlNames,
     conditions: Conditions<'p>,
@@ -45,7 +46,7 @@ struct Body<'p, 'n> {
     origins: Option<Origins>,
 }
 
-impl Body<'_, '_> {
+impl AwlStatements<'_, '_> {
     /// What an assignment is about, beside what it comes from.
     fn about(&mut self, target: VarId, value: FormulaId) {
         if let Some(origins) = &self.origins {

@@ -21,7 +21,7 @@ const FEW_ARMS: usize = 8;
 pub(super) fn body(program: &Program, names: &mut Names, traced: bool) -> Code {
     let code = Code::new(Writer::new(&writer::IEC).traced(traced));
     let origins = traced.then(|| program.origins());
-    let mut body = Body { program, names, expressions: Expressions::new(program), code, origins };
+    let mut body = IlStatements { program, names, expressions: Expressions::new(program), code, origins };
     body.block(&program.first, None);
     body.block(&program.before, None);
     match program.repeat {
@@ -37,7 +37,7 @@ pub(super) fn body(program: &Program, names: &mut Names, traced: bool) -> Code {
     body.code
 }
 
-struct Body<'p, 'n> {
+struct IlStatements<'p, 'n> {
     program: &'p Program,
     names: &'n mut Names,
     expressions: Expressions<'p>,
@@ -46,7 +46,7 @@ struct Body<'p, 'n> {
     origins: Option<Origins>,
 }
 
-impl Body<'_, '_> {
+impl IlStatements<'_, '_> {
     /// What an assignment is about, beside what it comes from.
     fn about(&mut self, target: VarId, value: FormulaId) {
         if let Some(origins) = &self.origins {

@@ -13,7 +13,7 @@ use grafc_logic::scan::{
 
 /// Writes the statements of one call.
 pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, expressions: &Expressions) {
-    let body = Body::new(out, program, names, expressions);
+    let body = StStatements::new(out, program, names, expressions);
     out.blank();
     body.block(out, &program.first);
     body.block(out, &program.before);
@@ -30,12 +30,12 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, expressi
 
 /// Writes what comes first and before a micro-step.
 pub(super) fn before(out: &mut Writer, program: &Program, names: &Names, expressions: &Expressions) {
-    let body = Body::new(out, program, names, expressions);
+    let body = StStatements::new(out, program, names, expressions);
     body.block(out, &program.first);
     body.block(out, &program.before);
 }
 
-struct Body<'p> {
+struct StStatements<'p> {
     program: &'p Program,
     names: &'p Names,
     expressions: &'p Expressions<'p>,
@@ -43,9 +43,9 @@ struct Body<'p> {
     origins: Option<Origins>,
 }
 
-impl<'p> Body<'p> {
+impl<'p> StStatements<'p> {
     fn new(out: &Writer, program: &'p Program, names: &'p Names, expressions: &'p Expressions<'p>) -> Self {
-        Body { program, names, expressions, origins: out.is_traced().then(|| program.origins()) }
+        StStatements { program, names, expressions, origins: out.is_traced().then(|| program.origins()) }
     }
 
     /// What an assignment is about, beside what it comes from.

@@ -22,7 +22,7 @@ use std::iter;
 pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places, parts: &Parts) {
     let expressions = Expressions::new(program, places);
     for (index, function) in parts.functions.iter().enumerate() {
-        let body = Body {
+        let body = RustStatements {
             program,
             names,
             places,
@@ -87,7 +87,7 @@ const INPUTS: &str = "&Inputs";
 const NOW: &str = "u32";
 const VALUES: &str = "&mut Values";
 
-struct Body<'p> {
+struct RustStatements<'p> {
     program: &'p Program,
     names: &'p Names,
     places: &'p Places<'p>,
@@ -98,7 +98,7 @@ struct Body<'p> {
     blocks: Cell<usize>,
 }
 
-impl Body<'_> {
+impl RustStatements<'_> {
     fn scan(&self, out: &mut Writer, code: &[Code], needs: Needs) {
         out.line("/// One scan: from the inputs to the outputs.");
         out.line("///");

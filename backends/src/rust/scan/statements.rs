@@ -1,6 +1,6 @@
 //! The statements of a function.
 
-use super::Body;
+use super::RustStatements;
 use crate::comment::clean;
 use crate::rust::expressions::{SMALL, WIDTH};
 use crate::rust::literals::type_name;
@@ -8,7 +8,7 @@ use crate::writer::Writer;
 use grafc_formula::{Arithmetic, Formula, FormulaId, Type};
 use grafc_logic::scan::{Arm, Division, Statement, TimerId, VarId, is_empty, origin_of, origin_of_end};
 
-impl Body<'_> {
+impl RustStatements<'_> {
     /// A block of statements, in a block of the text.
     fn statements(&self, out: &mut Writer, statements: &[Statement]) {
         let inside = self.block();
