@@ -68,7 +68,7 @@ const SHORT: usize = 16;
 /// All formulas of one program.
 #[derive(Clone, Debug, Default)]
 pub struct Pool {
-    nodes: IndexSet<Node, FxBuildHasher>,
+    nodes: IndexSet<TypedFormula, FxBuildHasher>,
     depths: Vec<u32>,
     /// The operands of the junction that is being made: a list of its own is needed for a new one only.
     operands: Vec<FormulaId>,
@@ -76,13 +76,13 @@ pub struct Pool {
 
 /// A formula and its type. Constants are the same only if they are the same to the bit.
 #[derive(Clone, Debug)]
-struct Node {
+struct TypedFormula {
     formula: Formula,
     ty: Type,
 }
 
-impl PartialEq for Node {
-    fn eq(&self, other: &Node) -> bool {
+impl PartialEq for TypedFormula {
+    fn eq(&self, other: &TypedFormula) -> bool {
         let same = match (&self.formula, &other.formula) {
             (Formula::Constant(Value::Real(a)), Formula::Constant(Value::Real(b))) => a.to_bits() == b.to_bits(),
             (a, b) => a == b,
@@ -91,9 +91,9 @@ impl PartialEq for Node {
     }
 }
 
-impl Eq for Node {}
+impl Eq for TypedFormula {}
 
-impl Hash for Node {
+impl Hash for TypedFormula {
     fn hash<H: Hasher>(&self, state: &mut H) {
         self.ty.hash(state);
         std::mem::discriminant(&self.formula).hash(state);
@@ -129,8 +129,8 @@ impl Hash for Junction<'_> {
     }
 }
 
-impl Equivalent<Node> for Junction<'_> {
-    fn equivalent(&self, node: &Node) -> bool {
+impl Equivalent<TypedFormula> for Junction<'_> {
+    fn equivalent(&self, node: &TypedFormula) -> bool {
         match &node.formula {
             Formula::And(list) => self.conjunction && **list == *self.list,
             Formula::Or(list) => !self.conjunction && **list == *self.list,
@@ -200,7 +200,7 @@ impl Pool {
     }
 
     fn add(&mut self, formula: Formula, ty: Type) -> FormulaId {
-        let (index, new) = self.nodes.insert_full(Node { formula, ty });
+        let (index, new) = self.nodes.insert_full(TypedFormula { formula, ty });
         let id = FormulaId::from_usize(index);
         if new {
             let below = self.operands(id).map(|o| self.depths[o.index()] + 1).max();
@@ -453,7 +453,7 @@ impl Pool {
         let mut pool = Pool::default();
         let mut new: IndexVec<FormulaId, FormulaId> = self.ids().collect();
         for id in self.ids().filter(|id| kept[id.index()]) {
-            let Node { formula, ty } = self.nodes[id.index()].clone();
+            let TypedFormula { formula, ty } = self.nodes[id.index()].clone();
             let formula = match formula {
                 Formula::Variable(v) => Formula::Variable(variables[v]),
                 Formula::Constant(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) => formula,

@@ -111,13 +111,13 @@ impl Context {
 /// The expressions of a net, in an order in which each can be evaluated from those before.
 pub(super) struct Expressions<'a> {
     net: &'a Net,
-    order: Vec<Node>,
+    order: Vec<Evaluated>,
     /// The places that the activity of each macro-step means.
     expansions: IndexVec<MacroId, Vec<StepId>>,
 }
 
 #[derive(Clone, Copy)]
-enum Node {
+enum Evaluated {
     Expr(ExprId),
     Wire(VariableId),
 }
@@ -145,8 +145,8 @@ impl<'a> Expressions<'a> {
         };
         for node in &self.order {
             let e = match *node {
-                Node::Expr(e) => e,
-                Node::Wire(v) => {
+                Evaluated::Expr(e) => e,
+                Evaluated::Wire(v) => {
                     let mut actions = net.continuous.iter().filter(|action| action.target == v);
                     cx.wires[v] = actions.any(|a| active[a.step] && a.condition.is_none_or(|c| cx.holds(c)));
                     continue;
@@ -194,7 +194,7 @@ impl<'a> Expressions<'a> {
 }
 
 /// Sweeps over what is asked for until all of it has its place.
-fn order(net: &Net) -> Vec<Node> {
+fn order(net: &Net) -> Vec<Evaluated> {
     let mut asked: IndexVec<ExprId, bool> = net.exprs.iter().map(|_| false).collect();
     let conditions = net.transitions.iter().map(|t| t.condition);
     let values = net.stored.iter().map(|action| action.value);
@@ -221,14 +221,14 @@ fn order(net: &Net) -> Vec<Node> {
             let mut conditions = net.continuous.iter().filter(|a| a.target == v).filter_map(|a| a.condition);
             if !known[v] && conditions.all(|c| placed[c]) {
                 known[v] = true;
-                order.push(Node::Wire(v));
+                order.push(Evaluated::Wire(v));
             }
         }
         for (e, expr) in net.exprs.iter_enumerated() {
             let reads = if let ExprKind::Variable(v) = expr.kind { known[v] } else { true };
             if asked[e] && !placed[e] && reads && expr.kind.operands().all(|operand| placed[operand]) {
                 placed[e] = true;
-                order.push(Node::Expr(e));
+                order.push(Evaluated::Expr(e));
             }
         }
         if order.len() == before {

@@ -11,7 +11,7 @@ pub(super) struct Frame {
     /// What it is.
     pub place: FrameKind,
     /// Its steps and macro-steps.
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<RandomStep>,
     /// Its arcs, a transition a pair.
     pub arcs: Vec<(Vec<String>, Vec<String>)>,
 }
@@ -29,9 +29,9 @@ pub(super) enum FrameKind {
 
 /// A step or a macro-step.
 #[derive(Debug)]
-pub(super) struct Node {
+pub(super) struct RandomStep {
     pub label: String,
-    pub kind: NodeKind,
+    pub kind: RandomStepKind,
     pub initial: bool,
     pub activated: bool,
     /// Forcing orders, as text after `force`.
@@ -39,7 +39,7 @@ pub(super) struct Node {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum NodeKind {
+pub(super) enum RandomStepKind {
     Step,
     Enclosing,
     Macro,
@@ -65,8 +65,8 @@ pub(super) fn draw(rng: &mut Rng, kind: Kind, size: usize) -> Vec<Frame> {
     frames
 }
 
-fn node(label: String, kind: NodeKind) -> Node {
-    Node { label, kind, initial: false, activated: false, orders: Vec::new() }
+fn node(label: String, kind: RandomStepKind) -> RandomStep {
+    RandomStep { label, kind, initial: false, activated: false, orders: Vec::new() }
 }
 
 /// Draws one frame, and behind it the expansions of its macro-steps.
@@ -81,19 +81,19 @@ fn draw_frame(
     let expansion = matches!(place, FrameKind::Expansion(_));
     let grafcet = if let FrameKind::Expansion(of) = &place { of.clone() } else { name.clone() };
     let count = if expansion { rng.usize(0..=3) } else { rng.usize(2..=8 * size) };
-    let mut nodes: Vec<Node> = Vec::new();
+    let mut nodes: Vec<RandomStep> = Vec::new();
     for index in 0..count {
         let label = if rng.f32() < 0.15 {
             format!("{}{}", LABELS[rng.usize(0..LABELS.len())], base + index)
         } else {
             (base + index).to_string()
         };
-        nodes.push(node(label, NodeKind::Step));
+        nodes.push(node(label, RandomStepKind::Step));
     }
     let mut expansions = Vec::new();
     if macros && !nodes.is_empty() {
         let last = nodes.len() - 1;
-        nodes[last] = node(format!("M{}", base + last), NodeKind::Macro);
+        nodes[last] = node(format!("M{}", base + last), RandomStepKind::Macro);
         expansions.push(nodes[last].label.clone());
     }
     let mut labels: Vec<String> = nodes.iter().map(|n| n.label.clone()).collect();
@@ -101,17 +101,17 @@ fn draw_frame(
     if let Some(number) = name.strip_prefix('M').filter(|_| expansion) {
         let (entry, exit) = (format!("E{number}"), format!("S{number}"));
         region(rng, &mut arcs, &entry, &labels, &exit);
-        nodes.insert(0, node(entry.clone(), NodeKind::Step));
-        nodes.push(node(exit.clone(), NodeKind::Step));
+        nodes.insert(0, node(entry.clone(), RandomStepKind::Step));
+        nodes.push(node(exit.clone(), RandomStepKind::Step));
         nodes[0].initial = rng.f32() < 0.05;
         labels.extend([entry, exit]);
     } else {
         let first = labels[0].clone();
         region(rng, &mut arcs, &first, &labels[1..], &first);
-        if nodes[0].kind == NodeKind::Step {
+        if nodes[0].kind == RandomStepKind::Step {
             nodes[0].initial = rng.f32() < 0.9;
         }
-        for other in nodes.iter_mut().skip(1).filter(|n| n.kind == NodeKind::Step) {
+        for other in nodes.iter_mut().skip(1).filter(|n| n.kind == RandomStepKind::Step) {
             other.initial = rng.f32() < 0.08;
         }
     }
@@ -183,17 +183,18 @@ fn enclose(rng: &mut Rng, frames: &mut [Frame]) {
         let hosts: Vec<usize> =
             (0..before.len()).filter(|&i| !matches!(before[i].place, FrameKind::Expansion(_))).collect();
         let host = &mut before[hosts[rng.usize(0..hosts.len())]];
-        let steps: Vec<usize> = (0..host.nodes.len()).filter(|&i| host.nodes[i].kind != NodeKind::Macro).collect();
+        let steps: Vec<usize> =
+            (0..host.nodes.len()).filter(|&i| host.nodes[i].kind != RandomStepKind::Macro).collect();
         if steps.is_empty() {
             continue;
         }
         let step = &mut host.nodes[steps[rng.usize(0..steps.len())]];
-        step.kind = NodeKind::Enclosing;
+        step.kind = RandomStepKind::Enclosing;
         let (label, initial) = (step.label.clone(), step.initial);
         let inside = &mut rest[0];
         inside.place = FrameKind::In(label);
         let candidates: Vec<usize> =
-            (0..inside.nodes.len()).filter(|&i| inside.nodes[i].kind != NodeKind::Macro).collect();
+            (0..inside.nodes.len()).filter(|&i| inside.nodes[i].kind != RandomStepKind::Macro).collect();
         for &i in &candidates {
             inside.nodes[i].initial &= initial;
             inside.nodes[i].activated = rng.f32() < 0.3;
@@ -219,13 +220,13 @@ fn force(rng: &mut Rng, frames: &mut [Frame]) {
             continue;
         }
         let steps: Vec<String> =
-            frames[target].nodes.iter().filter(|n| n.kind != NodeKind::Macro).map(|n| n.label.clone()).collect();
+            frames[target].nodes.iter().filter(|n| n.kind != RandomStepKind::Macro).map(|n| n.label.clone()).collect();
         let name = frames[target].name.clone();
         for _ in 0..if rng.f32() < 0.5 { 0 } else { rng.usize(1..=2) } {
             let host = &mut frames[rng.usize(0..target)];
             let same = host.name == name || host.place == FrameKind::Expansion(name.clone());
             let choices: Vec<usize> =
-                (0..host.nodes.len()).filter(|&i| host.nodes[i].kind != NodeKind::Macro).collect();
+                (0..host.nodes.len()).filter(|&i| host.nodes[i].kind != RandomStepKind::Macro).collect();
             if same || choices.is_empty() {
                 continue;
             }
@@ -251,8 +252,8 @@ fn keep_alive(rng: &mut Rng, frames: &mut [Frame]) {
         if frame.nodes.iter().any(|n| n.initial) || frame.arcs.iter().any(|(pre, _)| pre.is_empty()) {
             continue;
         }
-        match frame.nodes.iter_mut().find(|n| n.kind != NodeKind::Macro) {
-            Some(step) if rng.f32() < 0.5 && step.kind == NodeKind::Step => step.initial = true,
+        match frame.nodes.iter_mut().find(|n| n.kind != RandomStepKind::Macro) {
+            Some(step) if rng.f32() < 0.5 && step.kind == RandomStepKind::Step => step.initial = true,
             _ => frame.arcs.push((Vec::new(), vec![frame.nodes[0].label.clone()])),
         }
     }

@@ -4,7 +4,7 @@
 
 use super::expression::{Allowed, Scope};
 use super::ink::Ink;
-use super::structure::{Frame, FrameKind, NodeKind};
+use super::structure::{Frame, FrameKind, RandomStepKind};
 use fastrand::Rng;
 use grafc_model::chart::Type;
 use std::fmt::Write as _;
@@ -105,7 +105,7 @@ impl Writer<'_> {
             }
             for node in &frame.nodes {
                 self.scope.activities.push(format!("X{}", node.label));
-                if node.kind != NodeKind::Macro {
+                if node.kind != RandomStepKind::Macro {
                     self.scope.durations.push(format!("T{}", node.label));
                 }
             }
@@ -214,23 +214,23 @@ impl Writer<'_> {
                 if node.initial { "initial " } else { "" },
                 if node.activated { "activated " } else { "" },
                 match node.kind {
-                    NodeKind::Step => "",
-                    NodeKind::Enclosing => "enclosing ",
-                    NodeKind::Macro => "macro ",
+                    RandomStepKind::Step => "",
+                    RandomStepKind::Enclosing => "enclosing ",
+                    RandomStepKind::Macro => "macro ",
                 },
             ];
             let comment = if self.rng.f32() < 0.1 { " \"says *) and (* \"" } else { "" };
             self.ink.remark(out);
             let _ = write!(out, "  {}step {}{comment}", words.concat(), node.label);
             let mut actions: Vec<String> = Vec::new();
-            if node.kind != NodeKind::Macro {
+            if node.kind != RandomStepKind::Macro {
                 for _ in 0..[0, 0, 1, 1, 2, 3][self.rng.usize(0..6)] {
                     actions.extend(self.action());
                 }
                 actions.extend(node.orders.iter().map(|order| format!("force {order}")));
             }
             if actions.is_empty() {
-                out.push_str(if node.kind != NodeKind::Macro && self.ink.chance(0.1) { " { }\n" } else { "\n" });
+                out.push_str(if node.kind != RandomStepKind::Macro && self.ink.chance(0.1) { " { }\n" } else { "\n" });
             } else {
                 let _ = writeln!(out, " {{\n    {}\n  }}", actions.join("\n    "));
             }

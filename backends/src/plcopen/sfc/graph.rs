@@ -12,7 +12,7 @@ use std::collections::VecDeque;
 
 /// What is drawn.
 pub(super) struct Graph {
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<Vertex>,
     /// From what leads to what it leads to, over the joints between.
     pub paths: Vec<Vec<usize>>,
     /// The nodes of each layer, from left to right.
@@ -23,7 +23,7 @@ pub(super) struct Graph {
 }
 
 /// A box, or a joint of an arc.
-pub(super) struct Node {
+pub(super) struct Vertex {
     pub kind: Kind,
     pub layer: usize,
     /// What it takes to the left and to the right of its axis, and downwards.
@@ -78,13 +78,13 @@ impl Graph {
     /// Finds what is drawn, and in which layer; the order within a layer is that of a search from the left. Refuses with
     /// a step whose way to a join is too long.
     pub fn new(sequence: &Sequence, texts: &Texts) -> Result<Graph, StepId> {
-        let mut nodes: Vec<Node> = Vec::new();
+        let mut nodes: Vec<Vertex> = Vec::new();
         for (place, step) in sequence.steps.iter().enumerate() {
             let kind = Kind::Step { step: place, initial: step.initial };
             let half = step_width(&texts.steps[place]) / 2;
             let rows = i64::try_from(texts.actions[place].len()).unwrap_or(i64::MAX / 100);
             let actions = if rows > 0 { TO_ACTIONS + block_width(texts, place) } else { 0 };
-            nodes.push(Node {
+            nodes.push(Vertex {
                 kind,
                 layer: 0,
                 left: half + MARGIN,
@@ -95,7 +95,7 @@ impl Graph {
         let first_transition = nodes.len();
         for (place, condition) in texts.conditions.iter().enumerate() {
             let right = 15 + text_width(condition) + MARGIN;
-            nodes.push(Node { kind: Kind::Transition(place), layer: 0, left: 10 + MARGIN, right, height: 2 });
+            nodes.push(Vertex { kind: Kind::Transition(place), layer: 0, left: 10 + MARGIN, right, height: 2 });
         }
         let mut arcs: Vec<(usize, usize)> = Vec::new();
         let kept = kept(sequence);
@@ -114,7 +114,7 @@ impl Graph {
                 arcs.push((own, nodes.len()));
                 let right = 11 + text_width(&texts.steps[step.index()]) + MARGIN;
                 let layer = nodes[own].layer + 1;
-                nodes.push(Node { kind: Kind::Jump(step.index()), layer, left: 6 + MARGIN, right, height: 13 });
+                nodes.push(Vertex { kind: Kind::Jump(step.index()), layer, left: 6 + MARGIN, right, height: 13 });
             }
         }
         let joints = |arc: &(usize, usize)| nodes[arc.1].layer - nodes[arc.0].layer - 1;
@@ -128,7 +128,7 @@ impl Graph {
             let mut path = vec![from];
             for layer in graph.nodes[from].layer + 1..graph.nodes[to].layer {
                 path.push(graph.nodes.len());
-                graph.nodes.push(Node { kind: Kind::Joint, layer, left: 10, right: 10, height: 0 });
+                graph.nodes.push(Vertex { kind: Kind::Joint, layer, left: 10, right: 10, height: 0 });
             }
             path.push(to);
             graph.paths.push(path);
@@ -234,7 +234,7 @@ pub(super) fn kept(sequence: &Sequence) -> Vec<Vec<bool>> {
 }
 
 /// Each node one layer below the lowest that leads to it.
-fn layer(nodes: &mut [Node], arcs: &[(usize, usize)]) {
+fn layer(nodes: &mut [Vertex], arcs: &[(usize, usize)]) {
     let mut below: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
     let mut waiting = vec![0_usize; nodes.len()];
     for (from, to) in arcs {

@@ -5,8 +5,8 @@
 
 use super::attributes::{self, Declares, class};
 use super::model::{
-    Action, ActionId, ActionKind, Condition, Grafcet, GrafcetId, GrafcetKind, Model, Node, NodeId, NodeKind, Sort,
-    Term, TermId, TermKind, Variable, VariableId, VariableKind,
+    Action, ActionId, ActionKind, AgrafeNode, Condition, Grafcet, GrafcetId, GrafcetKind, Model, NodeId, NodeKind,
+    Sort, Term, TermId, TermKind, Variable, VariableId, VariableKind,
 };
 use crate::lost;
 use crate::xml::{Document, Element, ElementId};
@@ -143,7 +143,7 @@ impl Reader<'_> {
     }
 
     fn node(&mut self, element: &Element, id: ElementId, grafcet: GrafcetId, kind: NodeKind) -> Entity {
-        let node = self.found.model.nodes.push(Node {
+        let node = self.found.model.nodes.push(AgrafeNode {
             kind,
             id: attributes::integer(element, "id", self.said),
             initial: attributes::boolean(element, "initial", self.said),

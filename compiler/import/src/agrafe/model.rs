@@ -35,7 +35,7 @@ pub struct Model {
     /// Grafcets; the first is the chart itself.
     pub grafcets: IndexVec<GrafcetId, Grafcet>,
     /// Steps, transitions, synchronisations.
-    pub nodes: IndexVec<NodeId, Node>,
+    pub nodes: IndexVec<NodeId, AgrafeNode>,
     /// Directed links.
     pub arcs: Vec<Arc>,
     /// Actions and forcing orders.
@@ -93,7 +93,7 @@ pub enum GrafcetKind {
 }
 
 /// `Node` and its subclasses.
-pub struct Node {
+pub struct AgrafeNode {
     pub kind: NodeKind,
     pub id: i32,
     pub initial: bool,

@@ -3,7 +3,7 @@
 use super::arithmetic::{calculate, compare, convert, negate, truth};
 use super::delay::{Delay, first_value};
 use super::flat::{active_grafcets, active_macro_steps};
-use super::plan::{Memory, Node, Plan};
+use super::plan::{Memory, Plan, Valued};
 use super::{Activity, State};
 use crate::chart::{Chart, Event, ExprId, ExprKind, GrafcetId, MacroId, Mode, StepId, Value, VariableId};
 use index_vec::IndexVec;
@@ -56,7 +56,7 @@ struct Context<'a> {
 pub(super) fn evaluate(
     chart: &Chart,
     plan: &Plan,
-    nodes: &[Node],
+    nodes: &[Valued],
     memory: Memory,
     state: &mut State,
     t: i64,
@@ -75,11 +75,11 @@ pub(super) fn evaluate(
     let mut div0 = false;
     for &node in nodes {
         match node {
-            Node::Expr(id) => {
+            Valued::Expr(id) => {
                 let value = context.expression(id, memory, &mut state.delays, &state.edges, values, &mut div0);
                 values.exprs[id] = value;
             }
-            Node::Wire(id) => values.wires[id] = context.wire(id, values),
+            Valued::Wire(id) => values.wires[id] = context.wire(id, values),
         }
     }
     DividedByZero(div0)

@@ -1,7 +1,7 @@
 //! R1, R3, R4, R6, R8: one micro-step. R2, R5 and R7 have files of their own.
 
 use super::context::{DividedByZero, evaluate, levels};
-use super::plan::{Memory, Node};
+use super::plan::{Memory, Valued};
 use super::settle::{Conflict, Phase, settle};
 use super::stored::{Happened, allocate};
 use super::{Activity, Simulator};
@@ -86,7 +86,7 @@ impl Simulator<'_> {
     }
 
     /// Evaluates into the simulator's own values and flags.
-    pub(super) fn evaluate(&mut self, nodes: &[Node], memory: Memory, t: i64) {
+    pub(super) fn evaluate(&mut self, nodes: &[Valued], memory: Memory, t: i64) {
         let DividedByZero(div0) = evaluate(self.chart, &self.plan, nodes, memory, &mut self.state, t, &mut self.values);
         self.flags.div0 |= div0;
     }

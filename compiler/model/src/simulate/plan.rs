@@ -10,7 +10,7 @@ use index_vec::IndexVec;
 
 /// Something that has a value in a context.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Node {
+pub(super) enum Valued {
     /// An expression.
     Expr(ExprId),
     /// `wire(B)`: a continuously assigned name.
@@ -42,15 +42,15 @@ pub(super) struct Plan {
     pub actions: IndexVec<VariableId, Vec<usize>>,
     /// In every context: transition-conditions, event expressions, the wires that right sides read, and all edges and
     /// delays of the chart.
-    pub context: Vec<Node>,
+    pub context: Vec<Valued>,
     /// Event expressions with their edges replaced by 0 (R7).
-    pub levels: Vec<Node>,
+    pub levels: Vec<Valued>,
     /// Continuously assigned outputs (R11).
-    pub outputs: Vec<Node>,
+    pub outputs: Vec<Valued>,
     /// Each edge and its operand.
     pub edges: Vec<(ExprId, ExprId)>,
     /// All nodes of the chart.
-    all: Vec<Node>,
+    all: Vec<Valued>,
     /// The set of `context`.
     in_context: Marks,
 }
@@ -61,31 +61,32 @@ impl Plan {
         for (place, action) in chart.continuous.iter().enumerate() {
             actions[action.target].push(place);
         }
-        let conditions = chart.transitions.iter().map(|t| Node::Expr(t.condition));
-        let events: Vec<Node> = chart.stored.iter().filter_map(|s| event_expression(s.event)).map(Node::Expr).collect();
-        let outputs: Vec<Node> = chart
+        let conditions = chart.transitions.iter().map(|t| Valued::Expr(t.condition));
+        let events: Vec<Valued> =
+            chart.stored.iter().filter_map(|s| event_expression(s.event)).map(Valued::Expr).collect();
+        let outputs: Vec<Valued> = chart
             .variables
             .iter_enumerated()
             .filter(|(_, v)| v.kind == VariableKind::Output && v.mode == Mode::Wire)
-            .map(|(id, _)| Node::Wire(id))
+            .map(|(id, _)| Valued::Wire(id))
             .collect();
 
-        let mut context: Vec<Node> = conditions.chain(events.iter().copied()).collect();
+        let mut context: Vec<Valued> = conditions.chain(events.iter().copied()).collect();
         let mut roots = context.clone();
-        roots.extend(chart.continuous.iter().filter_map(|action| action.condition).map(Node::Expr));
-        roots.extend(chart.stored.iter().map(|stored| Node::Expr(stored.value)));
+        roots.extend(chart.continuous.iter().filter_map(|action| action.condition).map(Valued::Expr));
+        roots.extend(chart.stored.iter().map(|stored| Valued::Expr(stored.value)));
         roots.extend(outputs.iter().copied());
         let all = operands_first(chart, &actions, &roots);
 
         // Reading has no side effects (X6): whether a wire is evaluated, and a division in it raises DIV0, does not hang
         // on whether the action that reads it is done.
-        let right_sides = chart.stored.iter().map(|stored| Node::Expr(stored.value)).collect();
+        let right_sides = chart.stored.iter().map(|stored| Valued::Expr(stored.value)).collect();
         let read = reach(chart, &actions, right_sides, Memory::Hold);
-        context.extend(all.iter().filter(|&&node| matches!(node, Node::Wire(_)) && read.has(node)));
+        context.extend(all.iter().filter(|&&node| matches!(node, Valued::Wire(_)) && read.has(node)));
 
         let mut edges = Vec::new();
         for &node in &all {
-            let Node::Expr(id) = node else { continue };
+            let Valued::Expr(id) = node else { continue };
             match chart.exprs[id].kind {
                 ExprKind::Rise(operand) | ExprKind::Fall(operand) => {
                     edges.push((id, operand));
@@ -124,16 +125,16 @@ impl Plan {
     }
 
     /// What the right sides need beyond what the context has evaluated.
-    pub fn beyond_context(&self, chart: &Chart, values: impl Iterator<Item = ExprId>) -> Vec<Node> {
-        let marks = reach(chart, &self.actions, values.map(Node::Expr).collect(), Memory::Hold);
+    pub fn beyond_context(&self, chart: &Chart, values: impl Iterator<Item = ExprId>) -> Vec<Valued> {
+        let marks = reach(chart, &self.actions, values.map(Valued::Expr).collect(), Memory::Hold);
         let mut nodes = marks.select(&self.all);
         nodes.retain(|&node| !self.in_context.has(node));
         nodes
     }
 
     /// What the right sides need before the first context.
-    pub fn before_first_context(&self, chart: &Chart, values: impl Iterator<Item = ExprId>) -> Vec<Node> {
-        reach(chart, &self.actions, values.map(Node::Expr).collect(), Memory::Fresh).select(&self.all)
+    pub fn before_first_context(&self, chart: &Chart, values: impl Iterator<Item = ExprId>) -> Vec<Valued> {
+        reach(chart, &self.actions, values.map(Valued::Expr).collect(), Memory::Fresh).select(&self.all)
     }
 }
 
@@ -153,29 +154,29 @@ impl Marks {
         }
     }
 
-    fn has(&self, node: Node) -> bool {
+    fn has(&self, node: Valued) -> bool {
         match node {
-            Node::Expr(id) => self.exprs[id],
-            Node::Wire(id) => self.wires[id],
+            Valued::Expr(id) => self.exprs[id],
+            Valued::Wire(id) => self.wires[id],
         }
     }
 
     /// Adds a node; says whether it is new.
-    fn add(&mut self, node: Node) -> bool {
+    fn add(&mut self, node: Valued) -> bool {
         let mark = match node {
-            Node::Expr(id) => &mut self.exprs[id],
-            Node::Wire(id) => &mut self.wires[id],
+            Valued::Expr(id) => &mut self.exprs[id],
+            Valued::Wire(id) => &mut self.wires[id],
         };
         !std::mem::replace(mark, true)
     }
 
-    fn select(&self, nodes: &[Node]) -> Vec<Node> {
+    fn select(&self, nodes: &[Valued]) -> Vec<Valued> {
         nodes.iter().copied().filter(|&node| self.has(node)).collect()
     }
 }
 
 /// Everything that the roots need in an evaluation of this kind.
-fn reach(chart: &Chart, actions: &IndexVec<VariableId, Vec<usize>>, roots: Vec<Node>, memory: Memory) -> Marks {
+fn reach(chart: &Chart, actions: &IndexVec<VariableId, Vec<usize>>, roots: Vec<Valued>, memory: Memory) -> Marks {
     let mut marks = Marks::none(chart);
     let mut todo = roots;
     while let Some(node) = todo.pop() {
@@ -188,10 +189,10 @@ fn reach(chart: &Chart, actions: &IndexVec<VariableId, Vec<usize>>, roots: Vec<N
 
 /// Everything that the roots reach, operands first. A cycle of continuous actions, which a checked chart has not, is
 /// cut where it is met.
-fn operands_first(chart: &Chart, actions: &IndexVec<VariableId, Vec<usize>>, roots: &[Node]) -> Vec<Node> {
+fn operands_first(chart: &Chart, actions: &IndexVec<VariableId, Vec<usize>>, roots: &[Valued]) -> Vec<Valued> {
     enum Visit {
-        Enter(Node),
-        Leave(Node),
+        Enter(Valued),
+        Leave(Valued),
     }
     let mut order = Vec::new();
     let mut entered = Marks::none(chart);
@@ -216,15 +217,15 @@ fn operands_first(chart: &Chart, actions: &IndexVec<VariableId, Vec<usize>>, roo
 fn operands(
     chart: &Chart,
     actions: &IndexVec<VariableId, Vec<usize>>,
-    node: Node,
+    node: Valued,
     memory: Memory,
-    found: &mut Vec<Node>,
+    found: &mut Vec<Valued>,
 ) {
     let id = match node {
-        Node::Expr(id) => id,
-        Node::Wire(variable) => {
+        Valued::Expr(id) => id,
+        Valued::Wire(variable) => {
             let conditions = actions[variable].iter().filter_map(|&place| chart.continuous[place].condition);
-            found.extend(conditions.map(Node::Expr));
+            found.extend(conditions.map(Valued::Expr));
             return;
         }
     };
@@ -235,15 +236,15 @@ fn operands(
         | ExprKind::MacroActive(_)
         | ExprKind::GrafcetActive(_) => {}
         ExprKind::Variable(variable) => match chart.variables[variable].mode {
-            Mode::Wire => found.push(Node::Wire(variable)),
+            Mode::Wire => found.push(Valued::Wire(variable)),
             Mode::Given | Mode::Stored => {}
         },
         ExprKind::Rise(operand) | ExprKind::Fall(operand) => match memory {
-            Memory::Update => found.push(Node::Expr(operand)),
+            Memory::Update => found.push(Valued::Expr(operand)),
             Memory::Hold | Memory::Fresh => {}
         },
         ExprKind::Delay { operand, .. } => match memory {
-            Memory::Update | Memory::Fresh => found.push(Node::Expr(operand)),
+            Memory::Update | Memory::Fresh => found.push(Valued::Expr(operand)),
             Memory::Hold => {}
         },
         ExprKind::Not(_)
@@ -253,6 +254,6 @@ fn operands(
         | ExprKind::Compare(..)
         | ExprKind::Arithmetic(..)
         | ExprKind::Negate(_)
-        | ExprKind::Widen(_) => found.extend(chart.exprs[id].kind.operands().map(Node::Expr)),
+        | ExprKind::Widen(_) => found.extend(chart.exprs[id].kind.operands().map(Valued::Expr)),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Simulator;
 use super::arithmetic::{convert, same};
-use super::plan::{Memory, Node};
+use super::plan::{Memory, Valued};
 use super::settle::{Conflict, Phase, settle};
 use super::stored::allocate;
 use crate::chart::{Event, Mode, Stored, Value, VariableKind};
@@ -102,7 +102,7 @@ impl<'a> Simulator<'a> {
     fn take_edges_as_seen(&mut self, t: i64) {
         // The context is evaluated on copies: its delays are updated, and its divisions count, in the micro-step.
         let mut first = self.clone();
-        let nodes: Vec<Node> = first.plan.context.clone();
+        let nodes: Vec<Valued> = first.plan.context.clone();
         first.evaluate(&nodes, Memory::Update, t);
         for &(edge, operand) in &self.plan.edges {
             self.state.edges[edge] = first.values.holds(operand);

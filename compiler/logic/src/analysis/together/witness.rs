@@ -39,7 +39,7 @@ pub(super) fn search(asked: &mut Questions, conditions: &[ExprId], active: &[Ste
 }
 
 /// An operand of the Boolean operators, by place.
-type Node = usize;
+type GateId = usize;
 
 /// A Boolean operator or what it works on.
 #[derive(Clone, Copy)]
@@ -47,21 +47,21 @@ enum Gate {
     Known(bool),
     /// An atom, or (false) its negation.
     Atom(FormulaId, bool),
-    Not(Node),
-    And(Node, Node),
-    Or(Node, Node),
-    Xor(Node, Node),
+    Not(GateId),
+    And(GateId, GateId),
+    Or(GateId, GateId),
+    Xor(GateId, GateId),
 }
 
 /// The conditions down to their atoms, and those that atoms imply; operands come first.
 struct Circuit {
     gates: Vec<Gate>,
     /// What has to hold.
-    goals: Vec<Node>,
+    goals: Vec<GateId>,
     /// Where an atom stands in the chart.
     atoms: FxHashMap<FormulaId, ExprId>,
     /// The operand that a true atom makes true or false.
-    implied: FxHashMap<FormulaId, (Node, bool)>,
+    implied: FxHashMap<FormulaId, (GateId, bool)>,
 }
 
 impl Circuit {
@@ -88,7 +88,7 @@ impl Circuit {
             atoms: FxHashMap::default(),
             implied: FxHashMap::default(),
         };
-        let mut node_of: FxHashMap<ExprId, Node> = FxHashMap::default();
+        let mut node_of: FxHashMap<ExprId, GateId> = FxHashMap::default();
         for e in inside {
             let gate = match exprs[e].kind {
                 ExprKind::Not(a) => Gate::Not(node_of[&a]),
@@ -151,7 +151,7 @@ impl Circuit {
     }
 
     /// An atom on which an open gate depends, and the value of it that helps.
-    fn choose(&self, known: &[Option<bool>], mut node: Node, mut wanted: bool) -> Option<(FormulaId, bool)> {
+    fn choose(&self, known: &[Option<bool>], mut node: GateId, mut wanted: bool) -> Option<(FormulaId, bool)> {
         loop {
             (node, wanted) = match self.gates[node] {
                 Gate::Known(_) => return None,
@@ -219,7 +219,7 @@ impl Search<'_, '_> {
     fn run(&mut self) -> Found {
         for _ in 0..CHOICES {
             let gates = self.circuit.evaluate(&self.values);
-            let mut goals: Vec<(Node, bool)> = self.circuit.goals.iter().map(|node| (*node, true)).collect();
+            let mut goals: Vec<(GateId, bool)> = self.circuit.goals.iter().map(|node| (*node, true)).collect();
             let is_true = |(atom, _): &&(FormulaId, bool)| self.values[atom];
             goals.extend(self.order.iter().filter(is_true).filter_map(|(atom, _)| self.circuit.implied.get(atom)));
             let refuted = goals.iter().any(|(node, wanted)| gates[*node] == Some(!wanted));

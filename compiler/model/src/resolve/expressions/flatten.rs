@@ -4,7 +4,7 @@ use super::{Detail, Kind, Need, Work};
 use grafc_syntax::ast;
 
 /// A node of an expression under way.
-pub(super) struct Node {
+pub(super) struct FlatExpr {
     /// The node as written.
     pub(super) ast: ast::ExprId,
     /// The places of its operands in the list, as many as its form has.
@@ -29,12 +29,12 @@ impl Work<'_, '_, '_> {
             let place = self.nodes.len();
             let mut signed = false;
             if let Some((parent, slot)) = parent {
-                let parent: &mut Node = &mut self.nodes[parent];
+                let parent: &mut FlatExpr = &mut self.nodes[parent];
                 parent.children[slot] = place;
                 signed = matches!(self.context.tree[parent.ast].kind, ast::ExprKind::Negate(_))
                     && matches!(self.context.tree[id].kind, ast::ExprKind::Integer(_) | ast::ExprKind::Real(_));
             }
-            self.nodes.push(Node {
+            self.nodes.push(FlatExpr {
                 ast: id,
                 children: [usize::MAX; 2],
                 kind: Kind::Faulty,

@@ -17,7 +17,7 @@ mod tests;
 use super::scope::{Reference, Scope};
 use crate::chart::{DelayTime, Expr, ExprId, Type, Value, Variable, VariableId};
 use crate::symbols::{Role, Symbols};
-use flatten::Node;
+use flatten::FlatExpr;
 use grafc_diagnostics::{Diagnostic, Diagnostics, Span};
 use grafc_syntax::ast;
 use index_vec::IndexVec;
@@ -82,7 +82,7 @@ impl Context<'_, '_> {
 /// Lists that one expression after another is resolved in: most are short, and there are many.
 #[derive(Default)]
 pub struct Scratch {
-    nodes: Vec<Node>,
+    nodes: Vec<FlatExpr>,
     open: Vec<(ast::ExprId, Option<(usize, usize)>)>,
     places: Vec<Option<ExprId>>,
 }
@@ -91,7 +91,7 @@ pub struct Scratch {
 struct Work<'w, 'c, 'a> {
     context: &'w Context<'c, 'a>,
     /// Its nodes, parents first.
-    nodes: &'w mut Vec<Node>,
+    nodes: &'w mut Vec<FlatExpr>,
     symbols: &'w mut Symbols,
     diagnostics: &'w mut Diagnostics,
 }
