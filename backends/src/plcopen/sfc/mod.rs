@@ -1,5 +1,5 @@
 //! A body drawn as a sequential function chart: with places for Beremiz and the editors that come from it, as a tree for
-//! CODESYS and TwinCAT (`nested`).
+//! CODESYS and TwinCAT (`tree_form`).
 //!
 //! ```text
 //! Sequence ─ graph ─▶ steps, transitions, jumps in layers ─ order ─▶ few crossings ─ place ─▶ columns and rows ─ write ─▶ XML
@@ -10,11 +10,11 @@
 //! are bars between the layers.
 
 mod graph;
-pub(super) mod nested;
 mod order;
 mod place;
 mod prepared;
 mod texts;
+pub(super) mod tree_form;
 mod write;
 
 use super::{Dialect, Options};
@@ -46,7 +46,7 @@ pub fn emit(sequence: &Sequence, options: &Options) -> Result<String, Diagnostic
             let drawing = |xml: &mut Xml, dialect| write::write(xml, &graph, &placed, &texts, dialect);
             Ok(units.write(options, &[], drawing))
         }
-        Dialect::Codesys => nested::emit(sequence, &texts, &units, options),
+        Dialect::Codesys => tree_form::emit(sequence, &texts, &units, options),
     }
 }
 
