@@ -1,10 +1,10 @@
 //! Listings of generated code in Markdown pages: whether they are what the compiler writes now, and how they become it.
 
-use crate::markdown::Block;
+use crate::markdown::FencedBlock;
 use std::collections::BTreeSet;
 
 /// Compares all blocks `excerpt=NAME` and `part=NAME` of a page with the files that its commands wrote; says what differs.
-pub fn compare(blocks: &[Block], read: impl Fn(&str) -> String) -> Vec<String> {
+pub fn compare(blocks: &[FencedBlock], read: impl Fn(&str) -> String) -> Vec<String> {
     let mut faults = Vec::new();
     for name in names(blocks) {
         let shown: Vec<String> = excerpts(blocks, name).flat_map(|b| lines(&b.text)).collect();
@@ -27,7 +27,7 @@ pub fn compare(blocks: &[Block], read: impl Fn(&str) -> String) -> Vec<String> {
 
 /// The page with its blocks `excerpt=NAME` brought up to date. A block goes from the place of its first line in the file to
 /// that of the next block's; if a first line is gone, the error names it.
-pub fn renew(page: &str, blocks: &[Block], read: impl Fn(&str) -> String) -> Result<String, String> {
+pub fn renew(page: &str, blocks: &[FencedBlock], read: impl Fn(&str) -> String) -> Result<String, String> {
     let mut page: Vec<String> = page.lines().map(str::to_string).collect();
     for name in names(blocks) {
         let written: Vec<String> = read(name).lines().map(str::to_string).collect();
@@ -54,11 +54,11 @@ pub fn renew(page: &str, blocks: &[Block], read: impl Fn(&str) -> String) -> Res
     Ok(page.join("\n") + "\n")
 }
 
-fn names(blocks: &[Block]) -> BTreeSet<&str> {
+fn names(blocks: &[FencedBlock]) -> BTreeSet<&str> {
     blocks.iter().filter_map(|b| b.value("excerpt")).collect()
 }
 
-fn excerpts<'b>(blocks: &'b [Block], name: &str) -> impl Iterator<Item = &'b Block> {
+fn excerpts<'b>(blocks: &'b [FencedBlock], name: &str) -> impl Iterator<Item = &'b FencedBlock> {
     blocks.iter().filter(move |b| b.value("excerpt") == Some(name))
 }
 

@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 
 /// A fenced block.
 #[derive(Clone, Debug)]
-pub struct Block {
+pub struct FencedBlock {
     /// The line of its opening fence, from 1.
     pub line: usize,
     /// The heading above it, without `#`.
@@ -29,7 +29,7 @@ pub struct Block {
     pub text: String,
 }
 
-impl Block {
+impl FencedBlock {
     /// Whether an attribute is there: `wrong`.
     pub fn has(&self, attribute: &str) -> bool {
         self.attributes.iter().any(|a| a == attribute)
@@ -56,7 +56,7 @@ impl Block {
 }
 
 /// Writes the blocks `file=NAME` to a folder, for the commands of the page.
-pub fn write_files(blocks: &[Block], folder: &Path) {
+pub fn write_files(blocks: &[FencedBlock], folder: &Path) {
     for block in blocks {
         if let Some(name) = block.value("file") {
             std::fs::write(folder.join(name), &block.text).unwrap_or_else(|e| panic!("{name}: {e}"));
@@ -80,17 +80,17 @@ pub fn matches(shown: &str, printed: &str) -> bool {
 }
 
 /// The fenced blocks of a page. Those in list items are indented, and so is their text; blocks in quotations are not found.
-pub fn blocks(page: &str) -> Vec<Block> {
+pub fn blocks(page: &str) -> Vec<FencedBlock> {
     let mut blocks = Vec::new();
     let mut section = String::new();
-    let mut open: Option<(Block, usize)> = None;
+    let mut open: Option<(FencedBlock, usize)> = None;
     for (number, line) in page.lines().enumerate() {
         let body = line.trim_start();
         match &mut open {
             None => {
                 if let Some(info) = body.strip_prefix("```") {
                     let mut words = info.split(',').map(|word| word.trim().to_string());
-                    let block = Block {
+                    let block = FencedBlock {
                         line: number + 1,
                         section: section.clone(),
                         language: words.next().unwrap_or_default(),

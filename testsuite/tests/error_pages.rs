@@ -5,7 +5,7 @@ use grafc_diagnostics::{Code, Diagnostics, FileId, Severity, apply};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::Profile;
 use grafc_testsuite::binary::{grafc, root};
-use grafc_testsuite::markdown::{Block, blocks};
+use grafc_testsuite::markdown::{FencedBlock, blocks};
 use grafc_testsuite::runs::simulate;
 use std::collections::BTreeSet;
 
@@ -25,12 +25,12 @@ const COMPILED_WITH: &[(Code, &[&str])] = &[
     (Code::E0503, &["--target", "plcopen", "--body", "sfc", "--evolution", "scan"]),
 ];
 
-fn examples(code: Code, section: &str) -> Vec<Block> {
+fn examples(code: Code, section: &str) -> Vec<FencedBlock> {
     blocks(code.page()).into_iter().filter(|b| b.section == section).collect()
 }
 
 /// The block of a language, of which there is at most one.
-fn only<'a>(blocks: &'a [Block], language: &str) -> Option<&'a Block> {
+fn only<'a>(blocks: &'a [FencedBlock], language: &str) -> Option<&'a FencedBlock> {
     let mut found = blocks.iter().filter(|b| b.language == language);
     let first = found.next();
     assert!(found.next().is_none(), "there are two {language} blocks");
@@ -38,7 +38,7 @@ fn only<'a>(blocks: &'a [Block], language: &str) -> Option<&'a Block> {
 }
 
 /// The chart of an example: ours, or that of another tool.
-fn chart_of(blocks: &[Block]) -> Option<&Block> {
+fn chart_of(blocks: &[FencedBlock]) -> Option<&FencedBlock> {
     only(blocks, "gct").or(only(blocks, "xml"))
 }
 
@@ -52,7 +52,7 @@ fn compared(chart: &Chart, recording: &str) -> Diagnostics {
 }
 
 /// What is said about the example: of a chart, of its import, of a trace for it, or of its way to Structured Text.
-fn diagnose(code: Code, chart: &Block, trace: Option<&Block>) -> BTreeSet<Code> {
+fn diagnose(code: Code, chart: &FencedBlock, trace: Option<&FencedBlock>) -> BTreeSet<Code> {
     if chart.language == "xml" {
         let options = grafc_import::Options::default();
         return codes(&grafc_import::import(FileId(0), &chart.text, options).1);

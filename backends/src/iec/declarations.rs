@@ -12,7 +12,7 @@ use rustc_hash::FxHashMap;
 const FURTHEST_COLUMN: usize = 48;
 
 /// A block of declarations: sections, each with its heading.
-pub(crate) struct Block {
+pub(crate) struct VarBlock {
     /// What the variables are to the outside.
     pub kind: Kind,
     /// Headings and what stands below them; some may be empty.
@@ -40,9 +40,9 @@ impl Kind {
     }
 }
 
-impl Block {
+impl VarBlock {
     fn new(kind: Kind, sections: Vec<(&'static str, Vec<Entry>)>) -> Self {
-        Block { kind, sections }
+        VarBlock { kind, sections }
     }
 
     /// Keeps the variables of whose names it is true.
@@ -124,7 +124,7 @@ impl Entry {
 }
 
 /// All declarations of the function block; `more` are further values that live within one call.
-pub(crate) fn interface(program: &Program, names: &Names, more: Vec<Entry>) -> Vec<Block> {
+pub(crate) fn interface(program: &Program, names: &Names, more: Vec<Entry>) -> Vec<VarBlock> {
     interface_from(program, names, None, more)
 }
 
@@ -134,7 +134,7 @@ pub(crate) fn interface_from(
     names: &Names,
     origins: Option<&Origins>,
     more: Vec<Entry>,
-) -> Vec<Block> {
+) -> Vec<VarBlock> {
     let of_variable = |id: VarId| origins.map_or(Origin::Chart, |origins| origins.variables[id]);
     let entries = |wanted: fn(&Variable) -> bool| -> Vec<Entry> {
         let all = program.variables.iter_enumerated().filter(|(_, variable)| wanted(variable));
@@ -161,10 +161,10 @@ pub(crate) fn interface_from(
         ("values within one call", within),
     ];
     vec![
-        Block::new(Kind::Input, vec![("", entries(|v| v.role == Role::Input))]),
-        Block::new(Kind::Output, vec![("", published)]),
-        Block::new(Kind::Constant, vec![("", entries(|v| v.role == Role::Constant))]),
-        Block::new(Kind::Local, local),
+        VarBlock::new(Kind::Input, vec![("", entries(|v| v.role == Role::Input))]),
+        VarBlock::new(Kind::Output, vec![("", published)]),
+        VarBlock::new(Kind::Constant, vec![("", entries(|v| v.role == Role::Constant))]),
+        VarBlock::new(Kind::Local, local),
     ]
 }
 
@@ -219,12 +219,12 @@ fn values(state: &State) -> String {
 }
 
 /// A block of local variables.
-pub(super) fn local(entries: Vec<Entry>) -> Block {
-    Block::new(Kind::Local, vec![("", entries)])
+pub(super) fn local(entries: Vec<Entry>) -> VarBlock {
+    VarBlock::new(Kind::Local, vec![("", entries)])
 }
 
 /// Writes blocks, each section under its heading; nothing of what is empty.
-pub(crate) fn write(out: &mut Writer, blocks: &[Block]) {
+pub(crate) fn write(out: &mut Writer, blocks: &[VarBlock]) {
     for block in blocks.iter().filter(|block| block.entries().next().is_some()) {
         out.blank();
         out.open(block.kind.keyword());

@@ -1,6 +1,6 @@
 //! What stands around the function block: a program that wires it to addresses, a configuration that runs the program.
 
-use super::declarations::{self, Block, Entry, EntryType, entry, local};
+use super::declarations::{self, Entry, EntryType, VarBlock, entry, local};
 use super::literals::time;
 use super::names::Names;
 use super::{Options, Pou};
@@ -52,7 +52,7 @@ pub(crate) fn wired<'n>(program: &Program, names: &'n Names) -> (Vec<&'n str>, V
 }
 
 /// The variables of the program: those at addresses, then the others and the instance.
-pub(crate) fn variables(program: &Program, names: &Names) -> Vec<Block> {
+pub(crate) fn variables(program: &Program, names: &Names) -> Vec<VarBlock> {
     let mut located = Vec::new();
     let mut plain = Vec::new();
     for (id, variable) in inputs(program).chain(published(program)) {

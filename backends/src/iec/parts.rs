@@ -1,6 +1,6 @@
 //! A function block and the program around it in parts, for targets that have a place for each.
 
-use super::declarations::{self, Block, Entry};
+use super::declarations::{self, Entry, VarBlock};
 use super::frame;
 use super::names::{Names, remark};
 use crate::lines::Lines;
@@ -13,14 +13,14 @@ pub(crate) struct Parts {
     /// What it is, clean.
     pub description: Option<String>,
     /// Its variables.
-    pub interface: Vec<Block>,
+    pub interface: Vec<VarBlock>,
     /// Its statements, and which lines of them come from what, if somebody asks.
     pub body: String,
     pub lines: Lines,
     /// The name of the program.
     pub program: String,
     /// The variables of the program.
-    pub program_variables: Vec<Block>,
+    pub program_variables: Vec<VarBlock>,
     /// The statements of the program, and their language.
     pub program_body: String,
     pub language: Language,

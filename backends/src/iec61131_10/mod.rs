@@ -7,7 +7,7 @@
 pub(crate) mod target;
 
 use crate::comment::clean;
-use crate::iec::declarations::{Block, Entry, Kind};
+use crate::iec::declarations::{Entry, Kind, VarBlock};
 use crate::st::{self, Style};
 use crate::xml::Xml;
 use grafc_diagnostics::Diagnostics;
@@ -54,7 +54,7 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
     Ok(xml.finish())
 }
 
-fn interface(xml: &mut Xml, blocks: &[Block]) {
+fn interface(xml: &mut Xml, blocks: &[VarBlock]) {
     let mut parameters = 0;
     xml.open("Parameters", &[]);
     for (kind, list) in [(Kind::Input, "InputVars"), (Kind::Output, "OutputVars")] {
@@ -86,8 +86,8 @@ fn interface(xml: &mut Xml, blocks: &[Block]) {
     }
 }
 
-fn of(blocks: &[Block], kind: Kind) -> impl Iterator<Item = &Entry> {
-    blocks.iter().filter(move |block| block.kind == kind).flat_map(Block::entries)
+fn of(blocks: &[VarBlock], kind: Kind) -> impl Iterator<Item = &Entry> {
+    blocks.iter().filter(move |block| block.kind == kind).flat_map(VarBlock::entries)
 }
 
 fn variable(xml: &mut Xml, entry: &Entry, parameter: Option<usize>) {

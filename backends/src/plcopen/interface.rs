@@ -1,11 +1,11 @@
 //! The variables of a program organisation unit.
 
 use super::dialect::Dialect;
-use crate::iec::declarations::{Block, Entry, EntryType, Kind};
+use crate::iec::declarations::{Entry, EntryType, Kind, VarBlock};
 use crate::xml::Xml;
 
 /// Writes the interface: a list a block, in the order of the blocks.
-pub(super) fn write(xml: &mut Xml, blocks: &[Block], dialect: Dialect) {
+pub(super) fn write(xml: &mut Xml, blocks: &[VarBlock], dialect: Dialect) {
     xml.open("interface", &[]);
     for block in blocks.iter().filter(|block| block.entries().next().is_some()) {
         match block.kind {

@@ -4,7 +4,7 @@ use super::Options;
 use super::dialect::{Dialect, XHTML};
 use super::interface;
 use crate::comment::clean;
-use crate::iec::declarations::Block;
+use crate::iec::declarations::VarBlock;
 use crate::iec::parts::Parts;
 use crate::xml::Xml;
 
@@ -81,7 +81,7 @@ fn headers(xml: &mut Xml, parts: &Parts, options: &Options) {
 /// What an open unit holds, and its end.
 pub(super) fn unit(
     xml: &mut Xml,
-    variables: &[Block],
+    variables: &[VarBlock],
     actions: &[(String, String)],
     description: Option<&str>,
     dialect: Dialect,

@@ -27,8 +27,12 @@ pub(super) struct Locals {
 impl Locals {
     /// Finds all declarations of a function; what is shared with others is declared elsewhere.
     pub fn new(program: &Program, code: &[Code], shared: &[VarId]) -> Self {
-        let mut finder =
-            Finder { program, blocks: vec![Block::default()], uses: FxHashMap::default(), read: FxHashMap::default() };
+        let mut finder = Finder {
+            program,
+            blocks: vec![StatementBlock::default()],
+            uses: FxHashMap::default(),
+            read: FxHashMap::default(),
+        };
         finder.code(ROOT, code);
         shared.iter().for_each(|v| _ = finder.uses.remove(v));
         finder.locals()
@@ -52,7 +56,7 @@ impl Locals {
 
 /// A block of statements.
 #[derive(Clone, Copy, Default)]
-struct Block {
+struct StatementBlock {
     parent: usize,
     /// The place of the statement in the parent that holds it.
     place: usize,
@@ -70,7 +74,7 @@ struct Use {
 
 struct Finder<'p> {
     program: &'p Program,
-    blocks: Vec<Block>,
+    blocks: Vec<StatementBlock>,
     /// In the order of the text; reading comes before writing.
     uses: FxHashMap<VarId, Vec<Use>>,
     /// The temporaries that a formula reads.
@@ -80,7 +84,7 @@ struct Finder<'p> {
 impl Finder<'_> {
     /// A new block in a statement of another.
     fn block(&mut self, parent: usize, place: usize) -> usize {
-        self.blocks.push(Block { parent, place, depth: self.blocks[parent].depth + 1 });
+        self.blocks.push(StatementBlock { parent, place, depth: self.blocks[parent].depth + 1 });
         self.blocks.len() - 1
     }
 

@@ -8,7 +8,7 @@
 pub(crate) mod target;
 
 use crate::comment::clean;
-use crate::iec::declarations::{Block, Entry, EntryType, Kind};
+use crate::iec::declarations::{Entry, EntryType, Kind, VarBlock};
 use crate::iec::parts::Parts;
 use crate::lines::Lines;
 use crate::st::{self, Style};
@@ -50,7 +50,7 @@ fn function_block(out: &mut Writer, parts: &Parts, header: &[String]) {
     out.line("{ S7_Optimized_Access := 'TRUE' }");
     out.line("VERSION : 0.1");
     // Constants stand last, as the editor itself writes them.
-    let (constants, others): (Vec<&Block>, Vec<&Block>) =
+    let (constants, others): (Vec<&VarBlock>, Vec<&VarBlock>) =
         parts.interface.iter().partition(|block| block.kind == Kind::Constant);
     for block in others.into_iter().chain(constants) {
         declarations(out, block);
@@ -75,7 +75,7 @@ fn function_block(out: &mut Writer, parts: &Parts, header: &[String]) {
     out.line("END_FUNCTION_BLOCK");
 }
 
-fn declarations(out: &mut Writer, block: &Block) {
+fn declarations(out: &mut Writer, block: &VarBlock) {
     if block.entries().next().is_none() {
         return;
     }

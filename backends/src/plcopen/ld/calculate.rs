@@ -9,7 +9,7 @@
 //! ```
 
 use super::circuit::{Factor, Ladder};
-use super::rung::{Block, Contact, End, Sink, Storage};
+use super::rung::{BlockCall, Contact, End, Sink, Storage};
 use crate::iec::literals::{literal, operand, zero};
 use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::{ByMinusOne, Division, Guard, VarId};
@@ -69,7 +69,7 @@ impl Ladder<'_> {
     ) {
         let items = self.items(behind.into_iter().map(Factor::Contact).collect());
         let outputs = vec![("ENO", Sink::Rail), ("OUT", Sink::Variable(self.name(target)))];
-        self.rung(items, End::Block(Block { kind, instance: None, power: "EN", inputs, outputs }));
+        self.rung(items, End::Block(BlockCall { kind, instance: None, power: "EN", inputs, outputs }));
     }
 
     /// A division under the guards that it needs.

@@ -16,7 +16,7 @@
 //!
 //! Recursion is as deep as a formula, which [`crate::limits`] bounds.
 
-use super::rung::{Block, Coil, Contact, End, Item, Rung, Sink, Storage};
+use super::rung::{BlockCall, Coil, Contact, End, Item, Rung, Sink, Storage};
 use crate::comment::clean;
 use crate::iec::declarations::Entry;
 use crate::iec::literals;
@@ -247,7 +247,7 @@ impl Ladder<'_> {
         let name = self.new_part(Some(format!("{a} {sign} {b}")));
         let outputs = vec![("ENO", Sink::Open), ("OUT", Sink::Coil(name.clone()))];
         let inputs = vec![("IN1", a), ("IN2", b)];
-        self.rung(Vec::new(), End::Block(Block { kind, instance: None, power: "EN", inputs, outputs }));
+        self.rung(Vec::new(), End::Block(BlockCall { kind, instance: None, power: "EN", inputs, outputs }));
         Contact { name, negated: false }
     }
 

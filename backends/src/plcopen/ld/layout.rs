@@ -4,7 +4,7 @@
 //! further coils stand in rows below it. Contacts take as much room as their names, which stand above them; coils stand
 //! in one column. Where branches part and meet, the wires turn.
 
-use super::rung::{Block, Contact, End, Item, Rung, Sink};
+use super::rung::{BlockCall, Contact, End, Item, Rung, Sink};
 use crate::comment::wrap;
 use crate::plcopen::drawing::Point;
 
@@ -87,7 +87,7 @@ pub(super) fn row(placed: &Placed, row: usize) -> i64 {
 }
 
 /// The size of a block.
-pub(super) fn block_size(block: &Block) -> Point {
+pub(super) fn block_size(block: &BlockCall) -> Point {
     let pins = block.inputs.len() + 1;
     let pins = i64::try_from(pins.max(block.outputs.len())).unwrap_or(0);
     (80.max(text_width(block.kind) + 20), FIRST_PIN + PINS * pins - 10)

@@ -19,7 +19,7 @@
 use super::circuit::Ladder;
 use super::local;
 use super::rung::{Contact, Item};
-use crate::iec::declarations::{Block, EntryType, Kind};
+use crate::iec::declarations::{EntryType, Kind, VarBlock};
 use crate::iec::frame;
 use crate::iec::names::Names;
 use crate::st;
@@ -99,7 +99,7 @@ impl Repeated {
     }
 
     /// The variables of the rungs, from those of the chart.
-    pub fn inner(&self, mut blocks: Vec<Block>) -> Vec<Block> {
+    pub fn inner(&self, mut blocks: Vec<VarBlock>) -> Vec<VarBlock> {
         let limit = self.limit.as_ref();
         let flag = limit.map(|limit| limit.flag.as_str());
         let count = limit.map(|limit| limit.count.as_str());
@@ -121,7 +121,7 @@ impl Repeated {
     }
 
     /// The variables of the chart's function block, from those of the chart.
-    pub fn outer(&self, blocks: Vec<Block>) -> Vec<Block> {
+    pub fn outer(&self, blocks: Vec<VarBlock>) -> Vec<VarBlock> {
         let bit = || EntryType::Elementary(Type::Bool);
         let mut own = vec![
             local(&self.instance, EntryType::Block(self.block.clone()), "one micro-step"),
@@ -131,9 +131,9 @@ impl Repeated {
         if let Some(limit) = &self.limit {
             own.push(local(&limit.count, EntryType::Elementary(limit.ty), "micro-steps of this call"));
         }
-        let mut outer: Vec<Block> =
+        let mut outer: Vec<VarBlock> =
             blocks.into_iter().filter(|block| matches!(block.kind, Kind::Input | Kind::Output)).collect();
-        outer.push(Block { kind: Kind::Local, sections: vec![("", own)] });
+        outer.push(VarBlock { kind: Kind::Local, sections: vec![("", own)] });
         outer
     }
 

@@ -43,7 +43,7 @@ pub(super) struct Coil {
 
 /// A function or a function block.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Block {
+pub(super) struct BlockCall {
     pub kind: &'static str,
     /// The name of a function block's instance.
     pub instance: Option<String>,
@@ -72,7 +72,7 @@ pub(super) enum Sink {
 pub(super) enum End {
     /// Coils below each other.
     Coils(Vec<Coil>),
-    Block(Block),
+    Block(BlockCall),
 }
 
 /// One rung.

@@ -11,7 +11,7 @@
 //! coils that only set or reset, and by functions with `EN`, behind a contact of the condition as it was before.
 
 use super::circuit::{Factor, Ladder};
-use super::rung::{Block, Coil, Contact, End, Item, Sink, Storage};
+use super::rung::{BlockCall, Coil, Contact, End, Item, Sink, Storage};
 use crate::comment::clean;
 use crate::iec::names::remark;
 use grafc_formula::{Formula, FormulaId, Type};
@@ -200,7 +200,7 @@ impl Ladder<'_> {
             Some(_) => [("Q", Sink::Coil(output)), ("ET", Sink::Open)],
         };
         let block = |power, inputs, outputs| {
-            End::Block(Block { kind: "TON", instance: Some(name.clone()), power, inputs, outputs })
+            End::Block(BlockCall { kind: "TON", instance: Some(name.clone()), power, inputs, outputs })
         };
         if guard.is_none() && !self.enabled.contains(&timer) {
             let items = match self.program.pool.as_truth(input) {

@@ -3,7 +3,7 @@
 use super::layout::{
     CONTACT, FIRST_PIN, LEFT, Layout, PIN, PINS, Placed, RAIL, TEXT_HEIGHT, TURN, block_size, row, text_width,
 };
-use super::rung::{Block, Coil, Contact, End, Item, Rung, Sink, Storage};
+use super::rung::{BlockCall, Coil, Contact, End, Item, Rung, Sink, Storage};
 use crate::plcopen::dialect::Dialect;
 use crate::plcopen::drawing::{Point, connection, open, output, position, relative};
 use crate::xml::Xml;
@@ -185,7 +185,7 @@ impl Sheet<'_> {
     }
 
     /// A block with the texts at its inputs, then what its outputs lead to; what goes on to the right rail.
-    fn block(&mut self, xml: &mut Xml, block: &Block, placed: &Placed, feed: &Feed) -> Vec<Source> {
+    fn block(&mut self, xml: &mut Xml, block: &BlockCall, placed: &Placed, feed: &Feed) -> Vec<Source> {
         let size = block_size(block);
         let corner = (placed.block, placed.row - FIRST_PIN);
         let pin_at = |place: usize| placed.row + PINS * i64::try_from(place).unwrap_or(0);

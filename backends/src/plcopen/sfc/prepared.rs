@@ -11,7 +11,7 @@
 //! If there is nothing to find, the chart is the function block itself.
 
 use super::texts::Texts;
-use crate::iec::declarations::{Block, Entry, EntryType, Kind, interface};
+use crate::iec::declarations::{Entry, EntryType, Kind, VarBlock, interface};
 use crate::iec::frame;
 use crate::iec::names::Names;
 use crate::iec::parts::{Language, Parts};
@@ -30,7 +30,7 @@ pub(super) struct Units {
     /// The function block of the chart and the program.
     parts: Parts,
     /// The function block that is drawn, if it is another: its name and its variables.
-    drawn: Option<(String, Vec<Block>)>,
+    drawn: Option<(String, Vec<VarBlock>)>,
 }
 
 /// The name of the instance that is drawn.
@@ -39,7 +39,7 @@ pub(super) fn instance(names: &mut Names) -> String {
 }
 
 /// Takes the declarations of some names out.
-fn show(blocks: &mut [Block], names: &[String]) -> Vec<Entry> {
+fn show(blocks: &mut [VarBlock], names: &[String]) -> Vec<Entry> {
     let mut taken = Vec::new();
     for (_, entries) in blocks.iter_mut().flat_map(|block| &mut block.sections) {
         let (out, kept) = std::mem::take(entries).into_iter().partition(|entry| names.contains(&entry.name));
@@ -110,7 +110,7 @@ impl Units {
     }
 
     /// The variables of the unit that is drawn.
-    pub fn interface(&self) -> &[Block] {
+    pub fn interface(&self) -> &[VarBlock] {
         self.drawn.as_ref().map_or(&self.parts.interface, |(_, interface)| interface)
     }
 

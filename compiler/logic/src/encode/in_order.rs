@@ -12,16 +12,16 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Statements that belong together, and what they touch of the variables that the blocks write: those of the situation,
 /// and outputs that are written with it.
-pub(super) struct Block {
+pub(super) struct Bundle {
     pub(super) statements: Vec<Statement>,
     reads: BTreeSet<VarId>,
     writes: BTreeSet<VarId>,
 }
 
-impl Block {
+impl Bundle {
     /// Looks for what the statements read and write of these variables.
     pub(super) fn new(lowering: &Lowering, statements: Vec<Statement>, of_interest: impl Fn(VarId) -> bool) -> Self {
-        let mut block = Block { statements: Vec::new(), reads: BTreeSet::new(), writes: BTreeSet::new() };
+        let mut block = Bundle { statements: Vec::new(), reads: BTreeSet::new(), writes: BTreeSet::new() };
         block.look(lowering, &statements, &of_interest);
         block.statements = statements;
         block
@@ -29,7 +29,7 @@ impl Block {
 
     /// Statements nest no deeper than lowering nests them.
     fn look(&mut self, lowering: &Lowering, statements: &[Statement], of_interest: &impl Fn(VarId) -> bool) {
-        let reads = |block: &mut Block, root: FormulaId| {
+        let reads = |block: &mut Bundle, root: FormulaId| {
             for f in lowering.pool.below(root) {
                 if let Formula::Variable(v) = lowering.pool.get(f)
                     && of_interest(*v)
@@ -67,7 +67,7 @@ impl Block {
 }
 
 /// The statements of all blocks, in an order in which they do together what each does alone.
-pub(super) fn in_order(lowering: &mut Lowering, blocks: Vec<Block>, out: &mut Vec<Statement>) {
+pub(super) fn in_order(lowering: &mut Lowering, blocks: Vec<Bundle>, out: &mut Vec<Statement>) {
     // For each variable the blocks that have yet to read it, and those that write it.
     let mut readers: BTreeMap<VarId, BTreeSet<usize>> = BTreeMap::new();
     let mut writers: BTreeMap<VarId, Vec<usize>> = BTreeMap::new();

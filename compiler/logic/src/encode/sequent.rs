@@ -6,7 +6,7 @@
 //! at clearings, the `IF` tests steps and condition itself, in such an order that a step is written only after all
 //! transitions have read it. Where the order is circular, one step is copied and the copy read.
 
-use super::in_order::{Block, in_order};
+use super::in_order::{Bundle, in_order};
 use super::task::Task;
 use crate::encode::allocate::choose;
 use crate::encode::clearings::{Clearings, clears};
@@ -79,7 +79,7 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Option<Vec<State
             branches.push((lowering.pool.and(factors), moved(lowering, task, t)));
         }
         let statements = choose(lowering, branches);
-        blocks.push(Block::new(lowering, statements, |v| lowering.situation.step_of(v).is_some()));
+        blocks.push(Bundle::new(lowering, statements, |v| lowering.situation.step_of(v).is_some()));
     }
     let mut out = Vec::new();
     crate::encode::stored::heading(&mut out, Heading::Transitions, statements);

@@ -1,7 +1,7 @@
 //! Blocks: grafcets and expansions, their braces, and what does not belong into them.
 
 use super::cut::Run;
-use super::reader::{Block, Frame, Reader};
+use super::reader::{BlockItem, Frame, Reader};
 use crate::ast::Item;
 use crate::builder::Parsed;
 use crate::token::{Token, is_prefix};
@@ -31,8 +31,8 @@ impl Reader<'_> {
             }
             Parsed::Item(item @ Item::Declaration(_)) => return self.items.push(item),
             Parsed::Item(item) => return self.list().push(item),
-            Parsed::Grafcet(grafcet) => Block::Grafcet(grafcet),
-            Parsed::Expansion(expansion) => Block::Expansion(expansion),
+            Parsed::Grafcet(grafcet) => BlockItem::Grafcet(grafcet),
+            Parsed::Expansion(expansion) => BlockItem::Expansion(expansion),
         };
         if self.stack.len() == DEEPEST {
             let message = format!("blocks are nested deeper than {DEEPEST} levels");
@@ -71,11 +71,11 @@ impl Reader<'_> {
         let Some(frame) = self.stack.pop() else { return };
         let depth = self.stack.len();
         match frame.block {
-            Block::Grafcet(mut grafcet) => {
+            BlockItem::Grafcet(mut grafcet) => {
                 grafcet.span.end = end.max(grafcet.span.end);
                 self.items.push(Item::Grafcet(grafcet));
             }
-            Block::Expansion(mut expansion) => {
+            BlockItem::Expansion(mut expansion) => {
                 expansion.span.end = end.max(expansion.span.end);
                 let list = match self.stack.last_mut() {
                     Some(parent) if depth < DEEPEST => parent.block.items(),

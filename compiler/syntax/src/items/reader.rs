@@ -11,30 +11,30 @@ use grafc_diagnostics::{Diagnostic, Diagnostics, FileId, Span};
 
 /// An open block.
 pub(super) struct Frame {
-    pub(super) block: Block,
+    pub(super) block: BlockItem,
     /// Its `{`, or its head if that is missing.
     pub(super) opened: Span,
     /// Whether a misplaced declaration in it has been reported.
     pub(super) reported: bool,
 }
 
-pub(super) enum Block {
+pub(super) enum BlockItem {
     Grafcet(Box<ast::Grafcet>),
     Expansion(Box<ast::Expansion>),
 }
 
-impl Block {
+impl BlockItem {
     pub(super) fn items(&mut self) -> &mut Vec<Item> {
         match self {
-            Block::Grafcet(grafcet) => &mut grafcet.items,
-            Block::Expansion(expansion) => &mut expansion.items,
+            BlockItem::Grafcet(grafcet) => &mut grafcet.items,
+            BlockItem::Expansion(expansion) => &mut expansion.items,
         }
     }
 
     pub(super) fn title(&self) -> String {
         let (word, name) = match self {
-            Block::Grafcet(grafcet) => ("grafcet", &grafcet.name),
-            Block::Expansion(expansion) => ("expansion", &expansion.macro_step),
+            BlockItem::Grafcet(grafcet) => ("grafcet", &grafcet.name),
+            BlockItem::Expansion(expansion) => ("expansion", &expansion.macro_step),
         };
         if name.text.is_empty() { format!("`{word}`") } else { format!("`{word} {}`", shorten(&name.text)) }
     }

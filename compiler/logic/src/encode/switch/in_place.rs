@@ -1,6 +1,6 @@
 //! Charts in which nothing has to wait: a transition writes the states and switches their outputs itself.
 
-use super::super::in_order::{Block, in_order};
+use super::super::in_order::{Bundle, in_order};
 use super::moves::changes_of;
 use super::{assign_number, assign_truth};
 use crate::encode::allocate::choose;
@@ -59,7 +59,7 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Vec<Statement> {
             arms.add(lowering, *s, choose(lowering, branches.remove(s).unwrap_or_default()));
         }
         if let Some(case) = arms.case(set.variable) {
-            blocks.push(Block::new(lowering, vec![case], |v| written.contains(&v)));
+            blocks.push(Bundle::new(lowering, vec![case], |v| written.contains(&v)));
         }
     }
     in_order(lowering, blocks, &mut out);
