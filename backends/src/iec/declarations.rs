@@ -137,8 +137,11 @@ pub(crate) fn interface_from(
 ) -> Vec<VarBlock> {
     let of_variable = |id: VarId| origins.map_or(Origin::Chart, |origins| origins.variables[id]);
     let entries = |wanted: fn(&Variable) -> bool| -> Vec<Entry> {
-        let all = program.variables.iter_enumerated().filter(|(_, variable)| wanted(variable));
-        all.map(|(id, variable)| Entry { origin: of_variable(id), ..entry(id, variable, names) }).collect()
+        let all = || program.variables.iter_enumerated().filter(|(_, variable)| wanted(variable));
+        // Without a list that grows there is no room that is never used.
+        let mut entries = Vec::with_capacity(all().count());
+        entries.extend(all().map(|(id, variable)| Entry { origin: of_variable(id), ..entry(id, variable, names) }));
+        entries
     };
     let timers = program.timers.iter_enumerated().map(|(id, timer)| Entry {
         name: names.timers[id].clone(),

@@ -6,6 +6,7 @@ use crate::encode::settle::Frozen;
 use crate::encode::task::{SetReset, Task};
 use crate::lower::Lowering;
 use crate::scan::{Origin, Role, Statement, Told, VarId};
+use ecow::{EcoString, eco_format};
 use grafc_formula::{Formula, FormulaId};
 use grafc_model::chart::{StepId, TransitionId, Type};
 use grafc_net::{Arcs, Net};
@@ -63,7 +64,7 @@ impl<'a> Clearings<'a> {
                 continue;
             }
             let target =
-                lowering.symbols.fresh(Role::Temporary, format!("clr_{}", designation(net, t)), Type::Bool, None);
+                lowering.symbols.fresh(Role::Temporary, eco_format!("clr_{}", designation(net, t)), Type::Bool, None);
             statements.push(Statement::Assign { target, value, origin: Origin::Transition(t), told: Told::All });
             cleared.push(lowering.symbols.read(&mut lowering.pool, target));
         }
@@ -257,7 +258,6 @@ impl StepEvents {
 }
 
 /// What a transition is called: its designation, or its number.
-pub(crate) fn designation(net: &Net, t: TransitionId) -> String {
-    let given = net.transitions[t].designation.as_deref();
-    given.map_or_else(|| (t.index() + 1).to_string(), str::to_owned)
+pub(crate) fn designation(net: &Net, t: TransitionId) -> EcoString {
+    net.transitions[t].designation.clone().unwrap_or_else(|| eco_format!("{}", t.index() + 1))
 }

@@ -3,6 +3,7 @@
 use super::cover::Cover;
 use super::symbols::Symbols;
 use crate::scan::{Held, Role, State, Step, VarId, Variable};
+use ecow::eco_format;
 use grafc_formula::{Comparison, FormulaId, Pool, Type, Value};
 use grafc_model::chart::{GrafcetId, StepId};
 use grafc_net::Net;
@@ -79,7 +80,7 @@ impl Situation {
             let ty = if widest <= i64::from(i16::MAX) { Type::Int } else { Type::Dint };
             let variable = symbols.table.push(Variable {
                 role: Role::State,
-                name: format!("at_{base}"),
+                name: eco_format!("at_{base}"),
                 ty,
                 initial: Value::Int(0),
                 comment: None,

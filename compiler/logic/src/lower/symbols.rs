@@ -1,7 +1,7 @@
 //! The variables of the program that is being made.
 
 use crate::scan::{Flag, Role, VarId, Variable};
-use ecow::EcoString;
+use ecow::{EcoString, eco_format};
 use grafc_formula::number::zero;
 use grafc_formula::{FormulaId, Pool, Type, Value};
 use grafc_model::chart::{VariableId, VariableKind};
@@ -9,6 +9,9 @@ use grafc_net::Net;
 use grafc_net::net::Place;
 use index_vec::IndexVec;
 use std::collections::BTreeMap;
+
+/// So many variables of ours more are usual.
+const FEW: usize = 16;
 
 /// The table of variables: the chart's first, in its order, then ours as they are needed.
 #[derive(Clone)]
@@ -21,7 +24,9 @@ pub(crate) struct Symbols {
 impl Symbols {
     /// The chart's own variables.
     pub(crate) fn new(net: &Net) -> Self {
-        let mut table = IndexVec::new();
+        // Beside the chart's own a bit a step and, mostly, a value a transition.
+        let size = net.variables.len() + net.places.len() + net.transitions.len();
+        let mut table = IndexVec::with_capacity(size + FEW);
         let declared = net
             .variables
             .iter()
@@ -40,7 +45,7 @@ impl Symbols {
                 };
                 table.push(Variable {
                     role,
-                    name: v.name.to_string(),
+                    name: v.name.clone(),
                     ty: v.ty,
                     initial,
                     comment: v.comment.clone(),
@@ -58,7 +63,13 @@ impl Symbols {
     }
 
     /// A new variable of ours.
-    pub(crate) fn fresh(&mut self, role: Role, name: impl Into<String>, ty: Type, comment: Option<EcoString>) -> VarId {
+    pub(crate) fn fresh(
+        &mut self,
+        role: Role,
+        name: impl Into<EcoString>,
+        ty: Type,
+        comment: Option<EcoString>,
+    ) -> VarId {
         self.table.push(Variable { role, name: name.into(), ty, initial: zero(ty), comment, address: None, span: None })
     }
 
@@ -66,7 +77,7 @@ impl Symbols {
     pub(crate) fn bit(&mut self, place: &Place) -> VarId {
         self.table.push(Variable {
             role: Role::Step,
-            name: format!("X{}", place.label),
+            name: eco_format!("X{}", place.label),
             ty: Type::Bool,
             initial: Value::Bool(false),
             comment: place.comment.clone(),

@@ -307,7 +307,7 @@ mod tests {
 
     fn variable(program: &mut Program, role: Role, name: &str, ty: Type) -> VarId {
         let id = by_hand::variable(program, role, ty);
-        program.variables[id].name = name.to_owned();
+        program.variables[id].name = name.into();
         id
     }
 

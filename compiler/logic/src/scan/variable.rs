@@ -56,7 +56,7 @@ pub struct Variable {
     pub role: Role,
     /// The name to give it: the chart's own, or one derived from the chart's (`clr_5`, `old_TD`). Not yet fit for a
     /// target and not yet unique: that is the namer's work.
-    pub name: String,
+    pub name: EcoString,
     /// The type.
     pub ty: Type,
     /// The value before the first call.

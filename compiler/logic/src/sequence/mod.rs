@@ -17,6 +17,7 @@ mod prepared;
 use crate::analysis::Analysis;
 use crate::scan::{Elements, Program, Role, VarId, Variable};
 use ecow::EcoString;
+use ecow::eco_format;
 use expressions::Expressions;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use grafc_formula::{FormulaId, Pool};
@@ -159,7 +160,7 @@ fn declared(net: &Net) -> IndexVec<VarId, Variable> {
             VariableKind::Internal => Role::Internal,
             VariableKind::Constant => Role::Constant,
         },
-        name: variable.name.to_string(),
+        name: variable.name.clone(),
         ty: variable.ty,
         initial: variable.initial,
         comment: variable.comment.clone(),
@@ -173,7 +174,7 @@ fn step(place: &grafc_net::net::Place, variables: &mut IndexVec<VarId, Variable>
     let mut variable = |role, letter, ty, initial| {
         variables.push(Variable {
             role,
-            name: format!("{letter}{}", place.label),
+            name: eco_format!("{letter}{}", place.label),
             ty,
             initial,
             comment: place.comment.clone(),

@@ -117,7 +117,7 @@ impl Cutter<'_> {
         let value = self.junction(piece, conjunction);
         let target: VarId = self.program.variables.push(Variable {
             role: Role::Temporary,
-            name: if conjunction { "all" } else { "any" }.to_owned(),
+            name: if conjunction { "all" } else { "any" }.into(),
             ty: Type::Bool,
             initial: Value::Bool(false),
             comment: None,

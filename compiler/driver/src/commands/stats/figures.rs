@@ -170,7 +170,7 @@ impl Decomposition {
         let (chart, program, analysis) = (document.chart()?, document.program()?, document.analysis()?);
         let label = |s: &StepId| chart.steps.get(*s).map(|step| step.label.to_string());
         let held = |state: &State| Held {
-            name: program.variables[state.variable].name.clone(),
+            name: program.variables[state.variable].name.to_string(),
             idle: state.idle.is_some(),
             steps: state.values.iter().filter_map(|(s, _)| label(s)).collect(),
         };
