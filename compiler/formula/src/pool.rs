@@ -264,6 +264,16 @@ impl Pool {
         }
     }
 
+    /// The negation of a formula, if the pool holds it already.
+    pub fn known_not(&self, a: FormulaId) -> Option<FormulaId> {
+        let looked_for = match *self.get(a) {
+            Formula::Constant(Value::Bool(b)) => Formula::Constant(Value::Bool(!b)),
+            Formula::Not(inner) => return Some(inner),
+            _ => Formula::Not(a),
+        };
+        self.nodes.get_index_of(&Node { formula: looked_for, ty: Type::Bool }).map(FormulaId::from_usize)
+    }
+
     /// The conjunction of the operands; `TRUE` of none.
     pub fn and(&mut self, operands: impl IntoIterator<Item = FormulaId>) -> FormulaId {
         self.junction(operands, true)

@@ -45,7 +45,15 @@ impl Build {
             Type::Time => Value::Time(0),
         };
         let name = name.to_owned();
-        self.program.variables.push(Variable { role, name: name.into(), ty, initial, comment: None, address: None, span: None })
+        self.program.variables.push(Variable {
+            role,
+            name: name.into(),
+            ty,
+            initial,
+            comment: None,
+            address: None,
+            span: None,
+        })
     }
 
     pub(crate) fn bit(&mut self, role: Role, name: &str) -> VarId {

@@ -168,31 +168,46 @@ impl Absorbing {
 
 /// A conjunction or disjunction without the operands that others make superfluous.
 fn junction(pool: &mut Pool, list: &[FormulaId], conjunction: bool) -> FormulaId {
-    let operands: FxHashSet<FormulaId> = list.iter().copied().collect();
+    let operands = Operands::new(list);
     let mut kept = Vec::with_capacity(list.len());
     for operand in list {
         let inner = match (pool.get(*operand), conjunction) {
-            (Formula::Or(inner), true) | (Formula::And(inner), false) => inner.clone(),
+            (Formula::Or(inner), true) | (Formula::And(inner), false) => inner,
             _ => {
                 kept.push(*operand);
                 continue;
             }
         };
-        if inner.iter().any(|i| operands.contains(i)) {
+        if inner.iter().any(|i| operands.contain(*i)) {
             continue;
         }
-        let negated = |pool: &mut Pool, f: FormulaId| {
-            let not = pool.not(f);
-            operands.contains(&not)
-        };
-        let left: Vec<FormulaId> = inner.iter().copied().filter(|i| !negated(pool, *i)).collect();
-        kept.push(if left.len() == inner.len() {
-            *operand
-        } else if conjunction {
-            pool.or(left)
-        } else {
-            pool.and(left)
-        });
+        let negated = |f: &FormulaId| pool.known_not(*f).is_some_and(|not| operands.contain(not));
+        if !inner.iter().any(negated) {
+            kept.push(*operand);
+            continue;
+        }
+        let left: Vec<FormulaId> = inner.iter().copied().filter(|i| !negated(i)).collect();
+        kept.push(if conjunction { pool.or(left) } else { pool.and(left) });
     }
     if conjunction { pool.and(kept) } else { pool.or(kept) }
+}
+
+/// The operands of a junction; of a long one in a table.
+struct Operands<'l> {
+    list: &'l [FormulaId],
+    table: FxHashSet<FormulaId>,
+}
+
+/// Up to so many operands are compared one by one.
+const SHORT: usize = 16;
+
+impl<'l> Operands<'l> {
+    fn new(list: &'l [FormulaId]) -> Self {
+        let table = if list.len() > SHORT { list.iter().copied().collect() } else { FxHashSet::default() };
+        Operands { list, table }
+    }
+
+    fn contain(&self, f: FormulaId) -> bool {
+        if self.table.is_empty() { self.list.contains(&f) } else { self.table.contains(&f) }
+    }
 }

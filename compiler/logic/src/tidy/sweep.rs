@@ -107,7 +107,7 @@ impl Needed {
     /// From the end of statements to their start; the last time, assignments that nobody needs are taken out. Recurses as
     /// deep as statements are nested, which the encodings bound.
     fn go_back(&mut self, pool: &mut Pool, statements: &mut Vec<Statement>, take_out: bool) {
-        let mut kept: Vec<Statement> = Vec::new();
+        let mut kept: Vec<Statement> = Vec::with_capacity(statements.len());
         for mut statement in std::mem::take(statements).into_iter().rev() {
             match &mut statement {
                 Statement::Heading(_) => {
