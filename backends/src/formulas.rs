@@ -23,10 +23,11 @@ pub(crate) trait Notation {
 /// What a formula looks like.
 pub(crate) struct Shape<'p, Level> {
     pub level: Level,
-    pub parts: Parts<'p>,
+    pub arrangement: Arrangement<'p>,
 }
 
-pub(crate) enum Parts<'p> {
+/// How texts and operands make up a formula.
+pub(crate) enum Arrangement<'p> {
     /// A text that holds together.
     Atom(Cow<'p, str>),
     /// A word before an operand, which is at place 1.
@@ -79,17 +80,17 @@ impl<N: Notation> Formulas<N> {
         let operand = |place: usize, id: FormulaId| {
             self.width(id).saturating_add(if self.needs_parentheses(shape.level, place, id) { 2 } else { 0 })
         };
-        match &shape.parts {
-            Parts::Atom(text) => text.len(),
-            Parts::Prefix(word, id) => operand(1, *id).saturating_add(word.len()),
-            Parts::Pieces(pieces) => pieces.iter().fold(0, |sum: usize, piece| {
+        match &shape.arrangement {
+            Arrangement::Atom(text) => text.len(),
+            Arrangement::Prefix(word, id) => operand(1, *id).saturating_add(word.len()),
+            Arrangement::Pieces(pieces) => pieces.iter().fold(0, |sum: usize, piece| {
                 sum.saturating_add(match piece {
                     Piece::Text(text) => text.len(),
                     Piece::Enclosed(id) => self.width(*id),
                     Piece::Operand(place, id) => operand(*place, *id),
                 })
             }),
-            Parts::Infix(operator, operands) => {
+            Arrangement::Infix(operator, operands) => {
                 let gaps = (operands.len().saturating_sub(1)) * (operator.len() + 2);
                 operands.iter().enumerate().fold(gaps, |sum, (place, id)| sum.saturating_add(operand(place, *id)))
             }
@@ -99,13 +100,13 @@ impl<N: Notation> Formulas<N> {
     /// Writes a formula on the current line.
     pub fn flat(&self, out: &mut Writer, id: FormulaId) {
         let shape = self.notation.shape(id);
-        match &shape.parts {
-            Parts::Atom(text) => out.text(text),
-            Parts::Prefix(word, operand) => {
+        match &shape.arrangement {
+            Arrangement::Atom(text) => out.text(text),
+            Arrangement::Prefix(word, operand) => {
                 out.text(word);
                 self.operand(out, shape.level, 1, *operand);
             }
-            Parts::Pieces(pieces) => {
+            Arrangement::Pieces(pieces) => {
                 for piece in pieces {
                     match piece {
                         Piece::Text(text) => out.text(text),
@@ -114,7 +115,7 @@ impl<N: Notation> Formulas<N> {
                     }
                 }
             }
-            Parts::Infix(operator, operands) => {
+            Arrangement::Infix(operator, operands) => {
                 for (place, operand) in operands.iter().enumerate() {
                     if place > 0 {
                         out.text(" ");

@@ -8,7 +8,7 @@ pub(crate) mod declarations;
 pub(crate) mod frame;
 pub(crate) mod literals;
 pub(crate) mod names;
-pub(crate) mod parts;
+pub(crate) mod pou_parts;
 
 /// What is written around the function block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]

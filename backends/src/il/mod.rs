@@ -21,7 +21,7 @@ pub(crate) mod target;
 mod tests;
 
 use crate::comment::clean;
-use crate::iec::parts::{Language, Parts};
+use crate::iec::pou_parts::{Language, PouParts};
 pub use crate::iec::{Options, Pou};
 use crate::iec::{declarations, frame, names};
 use crate::keywords::Family;
@@ -71,13 +71,13 @@ fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, 
 }
 
 /// The parts of a program.
-pub(crate) fn parts(program: &Program) -> Result<Parts, Diagnostics> {
+pub(crate) fn parts(program: &Program) -> Result<PouParts, Diagnostics> {
     limits::check(program)?;
     let mut names = Names::new(program, Family::InstructionList);
     let (body, parts) = self::body(program, &mut names, false);
     let (inputs, published) = frame::wired(program, &names);
     let program_body = call(Writer::new(&writer::IEC), &names.instance, &inputs, &published);
-    Ok(Parts::new(program, names, Language::Il, parts, body.finish(), program_body.finish()))
+    Ok(PouParts::new(program, names, Language::Il, parts, body.finish(), program_body.finish()))
 }
 
 /// The instructions of the function block, and the declarations of what holds parts of formulas.

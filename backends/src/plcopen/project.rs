@@ -5,7 +5,7 @@ use super::dialect::{Dialect, XHTML};
 use super::interface;
 use crate::comment::clean;
 use crate::iec::declarations::VarBlock;
-use crate::iec::parts::Parts;
+use crate::iec::pou_parts::PouParts;
 use crate::xml::Xml;
 
 /// The schema demands dates; the same chart gives the same file on every day.
@@ -13,7 +13,7 @@ const NO_DATE: &str = "2000-01-01T00:00:00";
 
 /// Writes a whole project. The function block has actions, with their statements; `body` writes what its body holds.
 pub(super) fn write(
-    parts: &Parts,
+    parts: &PouParts,
     options: &Options,
     actions: &[(String, String)],
     body: impl FnOnce(&mut Xml, Dialect),
@@ -23,7 +23,7 @@ pub(super) fn write(
 
 /// Writes a whole project with further units before the function block, which it needs.
 pub(super) fn write_with(
-    parts: &Parts,
+    parts: &PouParts,
     options: &Options,
     needed: impl FnOnce(&mut Xml),
     actions: &[(String, String)],
@@ -53,7 +53,7 @@ pub(super) fn write_with(
     xml.finish()
 }
 
-fn headers(xml: &mut Xml, parts: &Parts, options: &Options) {
+fn headers(xml: &mut Xml, parts: &PouParts, options: &Options) {
     xml.empty(
         "fileHeader",
         &[
@@ -109,7 +109,7 @@ pub(super) fn unit(
 }
 
 /// The configuration with its task, if there is one.
-fn instances(xml: &mut Xml, parts: &Parts, options: &Options) {
+fn instances(xml: &mut Xml, parts: &PouParts, options: &Options) {
     let dialect = options.dialect;
     xml.open("instances", &[]);
     let Some(ms) = dialect.interval(options.interval_ms) else {

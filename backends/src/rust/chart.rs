@@ -5,8 +5,8 @@ use super::items::{doc, function};
 use super::literals::{literal, type_name};
 use super::memory::{self, words};
 use super::names::Names;
-use super::parts::Parts;
 use super::places::{Places, flag_name};
+use super::split::Split;
 use super::{saved, scan, situation};
 use crate::writer::Writer;
 use grafc_logic::scan::{Flag, Origin, Origins, Program, Role, VarId};
@@ -15,10 +15,10 @@ use grafc_logic::scan::{Flag, Origin, Origins, Program, Role, VarId};
 const FLAGS: [Flag; 4] = [Flag::Livelock, Flag::AllocConflict, Flag::ForceConflict, Flag::Div0];
 
 /// Writes the chart's struct and its functions.
-pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places, parts: &Parts) {
+pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places, split: &Split) {
     let chart = Chart { program, names, places };
     chart.structure(out);
-    scan::values(out, program, names, places, &parts.shared);
+    scan::values(out, program, names, places, &split.shared);
     out.blank();
     out.line(&format!("impl Default for {} {{", names.chart));
     out.enter();
@@ -29,11 +29,11 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
     out.blank();
     out.open(&format!("impl {} {{", names.chart));
     chart.constructor(out);
-    scan::write(out, program, names, places, parts);
+    scan::write(out, program, names, places, split);
     out.blank();
     chart.accessors(out);
     situation::write(out, program, names, places);
-    saved::write(out, program, names, places, parts.longest);
+    saved::write(out, program, names, places, split.longest);
     out.close("}");
 }
 

@@ -2,7 +2,7 @@
 
 use super::literals::{literal, type_name};
 use super::places::Places;
-use crate::formulas::{Formulas, Notation, Parts, Piece, Shape};
+use crate::formulas::{Arrangement, Formulas, Notation, Piece, Shape};
 use crate::writer::{STEP, Writer};
 use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::Program;
@@ -99,8 +99,8 @@ impl<'p> Expressions<'p> {
     fn broken(&self, out: &mut Writer, id: FormulaId, column: usize, tail: usize, deeper: bool) {
         let fits = (out.indent() + column + tail).saturating_add(self.width(id)) <= WIDTH;
         let shape = self.formulas.notation.shape(id);
-        match &shape.parts {
-            Parts::Infix(operator, operands) if !fits => {
+        match &shape.arrangement {
+            Arrangement::Infix(operator, operands) if !fits => {
                 if deeper {
                     out.enter();
                 }
@@ -123,7 +123,7 @@ impl<'p> Expressions<'p> {
                     out.leave();
                 }
             }
-            Parts::Prefix(word, operand) if !fits => {
+            Arrangement::Prefix(word, operand) if !fits => {
                 out.text(word);
                 let wrap = self.formulas.needs_parentheses(shape.level, 1, *operand);
                 out.text(if wrap { "(" } else { "" });
@@ -131,7 +131,9 @@ impl<'p> Expressions<'p> {
                 self.broken(out, *operand, at, tail + usize::from(wrap), deeper);
                 out.text(if wrap { ")" } else { "" });
             }
-            Parts::Atom(_) | Parts::Prefix(..) | Parts::Pieces(_) | Parts::Infix(..) => self.flat(out, id),
+            Arrangement::Atom(_) | Arrangement::Prefix(..) | Arrangement::Pieces(_) | Arrangement::Infix(..) => {
+                self.flat(out, id)
+            }
         }
     }
 }
@@ -152,28 +154,28 @@ impl Notation for Rust<'_> {
     fn shape(&self, id: FormulaId) -> Shape<'_, Level> {
         let pool = &self.program.pool;
         let pair = |a: FormulaId, b: FormulaId| Cow::Owned(vec![a, b]);
-        let atom = |text: String| (Level::Atom, Parts::Atom(text.into()));
-        let (level, parts) = match pool.get(id) {
+        let atom = |text: String| (Level::Atom, Arrangement::Atom(text.into()));
+        let (level, arrangement) = match pool.get(id) {
             Formula::Constant(value) => {
                 let text = literal(*value, pool.ty(id));
                 let level = if text.starts_with('-') { Level::Prefix } else { Level::Atom };
-                (level, Parts::Atom(text.into()))
+                (level, Arrangement::Atom(text.into()))
             }
-            Formula::Variable(variable) => (Level::Atom, Parts::Atom(self.places.read(*variable).into())),
+            Formula::Variable(variable) => (Level::Atom, Arrangement::Atom(self.places.read(*variable).into())),
             Formula::TimerDone(timer) => {
                 atom(format!("{}.has_run({})", self.places.timer(*timer), self.places.preset(*timer)))
             }
             Formula::TimerElapsed(timer) => atom(format!("{}.elapsed()", self.places.timer(*timer))),
             Formula::Not(a) => match pool.get(*a) {
                 Formula::Xor(b, c) if self.program.pool.is_leaf(*b) && self.program.pool.is_leaf(*c) => {
-                    (Level::Comparison, Parts::Infix("==", pair(*b, *c)))
+                    (Level::Comparison, Arrangement::Infix("==", pair(*b, *c)))
                 }
                 Formula::Compare(Comparison::Equal, b, c) => self.comparison(Comparison::NotEqual, *b, *c),
-                _ => (Level::Prefix, Parts::Prefix("!", *a)),
+                _ => (Level::Prefix, Arrangement::Prefix("!", *a)),
             },
-            Formula::And(list) => (Level::Junction, Parts::Infix("&&", Cow::Borrowed(list))),
-            Formula::Or(list) => (Level::Junction, Parts::Infix("||", Cow::Borrowed(list))),
-            Formula::Xor(a, b) => (Level::Comparison, Parts::Infix("!=", pair(*a, *b))),
+            Formula::And(list) => (Level::Junction, Arrangement::Infix("&&", Cow::Borrowed(list))),
+            Formula::Or(list) => (Level::Junction, Arrangement::Infix("||", Cow::Borrowed(list))),
+            Formula::Xor(a, b) => (Level::Comparison, Arrangement::Infix("!=", pair(*a, *b))),
             Formula::Compare(op, a, b) => self.comparison(*op, *a, *b),
             Formula::Arithmetic(Arithmetic::Multiply, a, b)
                 if pool.ty(*b) == Type::Time && pool.ty(*a) != Type::Time =>
@@ -182,25 +184,25 @@ impl Notation for Rust<'_> {
             }
             Formula::Arithmetic(op, a, b) => self.arithmetic(*op, pool.ty(id), *a, *b),
             Formula::Negate(a) => match pool.ty(id) {
-                Type::Real | Type::Lreal => (Level::Prefix, Parts::Prefix("-", *a)),
+                Type::Real | Type::Lreal => (Level::Prefix, Arrangement::Prefix("-", *a)),
                 Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Time => {
                     let pieces = vec![Piece::Operand(0, *a), Piece::Text(".wrapping_neg()".into())];
-                    (Level::Atom, Parts::Pieces(pieces))
+                    (Level::Atom, Arrangement::Pieces(pieces))
                 }
             },
             Formula::Widen(a) => {
                 let function = format!("{}::from(", type_name(pool.ty(id)));
                 let pieces = vec![Piece::Text(function.into()), Piece::Enclosed(*a), Piece::Text(")".into())];
-                (Level::Atom, Parts::Pieces(pieces))
+                (Level::Atom, Arrangement::Pieces(pieces))
             }
         };
-        Shape { level, parts }
+        Shape { level, arrangement }
     }
 }
 
 impl Rust<'_> {
     /// A state is compared with a variant of its enum.
-    fn comparison(&self, op: Comparison, a: FormulaId, b: FormulaId) -> (Level, Parts<'_>) {
+    fn comparison(&self, op: Comparison, a: FormulaId, b: FormulaId) -> (Level, Arrangement<'_>) {
         let pool = &self.program.pool;
         let sign = match op {
             Comparison::Equal => "==",
@@ -218,19 +220,19 @@ impl Rust<'_> {
             let not = if op == Comparison::Equal { "!" } else { "" };
             let level = if op == Comparison::Equal { Level::Prefix } else { Level::Atom };
             let pieces = vec![Piece::Text(not.into()), Piece::Operand(0, a), Piece::Text(".is_nan()".into())];
-            return (level, Parts::Pieces(pieces));
+            return (level, Arrangement::Pieces(pieces));
         }
         if let (Formula::Variable(v), Formula::Constant(Value::Int(n))) = (pool.get(a), pool.get(b))
             && let Some(variant) = self.places.variant(*v, *n)
         {
             let text = format!(" {sign} {variant}");
-            return (Level::Comparison, Parts::Pieces(vec![Piece::Enclosed(a), Piece::Text(text.into())]));
+            return (Level::Comparison, Arrangement::Pieces(vec![Piece::Enclosed(a), Piece::Text(text.into())]));
         }
-        (Level::Comparison, Parts::Infix(sign, Cow::Owned(vec![a, b])))
+        (Level::Comparison, Arrangement::Infix(sign, Cow::Owned(vec![a, b])))
     }
 
     /// Whole numbers and times wrap around at their width.
-    fn arithmetic(&self, op: Arithmetic, ty: Type, a: FormulaId, b: FormulaId) -> (Level, Parts<'_>) {
+    fn arithmetic(&self, op: Arithmetic, ty: Type, a: FormulaId, b: FormulaId) -> (Level, Arrangement<'_>) {
         let pool = &self.program.pool;
         let (sign, method) = match op {
             Arithmetic::Add => ("+", "wrapping_add"),
@@ -241,7 +243,7 @@ impl Rust<'_> {
             Arithmetic::Modulo => ("%", ""),
         };
         if matches!(ty, Type::Real | Type::Lreal) || method.is_empty() {
-            return (Level::Arithmetic, Parts::Infix(sign, Cow::Owned(vec![a, b])));
+            return (Level::Arithmetic, Arrangement::Infix(sign, Cow::Owned(vec![a, b])));
         }
         let converted = ty == Type::Time && pool.ty(b) != Type::Time && pool.as_constant(b).is_none();
         let (open, close) = if converted { ("i64::from(", "))") } else { ("", ")") };
@@ -256,6 +258,6 @@ impl Rust<'_> {
             let middle = text(format!(".{method}({open}"));
             vec![Piece::Operand(0, a), middle, Piece::Enclosed(b), text(close.to_owned())]
         };
-        (Level::Atom, Parts::Pieces(pieces))
+        (Level::Atom, Arrangement::Pieces(pieces))
     }
 }

@@ -4,7 +4,7 @@
 //! constants · Inputs · Outputs · Variables     what a program around the chart sees      interface
 //! Step, and an enum for each state             the situation                             steps
 //! struct Chart { … }                           its memory and what can be done with it   chart, situation, saved
-//!     fn scan(&mut self, inputs, now)          the statements of the scan program        scan, parts, uses, locals,
+//!     fn scan(&mut self, inputs, now)          the statements of the scan program        scan, split, uses, locals,
 //!                                                                                        expressions
 //! mod runtime { … }                            what it needs at run time                 runtime
 //! ```
@@ -20,13 +20,13 @@ mod literals;
 mod locals;
 mod memory;
 mod names;
-mod parts;
 mod places;
 mod runtime;
 mod saved;
 mod scan;
 mod situation;
 mod size;
+mod split;
 mod steps;
 pub(crate) mod target;
 mod uses;
@@ -39,9 +39,9 @@ use grafc_diagnostics::Diagnostics;
 use grafc_logic::scan::Program;
 use items::escaped;
 pub use names::Names;
-use parts::Parts;
 use places::Places;
 pub use size::size_of;
+use split::Split;
 
 /// Where generated code has what it needs at run time from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -108,8 +108,8 @@ fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, 
     let names = Names::new(program);
     let mut places = Places::new(program, &names);
     places.origins = traced.then(|| program.origins());
-    let parts = Parts::new(program, &places, options.longest_function.max(1));
-    places.share(&parts.shared);
+    let split = Split::new(program, &places, options.longest_function.max(1));
+    places.share(&split.shared);
     let needs = runtime::Needs::of(program);
     let mut out = Writer::new(&writer::RUST).traced(traced);
     if let Some(module) = &options.module {
@@ -121,7 +121,7 @@ fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, 
     interface::structs(&mut out, program, &names);
     steps::steps(&mut out, program, &names);
     steps::states(&mut out, program, &names);
-    chart::write(&mut out, program, &names, &places, &parts);
+    chart::write(&mut out, program, &names, &places, &split);
     match options.runtime {
         Runtime::Inline => runtime::module(&mut out, needs),
         Runtime::Crate => runtime::implementation(&mut out, &names),

@@ -9,7 +9,7 @@ pub(crate) mod target;
 
 use crate::comment::clean;
 use crate::iec::declarations::{Entry, EntryType, Kind, VarBlock};
-use crate::iec::parts::Parts;
+use crate::iec::pou_parts::PouParts;
 use crate::lines::Lines;
 use crate::st::{self, Style};
 use crate::transliterate::ascii;
@@ -45,7 +45,7 @@ fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, 
     Ok((ascii(&text), lines))
 }
 
-fn function_block(out: &mut Writer, parts: &Parts, header: &[String]) {
+fn function_block(out: &mut Writer, parts: &PouParts, header: &[String]) {
     out.line(&format!("FUNCTION_BLOCK \"{}\"", parts.block));
     out.line("{ S7_Optimized_Access := 'TRUE' }");
     out.line("VERSION : 0.1");

@@ -1,6 +1,6 @@
 //! Formulas as expressions: parentheses wherever two operators meet, long ones a term a line.
 
-use crate::formulas::{Formulas, Notation, Parts, Piece, Shape};
+use crate::formulas::{Arrangement, Formulas, Notation, Piece, Shape};
 use crate::iec::literals::{literal, type_name};
 use crate::iec::names::Names;
 use crate::writer::Writer;
@@ -81,14 +81,14 @@ impl<'p> Expressions<'p> {
     /// Writes a formula on lines of its own, `tail` behind the last.
     pub fn lines(&self, out: &mut Writer, id: FormulaId, tail: &str) {
         let shape = self.shape(id);
-        match &shape.parts {
-            Parts::Infix(operator, operands) if out.indent() + self.width(id) + tail.len() > out.width() => {
+        match &shape.arrangement {
+            Arrangement::Infix(operator, operands) if out.indent() + self.width(id) + tail.len() > out.width() => {
                 self.chain(out, shape.level, operator, operands, tail);
             }
-            Parts::Prefix(word, operand) if out.indent() + self.width(id) + tail.len() > out.width() => {
+            Arrangement::Prefix(word, operand) if out.indent() + self.width(id) + tail.len() > out.width() => {
                 self.term(out, shape.level, 1, word, *operand, tail);
             }
-            Parts::Atom(_) | Parts::Prefix(..) | Parts::Pieces(..) | Parts::Infix(..) => {
+            Arrangement::Atom(_) | Arrangement::Prefix(..) | Arrangement::Pieces(..) | Arrangement::Infix(..) => {
                 out.start();
                 self.flat(out, id);
                 out.text(tail);
@@ -131,7 +131,7 @@ impl<'p> Expressions<'p> {
                 return out.close(&format!("){tail}"));
             }
             let shape = self.shape(id);
-            if let Parts::Prefix(word, operand) = shape.parts {
+            if let Arrangement::Prefix(word, operand) = shape.arrangement {
                 return self.term(out, shape.level, 1, &format!("{lead}{word}"), operand, tail);
             }
         }
@@ -160,45 +160,49 @@ impl Notation for StructuredText<'_> {
     fn shape(&self, id: FormulaId) -> Shape<'_, Level> {
         let pool = &self.program.pool;
         let pair = |a: FormulaId, b: FormulaId| Cow::Owned(vec![a, b]);
-        let (level, parts) = match pool.get(id) {
+        let (level, arrangement) = match pool.get(id) {
             Formula::Constant(value) => {
                 let text = literal(*value, pool.ty(id));
-                (if text.starts_with('-') { Level::Signed } else { Level::Atom }, Parts::Atom(text.into()))
+                (if text.starts_with('-') { Level::Signed } else { Level::Atom }, Arrangement::Atom(text.into()))
             }
-            Formula::Variable(variable) => (Level::Atom, Parts::Atom((&self.names.variables[*variable]).into())),
-            Formula::TimerDone(timer) => (Level::Atom, Parts::Atom(format!("{}.Q", self.names.timers[*timer]).into())),
+            Formula::Variable(variable) => (Level::Atom, Arrangement::Atom((&self.names.variables[*variable]).into())),
+            Formula::TimerDone(timer) => {
+                (Level::Atom, Arrangement::Atom(format!("{}.Q", self.names.timers[*timer]).into()))
+            }
             Formula::TimerElapsed(timer) => {
-                (Level::Atom, Parts::Atom(format!("{}.ET", self.names.timers[*timer]).into()))
+                (Level::Atom, Arrangement::Atom(format!("{}.ET", self.names.timers[*timer]).into()))
             }
             Formula::Not(a) => match pool.get(*a) {
-                Formula::Xor(b, c) => (Level::Comparison, Parts::Infix("=", pair(*b, *c))),
+                Formula::Xor(b, c) => (Level::Comparison, Arrangement::Infix("=", pair(*b, *c))),
                 Formula::And(list) if self.bare[a.index()] => (Level::Junction, self.negated(" OR ", list)),
                 Formula::Or(list) if self.bare[a.index()] => (Level::Junction, self.negated(" AND ", list)),
-                Formula::Compare(Comparison::Equal, b, c) => (Level::Comparison, Parts::Infix("<>", pair(*b, *c))),
-                _ => (Level::Not, Parts::Prefix("NOT ", *a)),
+                Formula::Compare(Comparison::Equal, b, c) => {
+                    (Level::Comparison, Arrangement::Infix("<>", pair(*b, *c)))
+                }
+                _ => (Level::Not, Arrangement::Prefix("NOT ", *a)),
             },
-            Formula::And(list) => (Level::Junction, Parts::Infix("AND", Cow::Borrowed(list))),
-            Formula::Or(list) => (Level::Junction, Parts::Infix("OR", Cow::Borrowed(list))),
+            Formula::And(list) => (Level::Junction, Arrangement::Infix("AND", Cow::Borrowed(list))),
+            Formula::Or(list) => (Level::Junction, Arrangement::Infix("OR", Cow::Borrowed(list))),
             Formula::Xor(a, b) if self.is_plain(*a) && self.is_plain(*b) => {
-                (Level::Comparison, Parts::Infix("<>", pair(*a, *b)))
+                (Level::Comparison, Arrangement::Infix("<>", pair(*a, *b)))
             }
-            Formula::Xor(a, b) => (Level::Junction, Parts::Infix("XOR", pair(*a, *b))),
-            Formula::Compare(op, a, b) => (Level::Comparison, Parts::Infix(comparison(*op), pair(*a, *b))),
+            Formula::Xor(a, b) => (Level::Junction, Arrangement::Infix("XOR", pair(*a, *b))),
+            Formula::Compare(op, a, b) => (Level::Comparison, Arrangement::Infix(comparison(*op), pair(*a, *b))),
             // `TIME * n` is taken everywhere, `n * TIME` is not.
             Formula::Arithmetic(Arithmetic::Multiply, a, b)
                 if pool.ty(*b) == Type::Time && pool.ty(*a) != Type::Time =>
             {
-                (Level::Arithmetic, Parts::Infix("*", pair(*b, *a)))
+                (Level::Arithmetic, Arrangement::Infix("*", pair(*b, *a)))
             }
-            Formula::Arithmetic(op, a, b) => (Level::Arithmetic, Parts::Infix(arithmetic(*op), pair(*a, *b))),
-            Formula::Negate(a) => (Level::Arithmetic, Parts::Prefix(negation(pool.ty(id)), *a)),
+            Formula::Arithmetic(op, a, b) => (Level::Arithmetic, Arrangement::Infix(arithmetic(*op), pair(*a, *b))),
+            Formula::Negate(a) => (Level::Arithmetic, Arrangement::Prefix(negation(pool.ty(id)), *a)),
             Formula::Widen(a) => {
                 let function = format!("{}_TO_{}(", type_name(pool.ty(*a)), type_name(pool.ty(id)));
                 let pieces = vec![Piece::Text(function.into()), Piece::Enclosed(*a), Piece::Text(")".into())];
-                (Level::Atom, Parts::Pieces(pieces))
+                (Level::Atom, Arrangement::Pieces(pieces))
             }
         };
-        Shape { level, parts }
+        Shape { level, arrangement }
     }
 }
 
@@ -225,10 +229,10 @@ impl StructuredText<'_> {
     }
 
     /// The negations of operands with a word between them, each `NOT` as deep as it goes.
-    fn negated<'s>(&'s self, word: &'static str, operands: &'s [FormulaId]) -> Parts<'s> {
+    fn negated<'s>(&'s self, word: &'static str, operands: &'s [FormulaId]) -> Arrangement<'s> {
         let mut pieces = Vec::new();
         self.negate(&mut pieces, word, operands);
-        Parts::Pieces(pieces)
+        Arrangement::Pieces(pieces)
     }
 
     fn negate<'s>(&'s self, pieces: &mut Vec<Piece<'s>>, word: &'static str, operands: &'s [FormulaId]) {

@@ -11,7 +11,7 @@ pub(crate) mod target;
 pub(crate) mod tests;
 
 use crate::comment::clean;
-use crate::iec::parts::{Language, Parts};
+use crate::iec::pou_parts::{Language, PouParts};
 pub use crate::iec::{Options, Pou};
 use crate::iec::{declarations, frame, names};
 use crate::keywords::Family;
@@ -70,7 +70,7 @@ impl Default for Style {
 }
 
 /// The parts of a program.
-pub(crate) fn parts(program: &Program, style: Style) -> Result<Parts, Diagnostics> {
+pub(crate) fn parts(program: &Program, style: Style) -> Result<PouParts, Diagnostics> {
     limits::check(program)?;
     let names = Names::new(program, Family::Iec);
     let marked = names.marked(style.mark);
@@ -80,7 +80,7 @@ pub(crate) fn parts(program: &Program, style: Style) -> Result<Parts, Diagnostic
     let call = self::call(program, &names);
     let origins = style.traced.then(|| program.origins());
     let interface = declarations::interface_from(program, &names, origins.as_ref(), Vec::new());
-    Ok(Parts { interface, lines, ..Parts::new(program, names, Language::St, Vec::new(), body, call) })
+    Ok(PouParts { interface, lines, ..PouParts::new(program, names, Language::St, Vec::new(), body, call) })
 }
 
 /// The statements that come first and before a micro-step.

@@ -145,8 +145,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "rust-equal-bits-differ",
         at: RUST,
         breaks: "`NOT (a XOR b)` is written as `a != b`",
-        text: "Parts::Infix(\"==\", pair(*b, *c))",
-        instead: "Parts::Infix(\"!=\", pair(*b, *c))",
+        text: "Arrangement::Infix(\"==\", pair(*b, *c))",
+        instead: "Arrangement::Infix(\"!=\", pair(*b, *c))",
     },
     Fault {
         name: "rust-arm-misplaced",

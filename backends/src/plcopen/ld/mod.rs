@@ -26,7 +26,7 @@ mod write;
 use super::{Dialect, Options, project};
 use crate::iec::declarations::{Entry, EntryType, interface};
 use crate::iec::names::Names;
-use crate::iec::parts::{Language, Parts};
+use crate::iec::pou_parts::{Language, PouParts};
 use crate::keywords::Family;
 use crate::limits;
 use crate::st::{self, Texts};
@@ -54,13 +54,13 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
     let options = Options { dialect: Dialect::Neutral, ..options.clone() };
     let call = st::call(program, &names);
     let Some(repeated) = repeated else {
-        let parts = Parts::new(program, names, Language::St, variables, String::new(), call);
+        let parts = PouParts::new(program, names, Language::St, variables, String::new(), call);
         return Ok(project::write(&parts, &options, &[], ladder));
     };
     let inner = repeated.inner(interface(program, &names, variables));
     let outer = repeated.outer(interface(program, &names, Vec::new()));
     let body = repeated.body(program, &names);
-    let mut parts = Parts::new(program, names, Language::St, Vec::new(), body, call);
+    let mut parts = PouParts::new(program, names, Language::St, Vec::new(), body, call);
     parts.interface = outer;
     let needed = |xml: &mut Xml| {
         xml.open("pou", &[("name", &repeated.block), ("pouType", "functionBlock")]);

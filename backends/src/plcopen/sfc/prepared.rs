@@ -14,7 +14,7 @@ use super::texts::Texts;
 use crate::iec::declarations::{Entry, EntryType, Kind, VarBlock, interface};
 use crate::iec::frame;
 use crate::iec::names::Names;
-use crate::iec::parts::{Language, Parts};
+use crate::iec::pou_parts::{Language, PouParts};
 use crate::keywords::Family;
 use crate::plcopen::dialect::Dialect;
 use crate::plcopen::{Options, project};
@@ -28,7 +28,7 @@ use rustc_hash::FxHashSet;
 /// The units around the drawing.
 pub(super) struct Units {
     /// The function block of the chart and the program.
-    parts: Parts,
+    parts: PouParts,
     /// The function block that is drawn, if it is another: its name and its variables.
     drawn: Option<(String, Vec<VarBlock>)>,
 }
@@ -56,7 +56,7 @@ impl Units {
         let mut names = Names::new(program, Family::Iec);
         let call = st::call(program, &names);
         if sequence.given.is_empty() {
-            let mut parts = Parts::new(program, names, Language::St, Vec::new(), String::new(), call);
+            let mut parts = PouParts::new(program, names, Language::St, Vec::new(), String::new(), call);
             parts.interface.iter_mut().for_each(|block| block.retain(|name| !texts.is_of_a_step(name)));
             return Units { parts, drawn: None };
         }
@@ -104,7 +104,7 @@ impl Units {
         if let Some(local) = outer.iter_mut().find(|block| block.kind == Kind::Local) {
             local.sections.push(("", vec![drawn]));
         }
-        let mut parts = Parts::new(program, names, Language::St, Vec::new(), body, call);
+        let mut parts = PouParts::new(program, names, Language::St, Vec::new(), body, call);
         parts.interface = outer;
         Units { parts, drawn: Some((block, inner)) }
     }

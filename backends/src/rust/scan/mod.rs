@@ -8,8 +8,8 @@ use super::interface::fields;
 use super::literals::{literal, type_name, zero};
 use super::locals::{Locals, ROOT};
 use super::names::Names;
-use super::parts::{About, Parts, Table};
 use super::places::Places;
+use super::split::{About, Split, Table};
 use super::steps::list;
 use crate::comment::clean;
 use crate::writer::Writer;
@@ -19,19 +19,19 @@ use std::cell::Cell;
 use std::iter;
 
 /// Writes the scan, and the functions that a large one is parted into.
-pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places, parts: &Parts) {
+pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places, split: &Split) {
     let expressions = Expressions::new(program, places);
-    for (index, function) in parts.functions.iter().enumerate() {
+    for (index, function) in split.functions.iter().enumerate() {
         let body = RustStatements {
             program,
             names,
             places,
             expressions: &expressions,
-            parts,
-            locals: Locals::new(program, &function.code, &parts.shared),
+            split,
+            locals: Locals::new(program, &function.code, &split.shared),
             blocks: Cell::new(ROOT),
         };
-        if let Some(table) = function.table.filter(|table| parts.tables[*table].first == index) {
+        if let Some(table) = function.table.filter(|table| split.tables[*table].first == index) {
             body.table(out, table);
         }
         out.blank();
@@ -49,17 +49,17 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
             });
             out.comment(&about.map(|text| clean(&text)).unwrap_or_default());
             // Else the functions would be put together again.
-            if !parts.only_finds(index) {
+            if !split.only_finds(index) {
                 out.line("#[inline(never)]");
             }
             let Needs { inputs, now, values, .. } = function.needs;
-            let parameters: String = parts
+            let parameters: String = split
                 .given(index)
                 .of([("inputs", INPUTS, inputs), ("now", NOW, now), ("values", VALUES, values)])
                 .map(|(name, ty, needed)| format!(", {}: {ty}", if needed { name } else { "_" }))
                 .collect();
-            let gives = if parts.micro_step == Some(index) { " -> bool" } else { "" };
-            out.open(&format!("fn {}(&mut self{parameters}){gives} {{", parts.name(index)));
+            let gives = if split.micro_step == Some(index) { " -> bool" } else { "" };
+            out.open(&format!("fn {}(&mut self{parameters}){gives} {{", split.name(index)));
             body.function(out, &function.code, function.needs);
             out.close("}");
             out.origin(outer);
@@ -92,7 +92,7 @@ struct RustStatements<'p> {
     names: &'p Names,
     places: &'p Places<'p>,
     expressions: &'p Expressions<'p>,
-    parts: &'p Parts<'p>,
+    split: &'p Split<'p>,
     locals: Locals,
     /// The number of the last block, as [`Locals`] counts them.
     blocks: Cell<usize>,
@@ -113,7 +113,7 @@ impl RustStatements<'_> {
                 let first = |state: &super::names::StateNames| format!("{}::{}", state.ty, state.variants[0].1);
                 (self.names.variables[*v].clone(), self.places.state(*v).map_or(zero(ty).to_owned(), first))
             };
-            let values: Vec<(String, String)> = self.parts.shared.iter().map(zero).collect();
+            let values: Vec<(String, String)> = self.split.shared.iter().map(zero).collect();
             fields(out, "let values = &mut Values", &values, ";");
         }
         self.function(out, code, needs);
@@ -165,7 +165,7 @@ impl RustStatements<'_> {
                     self.arms(out, *of, &arms.iter().map(|(arm, _)| *arm).collect::<Vec<_>>(), inside);
                 }
                 Code::Table(of, table) => {
-                    let arguments = arguments(self.parts.tables[*table].needs);
+                    let arguments = arguments(self.split.tables[*table].needs);
                     let arguments: String = arguments.into_iter().map(|word| format!(", {word}")).collect();
                     let place = self.places.read(*of);
                     out.line(&format!("Self::{}[{place} as usize](self{arguments});", table_name(*table)));
@@ -176,20 +176,20 @@ impl RustStatements<'_> {
 
     /// The functions that a table has, by the values of its state.
     fn table(&self, out: &mut Writer, table: usize) {
-        let Table { arms, needs, .. } = &self.parts.tables[table];
+        let Table { arms, needs, .. } = &self.split.tables[table];
         let types: Vec<&str> = iter::once("&mut Self").chain(needs.of([INPUTS, NOW, VALUES])).collect();
         let nothing = format!("|{}| {{}}", vec!["_"; types.len()].join(", "));
         out.blank();
         out.comment("what is done at each value");
         let head = format!("const {}: &[fn({}); {}] =", table_name(table), types.join(", "), arms.len());
         let function =
-            |arm: &Option<usize>| arm.map_or(nothing.clone(), |arm| format!("Self::{}", self.parts.name(arm)));
+            |arm: &Option<usize>| arm.map_or(nothing.clone(), |arm| format!("Self::{}", self.split.name(arm)));
         list(out, &head, "&[", &arms.iter().map(function).collect::<Vec<_>>());
     }
 
     fn call(&self, function: usize) -> String {
-        let arguments = arguments(self.parts.functions[function].needs);
-        format!("self.{}({})", self.parts.name(function), arguments.join(", "))
+        let arguments = arguments(self.split.functions[function].needs);
+        format!("self.{}({})", self.split.name(function), arguments.join(", "))
     }
 
     /// The stability loop (R9); where it has a limit, the flag when it was cut off.

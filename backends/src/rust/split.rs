@@ -1,7 +1,7 @@
 //! A scan as functions: one for most charts, several for large ones.
 //!
 //! rustc takes a time for a function that grows with the square of its length. So the statements of a large program are
-//! parted: runs of them become functions of their own, and of a large `Case` each arm, which a table finds by the value: as
+//! split: runs of them become functions of their own, and of a large `Case` each arm, which a table finds by the value: as
 //! quick as a `match`, however many there are. What more than one function needs lies in a struct that the scan passes on.
 
 use super::code::{Code, Needs};
@@ -12,7 +12,7 @@ use grafc_formula::FormulaId;
 use grafc_logic::scan::{Arm, Origin, Program, Statement, Told, VarId};
 use rustc_hash::FxHashSet;
 
-/// Programs with so many times more statements than one function should have are parted.
+/// Programs with so many times more statements than one function should have are split.
 const LARGE: usize = 3;
 /// A run of statements so many times shorter than a function should be stays where it is.
 const SHORT: usize = 10;
@@ -55,7 +55,7 @@ pub(super) struct Table {
 }
 
 /// The functions of a scan; the first is the scan itself.
-pub(super) struct Parts<'p> {
+pub(super) struct Split<'p> {
     pub functions: Vec<Function<'p>>,
     pub tables: Vec<Table>,
     /// The function of a micro-step, if there is a loop.
@@ -66,8 +66,8 @@ pub(super) struct Parts<'p> {
     pub longest: usize,
 }
 
-impl<'p> Parts<'p> {
-    /// Parts the program if it is large.
+impl<'p> Split<'p> {
+    /// Splits the program if it is large.
     pub fn new(program: &'p Program, places: &Places, longest: usize) -> Self {
         let sections = program.sections();
         let weights = Weights { sizes: limits::sizes(program) };
@@ -93,9 +93,9 @@ impl<'p> Parts<'p> {
         splitter.functions[0].code = code;
         let Splitter { functions, tables, .. } = splitter;
         let uses: Vec<Uses> = functions.iter().map(|function| Uses::of(program, places, &function.code)).collect();
-        let mut parts = Parts { functions, tables, micro_step, shared: shared(program, &uses), longest };
-        parts.tell_needs(&uses);
-        parts
+        let mut split = Split { functions, tables, micro_step, shared: shared(program, &uses), longest };
+        split.tell_needs(&uses);
+        split
     }
 
     /// What a function is called.

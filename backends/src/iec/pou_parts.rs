@@ -7,7 +7,7 @@ use crate::lines::Lines;
 use grafc_logic::scan::Program;
 
 /// All parts.
-pub(crate) struct Parts {
+pub(crate) struct PouParts {
     /// The name of the function block.
     pub block: String,
     /// What it is, clean.
@@ -48,7 +48,7 @@ impl Language {
     }
 }
 
-impl Parts {
+impl PouParts {
     /// Puts the parts together; `more` are further values that live within one call.
     pub fn new(
         program: &Program,
@@ -58,7 +58,7 @@ impl Parts {
         body: String,
         program_body: String,
     ) -> Self {
-        Parts {
+        PouParts {
             description: remark(&program.name, &names.block, program.comment.as_deref()),
             interface: declarations::interface(program, &names, more),
             body,
