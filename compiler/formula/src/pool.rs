@@ -271,7 +271,7 @@ impl Pool {
             Formula::Not(inner) => return Some(inner),
             _ => Formula::Not(a),
         };
-        self.nodes.get_index_of(&Node { formula: looked_for, ty: Type::Bool }).map(FormulaId::from_usize)
+        self.nodes.get_index_of(&TypedFormula { formula: looked_for, ty: Type::Bool }).map(FormulaId::from_usize)
     }
 
     /// The conjunction of the operands; `TRUE` of none.
