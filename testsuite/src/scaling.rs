@@ -19,7 +19,7 @@ const DEPTH: usize = 16;
 const SPINE: usize = 1_000;
 
 /// A family of charts.
-pub struct Shape {
+pub struct ScalingShape {
     /// Its name.
     pub name: &'static str,
     /// What a chart of size N is.
@@ -29,14 +29,26 @@ pub struct Shape {
 }
 
 /// All families.
-pub const SHAPES: [Shape; 7] = [
-    Shape { name: "rings", meaning: "parallel grafcets, each a ring of ten steps; N steps in all", write: rings },
-    Shape { name: "ring", meaning: "one ring of N steps", write: ring },
-    Shape { name: "deep", meaning: "enclosures nested 16 deep, side by side; N steps in all", write: deep },
-    Shape { name: "wide", meaning: "a ring of enclosing steps, an enclosure in each; N steps in all", write: wide },
-    Shape { name: "parallel", meaning: "a step before N parallel branches of two steps", write: parallel },
-    Shape { name: "spine", meaning: "1,000 steps in a row before N parallel branches of two steps", write: spine },
-    Shape { name: "forced", meaning: "N grafcets, each forced by a step of one ring of N steps", write: forced },
+pub const SHAPES: [ScalingShape; 7] = [
+    ScalingShape {
+        name: "rings",
+        meaning: "parallel grafcets, each a ring of ten steps; N steps in all",
+        write: rings,
+    },
+    ScalingShape { name: "ring", meaning: "one ring of N steps", write: ring },
+    ScalingShape { name: "deep", meaning: "enclosures nested 16 deep, side by side; N steps in all", write: deep },
+    ScalingShape {
+        name: "wide",
+        meaning: "a ring of enclosing steps, an enclosure in each; N steps in all",
+        write: wide,
+    },
+    ScalingShape { name: "parallel", meaning: "a step before N parallel branches of two steps", write: parallel },
+    ScalingShape {
+        name: "spine",
+        meaning: "1,000 steps in a row before N parallel branches of two steps",
+        write: spine,
+    },
+    ScalingShape { name: "forced", meaning: "N grafcets, each forced by a step of one ring of N steps", write: forced },
 ];
 
 fn rings(steps: usize) -> String {
@@ -211,7 +223,7 @@ mod tests {
     use grafc_diagnostics::FileId;
     use grafc_model::chart::Chart;
 
-    fn chart(shape: &Shape, size: usize) -> Chart {
+    fn chart(shape: &ScalingShape, size: usize) -> Chart {
         let text = (shape.write)(size);
         let (ast, said) = grafc_syntax::parse(FileId::default(), &text);
         assert!(!said.has_errors(), "{} {size}: {said:#?}\n{text}", shape.name);

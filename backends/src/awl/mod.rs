@@ -114,7 +114,7 @@ fn body(program: &Program, mnemonics: Mnemonics, traced: bool) -> Result<(AwlNam
 /// All names of the function block, without the mark of local names.
 struct AwlNames {
     variables: IndexVec<VarId, String>,
-    timers: IndexVec<TimerId, timers::Names>,
+    timers: IndexVec<TimerId, timers::TimerNames>,
     block: String,
     /// The input that restarts the chart.
     restart: String,
@@ -128,8 +128,9 @@ impl AwlNames {
     fn new(program: &Program) -> Self {
         let Names { variables, timers, block, mut namer, .. } = Names::new(program, Family::StatementList);
         let reads = program.reads_of_timers();
-        let timers = timers.into_iter_enumerated().map(|(id, name)| timers::Names::new(reads[id], name, &mut namer));
-        let timers: IndexVec<TimerId, timers::Names> = timers.collect();
+        let timers =
+            timers.into_iter_enumerated().map(|(id, name)| timers::TimerNames::new(reads[id], name, &mut namer));
+        let timers: IndexVec<TimerId, timers::TimerNames> = timers.collect();
         let clock = (!timers.is_empty()).then(|| timers::Clock::new(&mut namer));
         AwlNames { variables, timers, block, restart: namer.name("RESTART"), clock, namer }
     }

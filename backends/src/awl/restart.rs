@@ -14,7 +14,7 @@ use grafc_logic::scan::Program;
 /// Writes what `RESTART` does.
 pub(super) fn write(code: &mut Code, program: &Program, names: &AwlNames) {
     let kept = program.variables.iter_enumerated().filter(|(_, v)| v.role.is_kept());
-    let ours = names.timers.iter().flat_map(timers::Names::kept).map(|kept| {
+    let ours = names.timers.iter().flat_map(timers::TimerNames::kept).map(|kept| {
         let zero = if kept.ty == Type::Bool { Value::Bool(false) } else { Value::Time(0) };
         (local(&kept.name), kept.ty, zero)
     });

@@ -53,7 +53,7 @@ impl Clock {
 }
 
 /// The variables of one timer.
-pub(super) struct Names {
+pub(super) struct TimerNames {
     /// Whether it has run out.
     pub done: String,
     /// For how long it has run.
@@ -68,14 +68,14 @@ pub(super) struct Names {
     ends: bool,
 }
 
-impl Names {
+impl TimerNames {
     /// The timer's name is that of what is read of it.
     pub fn new(reads: Reads, name: String, namer: &mut Namer) -> Self {
         let Reads { end: ends, elapsed: measures } = reads;
         let mut further = |end: &str| namer.name(&format!("{name}_{end}"));
         let (run, start) = (further("run"), further("start"));
         let elapsed = if ends && measures { further("time") } else { name.clone() };
-        Names { done: name, elapsed, run, start, measures, ends }
+        TimerNames { done: name, elapsed, run, start, measures, ends }
     }
 
     /// What keeps its value; the first is what the timer is called after.

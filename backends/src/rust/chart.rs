@@ -4,7 +4,7 @@ use super::interface::{fields, has_variables, values};
 use super::items::{doc, function};
 use super::literals::{literal, type_name};
 use super::memory::{self, words};
-use super::names::Names;
+use super::names::RustNames;
 use super::places::{Places, flag_name};
 use super::split::Split;
 use super::{saved, scan, situation};
@@ -15,7 +15,7 @@ use grafc_logic::scan::{Flag, Origin, Origins, Program, Role, VarId};
 const FLAGS: [Flag; 4] = [Flag::Livelock, Flag::AllocConflict, Flag::ForceConflict, Flag::Div0];
 
 /// Writes the chart's struct and its functions.
-pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places, split: &Split) {
+pub(super) fn write(out: &mut Writer, program: &Program, names: &RustNames, places: &Places, split: &Split) {
     let chart = Chart { program, names, places };
     chart.structure(out);
     scan::values(out, program, names, places, &split.shared);
@@ -39,7 +39,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
 
 struct Chart<'p> {
     program: &'p Program,
-    names: &'p Names,
+    names: &'p RustNames,
     places: &'p Places<'p>,
 }
 

@@ -25,7 +25,7 @@ struct Rust<'p> {
 
 /// What parentheses depend on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Level {
+pub(super) enum RustLevel {
     Atom,
     /// With a sign or `!` before it.
     Prefix,
@@ -139,43 +139,43 @@ impl<'p> Expressions<'p> {
 }
 
 impl Notation for Rust<'_> {
-    type Level = Level;
+    type Level = RustLevel;
 
-    fn needs_parentheses(&self, parent: Level, place: usize, operand: Level) -> bool {
+    fn needs_parentheses(&self, parent: RustLevel, place: usize, operand: RustLevel) -> bool {
         match (operand, parent) {
-            (Level::Atom, _) => false,
-            (Level::Prefix, Level::Junction | Level::Comparison | Level::Prefix) => false,
-            (Level::Prefix, Level::Arithmetic) => place > 0,
-            (Level::Arithmetic, Level::Comparison) | (Level::Comparison, Level::Junction) => false,
-            (Level::Prefix | Level::Arithmetic | Level::Comparison | Level::Junction, _) => true,
+            (RustLevel::Atom, _) => false,
+            (RustLevel::Prefix, RustLevel::Junction | RustLevel::Comparison | RustLevel::Prefix) => false,
+            (RustLevel::Prefix, RustLevel::Arithmetic) => place > 0,
+            (RustLevel::Arithmetic, RustLevel::Comparison) | (RustLevel::Comparison, RustLevel::Junction) => false,
+            (RustLevel::Prefix | RustLevel::Arithmetic | RustLevel::Comparison | RustLevel::Junction, _) => true,
         }
     }
 
-    fn shape(&self, id: FormulaId) -> Shape<'_, Level> {
+    fn shape(&self, id: FormulaId) -> Shape<'_, RustLevel> {
         let pool = &self.program.pool;
         let pair = |a: FormulaId, b: FormulaId| Cow::Owned(vec![a, b]);
-        let atom = |text: String| (Level::Atom, Arrangement::Atom(text.into()));
+        let atom = |text: String| (RustLevel::Atom, Arrangement::Atom(text.into()));
         let (level, arrangement) = match pool.get(id) {
             Formula::Constant(value) => {
                 let text = literal(*value, pool.ty(id));
-                let level = if text.starts_with('-') { Level::Prefix } else { Level::Atom };
+                let level = if text.starts_with('-') { RustLevel::Prefix } else { RustLevel::Atom };
                 (level, Arrangement::Atom(text.into()))
             }
-            Formula::Variable(variable) => (Level::Atom, Arrangement::Atom(self.places.read(*variable).into())),
+            Formula::Variable(variable) => (RustLevel::Atom, Arrangement::Atom(self.places.read(*variable).into())),
             Formula::TimerDone(timer) => {
                 atom(format!("{}.has_run({})", self.places.timer(*timer), self.places.preset(*timer)))
             }
             Formula::TimerElapsed(timer) => atom(format!("{}.elapsed()", self.places.timer(*timer))),
             Formula::Not(a) => match pool.get(*a) {
                 Formula::Xor(b, c) if self.program.pool.is_leaf(*b) && self.program.pool.is_leaf(*c) => {
-                    (Level::Comparison, Arrangement::Infix("==", pair(*b, *c)))
+                    (RustLevel::Comparison, Arrangement::Infix("==", pair(*b, *c)))
                 }
                 Formula::Compare(Comparison::Equal, b, c) => self.comparison(Comparison::NotEqual, *b, *c),
-                _ => (Level::Prefix, Arrangement::Prefix("!", *a)),
+                _ => (RustLevel::Prefix, Arrangement::Prefix("!", *a)),
             },
-            Formula::And(list) => (Level::Junction, Arrangement::Infix("&&", Cow::Borrowed(list))),
-            Formula::Or(list) => (Level::Junction, Arrangement::Infix("||", Cow::Borrowed(list))),
-            Formula::Xor(a, b) => (Level::Comparison, Arrangement::Infix("!=", pair(*a, *b))),
+            Formula::And(list) => (RustLevel::Junction, Arrangement::Infix("&&", Cow::Borrowed(list))),
+            Formula::Or(list) => (RustLevel::Junction, Arrangement::Infix("||", Cow::Borrowed(list))),
+            Formula::Xor(a, b) => (RustLevel::Comparison, Arrangement::Infix("!=", pair(*a, *b))),
             Formula::Compare(op, a, b) => self.comparison(*op, *a, *b),
             Formula::Arithmetic(Arithmetic::Multiply, a, b)
                 if pool.ty(*b) == Type::Time && pool.ty(*a) != Type::Time =>
@@ -184,16 +184,16 @@ impl Notation for Rust<'_> {
             }
             Formula::Arithmetic(op, a, b) => self.arithmetic(*op, pool.ty(id), *a, *b),
             Formula::Negate(a) => match pool.ty(id) {
-                Type::Real | Type::Lreal => (Level::Prefix, Arrangement::Prefix("-", *a)),
+                Type::Real | Type::Lreal => (RustLevel::Prefix, Arrangement::Prefix("-", *a)),
                 Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Time => {
                     let pieces = vec![Piece::Operand(0, *a), Piece::Text(".wrapping_neg()".into())];
-                    (Level::Atom, Arrangement::Pieces(pieces))
+                    (RustLevel::Atom, Arrangement::Pieces(pieces))
                 }
             },
             Formula::Widen(a) => {
                 let function = format!("{}::from(", type_name(pool.ty(id)));
                 let pieces = vec![Piece::Text(function.into()), Piece::Enclosed(*a), Piece::Text(")".into())];
-                (Level::Atom, Arrangement::Pieces(pieces))
+                (RustLevel::Atom, Arrangement::Pieces(pieces))
             }
         };
         Shape { level, arrangement }
@@ -202,7 +202,7 @@ impl Notation for Rust<'_> {
 
 impl Rust<'_> {
     /// A state is compared with a variant of its enum.
-    fn comparison(&self, op: Comparison, a: FormulaId, b: FormulaId) -> (Level, Arrangement<'_>) {
+    fn comparison(&self, op: Comparison, a: FormulaId, b: FormulaId) -> (RustLevel, Arrangement<'_>) {
         let pool = &self.program.pool;
         let sign = match op {
             Comparison::Equal => "==",
@@ -218,7 +218,7 @@ impl Rust<'_> {
         {
             // Only what is no number differs from itself.
             let not = if op == Comparison::Equal { "!" } else { "" };
-            let level = if op == Comparison::Equal { Level::Prefix } else { Level::Atom };
+            let level = if op == Comparison::Equal { RustLevel::Prefix } else { RustLevel::Atom };
             let pieces = vec![Piece::Text(not.into()), Piece::Operand(0, a), Piece::Text(".is_nan()".into())];
             return (level, Arrangement::Pieces(pieces));
         }
@@ -226,13 +226,13 @@ impl Rust<'_> {
             && let Some(variant) = self.places.variant(*v, *n)
         {
             let text = format!(" {sign} {variant}");
-            return (Level::Comparison, Arrangement::Pieces(vec![Piece::Enclosed(a), Piece::Text(text.into())]));
+            return (RustLevel::Comparison, Arrangement::Pieces(vec![Piece::Enclosed(a), Piece::Text(text.into())]));
         }
-        (Level::Comparison, Arrangement::Infix(sign, Cow::Owned(vec![a, b])))
+        (RustLevel::Comparison, Arrangement::Infix(sign, Cow::Owned(vec![a, b])))
     }
 
     /// Whole numbers and times wrap around at their width.
-    fn arithmetic(&self, op: Arithmetic, ty: Type, a: FormulaId, b: FormulaId) -> (Level, Arrangement<'_>) {
+    fn arithmetic(&self, op: Arithmetic, ty: Type, a: FormulaId, b: FormulaId) -> (RustLevel, Arrangement<'_>) {
         let pool = &self.program.pool;
         let (sign, method) = match op {
             Arithmetic::Add => ("+", "wrapping_add"),
@@ -243,7 +243,7 @@ impl Rust<'_> {
             Arithmetic::Modulo => ("%", ""),
         };
         if matches!(ty, Type::Real | Type::Lreal) || method.is_empty() {
-            return (Level::Arithmetic, Arrangement::Infix(sign, Cow::Owned(vec![a, b])));
+            return (RustLevel::Arithmetic, Arrangement::Infix(sign, Cow::Owned(vec![a, b])));
         }
         let converted = ty == Type::Time && pool.ty(b) != Type::Time && pool.as_constant(b).is_none();
         let (open, close) = if converted { ("i64::from(", "))") } else { ("", ")") };
@@ -258,6 +258,6 @@ impl Rust<'_> {
             let middle = text(format!(".{method}({open}"));
             vec![Piece::Operand(0, a), middle, Piece::Enclosed(b), text(close.to_owned())]
         };
-        (Level::Atom, Arrangement::Pieces(pieces))
+        (RustLevel::Atom, Arrangement::Pieces(pieces))
     }
 }

@@ -2,13 +2,13 @@
 
 use super::items::doc;
 use super::literals::{literal, type_name, zero};
-use super::names::{Names, remark};
+use super::names::{RustNames, remark};
 use crate::writer::Writer;
 use grafc_formula::Type;
 use grafc_logic::scan::{Origin, Program, Role, Variable};
 
 /// Writes the constants of the chart.
-pub(super) fn constants(out: &mut Writer, program: &Program, names: &Names) {
+pub(super) fn constants(out: &mut Writer, program: &Program, names: &RustNames) {
     for (id, variable) in program.of_role(Role::Constant) {
         out.blank();
         let outer = out.origin(Origin::declaration(id));
@@ -20,7 +20,7 @@ pub(super) fn constants(out: &mut Writer, program: &Program, names: &Names) {
 }
 
 /// Writes the three structs of variables; the internal ones only where there are any.
-pub(super) fn structs(out: &mut Writer, program: &Program, names: &Names) {
+pub(super) fn structs(out: &mut Writer, program: &Program, names: &RustNames) {
     let derived = |default: bool, role| {
         let default = if default { ", Default" } else { "" };
         let equal = if program.of_role(role).count() <= MOST_COMPARED { ", PartialEq" } else { "" };
@@ -59,11 +59,19 @@ pub(super) fn has_variables(program: &Program) -> bool {
 }
 
 /// Each variable of a role with its value before the first scan.
-pub(super) fn values(program: &Program, names: &Names, role: Role) -> Vec<(String, String)> {
+pub(super) fn values(program: &Program, names: &RustNames, role: Role) -> Vec<(String, String)> {
     program.of_role(role).map(|(id, v)| (names.variables[id].clone(), literal(v.initial, v.ty))).collect()
 }
 
-fn structure(out: &mut Writer, program: &Program, names: &Names, role: Role, name: &str, about: &str, derived: &str) {
+fn structure(
+    out: &mut Writer,
+    program: &Program,
+    names: &RustNames,
+    role: Role,
+    name: &str,
+    about: &str,
+    derived: &str,
+) {
     out.blank();
     out.line(&format!("/// {about}"));
     out.line(derived);

@@ -38,7 +38,7 @@ use crate::writer::{self, Writer};
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::scan::Program;
 use items::escaped;
-pub use names::Names;
+pub use names::RustNames;
 use places::Places;
 pub use size::size_of;
 use split::Split;
@@ -105,7 +105,7 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
 /// The same, and which lines come from what, if that is wanted.
 fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, Lines), Diagnostics> {
     limits::check(program)?;
-    let names = Names::new(program);
+    let names = RustNames::new(program);
     let mut places = Places::new(program, &names);
     places.origins = traced.then(|| program.origins());
     let split = Split::new(program, &places, options.longest_function.max(1));
@@ -133,8 +133,8 @@ fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, 
 }
 
 /// The names that [`emit`] gives.
-pub fn names(program: &Program) -> Names {
-    Names::new(program)
+pub fn names(program: &Program) -> RustNames {
+    RustNames::new(program)
 }
 
 fn head(out: &mut Writer, program: &Program, options: &Options) {

@@ -10,7 +10,7 @@ use rustc_hash::FxHashMap;
 
 /// All names. Values are unique in the whole file, and so are types, variants of `Step` and constants: readers search for
 /// them.
-pub struct Names {
+pub struct RustNames {
     /// Variables without what they are part of: `full`, not `inputs.full`.
     pub variables: IndexVec<VarId, String>,
     /// The chart's type.
@@ -43,7 +43,7 @@ impl StateNames {
     }
 }
 
-impl Names {
+impl RustNames {
     /// Names by rank: what the chart declares, then what is ours.
     pub(super) fn new(program: &Program) -> Self {
         let mut values = Namer::new(Family::RustValues);
@@ -78,7 +78,7 @@ impl Names {
             StateNames { ty, variants, by_value }
         });
         let states = states.collect();
-        Names { variables, timers, chart, steps, states }
+        RustNames { variables, timers, chart, steps, states }
     }
 }
 

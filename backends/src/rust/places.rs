@@ -1,7 +1,7 @@
 //! Where each variable lies: in the inputs, the outputs, the chart itself, or in a local variable.
 
 use super::literals::literal;
-use super::names::{Names, StateNames};
+use super::names::{RustNames, StateNames};
 use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_logic::scan::{Flag, Held, Origins, Program, Role, StepId, TimerId, VarId};
 use index_vec::IndexVec;
@@ -10,7 +10,7 @@ use rustc_hash::FxHashMap;
 /// How the variables of one program are read and written.
 pub(super) struct Places<'p> {
     program: &'p Program,
-    names: &'p Names,
+    names: &'p RustNames,
     /// Where variables come from, if somebody asks.
     pub origins: Option<Origins>,
     /// How each variable is read.
@@ -23,7 +23,7 @@ pub(super) struct Places<'p> {
 
 impl<'p> Places<'p> {
     /// Finds all places. Steps are packed where each has a bit; beside states, the few bits that are left stand alone.
-    pub fn new(program: &'p Program, names: &'p Names) -> Self {
+    pub fn new(program: &'p Program, names: &'p RustNames) -> Self {
         let mut packed = FxHashMap::default();
         if program.states.is_empty() {
             packed.extend(program.steps.iter_enumerated().filter_map(|(s, step)| match step.held {

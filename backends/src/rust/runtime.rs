@@ -2,7 +2,7 @@
 //! same text.
 
 use super::Runtime;
-use super::names::Names;
+use super::names::RustNames;
 use crate::writer::Writer;
 use grafc_logic::scan::Program;
 use grafc_runtime::source;
@@ -55,7 +55,7 @@ pub(super) fn module(out: &mut Writer, needs: Needs) {
 }
 
 /// Writes the implementation of the trait that all charts have in common.
-pub(super) fn implementation(out: &mut Writer, names: &Names) {
+pub(super) fn implementation(out: &mut Writer, names: &RustNames) {
     let chart = &names.chart;
     out.blank();
     out.open(&format!("impl grafc_runtime::Chart for {chart} {{"));

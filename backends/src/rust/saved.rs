@@ -2,7 +2,7 @@
 
 use super::literals::size;
 use super::memory::{self, words};
-use super::names::Names;
+use super::names::RustNames;
 use super::places::Places;
 use crate::writer::Writer;
 use grafc_logic::scan::{Program, Role, VarId};
@@ -11,7 +11,7 @@ use grafc_logic::scan::{Program, Role, VarId};
 const MARK: usize = 4;
 
 /// Writes `save` and `restore`, in functions of at most about `longest` lines.
-pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places, longest: usize) {
+pub(super) fn write(out: &mut Writer, program: &Program, names: &RustNames, places: &Places, longest: usize) {
     let saved = Saved { program, names, places, longest };
     out.line("/// How many bytes the saved memory takes.");
     out.line(&format!("pub const SAVED_LEN: usize = {};", saved.length()));
@@ -24,7 +24,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
 
 struct Saved<'p> {
     program: &'p Program,
-    names: &'p Names,
+    names: &'p RustNames,
     places: &'p Places<'p>,
     longest: usize,
 }

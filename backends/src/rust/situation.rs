@@ -2,7 +2,7 @@
 
 use super::items::function;
 use super::memory::{WORD, words};
-use super::names::Names;
+use super::names::RustNames;
 use super::places::Places;
 use super::steps;
 use crate::comment::clean;
@@ -11,7 +11,7 @@ use grafc_logic::scan::{Held, Program, StepId};
 use std::cmp::Ordering;
 
 /// Writes what asks for active steps, and what sets bits of the packed situation.
-pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places) {
+pub(super) fn write(out: &mut Writer, program: &Program, names: &RustNames, places: &Places) {
     function(
         out,
         "The situation: the active steps, in order of declaration.",
@@ -25,7 +25,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
 
 struct Situation<'p> {
     program: &'p Program,
-    names: &'p Names,
+    names: &'p RustNames,
     places: &'p Places<'p>,
 }
 

@@ -2,7 +2,7 @@
 
 use super::literals::size;
 use super::memory::{self, WORD, words};
-use super::names::Names;
+use super::names::RustNames;
 use super::places::Places;
 use grafc_logic::scan::{Program, Role};
 
@@ -13,7 +13,7 @@ const FLAGS: usize = 4;
 /// What `size_of` gives for the chart's struct on machines that align each number to its own size. rustc sorts the
 /// fields of a struct by size, so that only its end is filled up.
 pub fn size_of(program: &Program) -> usize {
-    let names = Names::new(program);
+    let names = RustNames::new(program);
     let places = Places::new(program, &names);
     let mut fields = vec![(FLAGS, 1)];
     fields.extend((words(program) > 0).then(|| (words(program) * WORD / 8, WORD / 8)));

@@ -2,7 +2,7 @@
 
 use super::expressions::{SMALL, WIDTH};
 use super::items::doc;
-use super::names::{Names, StateNames};
+use super::names::{RustNames, StateNames};
 use crate::comment::clean;
 use crate::writer::Writer;
 use grafc_logic::scan::{Origin, Program};
@@ -15,7 +15,7 @@ const SHORT: usize = 10;
 pub(super) const MANY: usize = 1000;
 
 /// Writes `Step`.
-pub(super) fn steps(out: &mut Writer, program: &Program, names: &Names) {
+pub(super) fn steps(out: &mut Writer, program: &Program, names: &RustNames) {
     out.blank();
     out.line("/// The steps of the chart.");
     let many = program.steps.len() > MANY;
@@ -90,7 +90,7 @@ fn quoted(text: &str) -> String {
 }
 
 /// Writes the enum of each state, which is as large as it must be and no larger.
-pub(super) fn states(out: &mut Writer, program: &Program, names: &Names) {
+pub(super) fn states(out: &mut Writer, program: &Program, names: &RustNames) {
     for (state, names) in program.states.iter().zip(&names.states) {
         let step_of = |value: i64| state.values.iter().find(|(_, n)| *n == value).map(|(s, _)| &program.steps[*s]);
         out.blank();

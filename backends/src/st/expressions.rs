@@ -25,7 +25,7 @@ struct StructuredText<'p> {
 
 /// What parentheses depend on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Level {
+pub(super) enum StLevel {
     Atom,
     /// A constant with a sign.
     Signed,
@@ -53,13 +53,13 @@ impl<'p> Expressions<'p> {
 
     /// The columns that a formula takes as a value.
     pub fn value_width(&self, id: FormulaId) -> usize {
-        self.width(id).saturating_add(if self.level(id) == Level::Comparison { 2 } else { 0 })
+        self.width(id).saturating_add(if self.level(id) == StLevel::Comparison { 2 } else { 0 })
     }
 
     /// Writes a formula as the value of something on the current line: `a := (b = c)` is easier on the eye than
     /// `a := b = c`.
     pub fn value(&self, out: &mut Writer, id: FormulaId) {
-        let wrap = self.level(id) == Level::Comparison;
+        let wrap = self.level(id) == StLevel::Comparison;
         out.text(if wrap { "(" } else { "" });
         self.flat(out, id);
         out.text(if wrap { ")" } else { "" });
@@ -70,11 +70,11 @@ impl<'p> Expressions<'p> {
         self.formulas.flat(out, id);
     }
 
-    fn level(&self, id: FormulaId) -> Level {
+    fn level(&self, id: FormulaId) -> StLevel {
         self.shape(id).level
     }
 
-    fn shape(&self, id: FormulaId) -> Shape<'_, Level> {
+    fn shape(&self, id: FormulaId) -> Shape<'_, StLevel> {
         self.formulas.notation.shape(id)
     }
 
@@ -98,7 +98,7 @@ impl<'p> Expressions<'p> {
     }
 
     /// A term a line, each line but the first led by the operator; very many terms in groups.
-    fn chain(&self, out: &mut Writer, level: Level, operator: &str, operands: &[FormulaId], tail: &str) {
+    fn chain(&self, out: &mut Writer, level: StLevel, operator: &str, operands: &[FormulaId], tail: &str) {
         let lead = format!("{operator} ");
         let tail_of = |last: bool| if last { tail } else { "" };
         if operands.len() <= LONGEST_CHAIN {
@@ -122,7 +122,7 @@ impl<'p> Expressions<'p> {
     }
 
     /// One operand on lines of its own.
-    fn term(&self, out: &mut Writer, parent: Level, place: usize, lead: &str, id: FormulaId, tail: &str) {
+    fn term(&self, out: &mut Writer, parent: StLevel, place: usize, lead: &str, id: FormulaId, tail: &str) {
         let wrap = self.formulas.needs_parentheses(parent, place, id);
         if out.indent() + lead.len() + self.width(id) + 2 + tail.len() > out.width() {
             if wrap {
@@ -144,62 +144,64 @@ impl<'p> Expressions<'p> {
 }
 
 impl Notation for StructuredText<'_> {
-    type Level = Level;
+    type Level = StLevel;
 
-    fn needs_parentheses(&self, parent: Level, place: usize, operand: Level) -> bool {
+    fn needs_parentheses(&self, parent: StLevel, place: usize, operand: StLevel) -> bool {
         match (operand, parent) {
-            (Level::Atom, _) => false,
-            (Level::Signed, Level::Arithmetic) => place > 0,
-            (Level::Signed, _) => false,
-            (Level::Not, parent) => !matches!(parent, Level::Junction),
-            (Level::Arithmetic, Level::Comparison) => false,
-            (Level::Arithmetic | Level::Comparison | Level::Junction, _) => true,
+            (StLevel::Atom, _) => false,
+            (StLevel::Signed, StLevel::Arithmetic) => place > 0,
+            (StLevel::Signed, _) => false,
+            (StLevel::Not, parent) => !matches!(parent, StLevel::Junction),
+            (StLevel::Arithmetic, StLevel::Comparison) => false,
+            (StLevel::Arithmetic | StLevel::Comparison | StLevel::Junction, _) => true,
         }
     }
 
-    fn shape(&self, id: FormulaId) -> Shape<'_, Level> {
+    fn shape(&self, id: FormulaId) -> Shape<'_, StLevel> {
         let pool = &self.program.pool;
         let pair = |a: FormulaId, b: FormulaId| Cow::Owned(vec![a, b]);
         let (level, arrangement) = match pool.get(id) {
             Formula::Constant(value) => {
                 let text = literal(*value, pool.ty(id));
-                (if text.starts_with('-') { Level::Signed } else { Level::Atom }, Arrangement::Atom(text.into()))
+                (if text.starts_with('-') { StLevel::Signed } else { StLevel::Atom }, Arrangement::Atom(text.into()))
             }
-            Formula::Variable(variable) => (Level::Atom, Arrangement::Atom((&self.names.variables[*variable]).into())),
+            Formula::Variable(variable) => {
+                (StLevel::Atom, Arrangement::Atom((&self.names.variables[*variable]).into()))
+            }
             Formula::TimerDone(timer) => {
-                (Level::Atom, Arrangement::Atom(format!("{}.Q", self.names.timers[*timer]).into()))
+                (StLevel::Atom, Arrangement::Atom(format!("{}.Q", self.names.timers[*timer]).into()))
             }
             Formula::TimerElapsed(timer) => {
-                (Level::Atom, Arrangement::Atom(format!("{}.ET", self.names.timers[*timer]).into()))
+                (StLevel::Atom, Arrangement::Atom(format!("{}.ET", self.names.timers[*timer]).into()))
             }
             Formula::Not(a) => match pool.get(*a) {
-                Formula::Xor(b, c) => (Level::Comparison, Arrangement::Infix("=", pair(*b, *c))),
-                Formula::And(list) if self.bare[a.index()] => (Level::Junction, self.negated(" OR ", list)),
-                Formula::Or(list) if self.bare[a.index()] => (Level::Junction, self.negated(" AND ", list)),
+                Formula::Xor(b, c) => (StLevel::Comparison, Arrangement::Infix("=", pair(*b, *c))),
+                Formula::And(list) if self.bare[a.index()] => (StLevel::Junction, self.negated(" OR ", list)),
+                Formula::Or(list) if self.bare[a.index()] => (StLevel::Junction, self.negated(" AND ", list)),
                 Formula::Compare(Comparison::Equal, b, c) => {
-                    (Level::Comparison, Arrangement::Infix("<>", pair(*b, *c)))
+                    (StLevel::Comparison, Arrangement::Infix("<>", pair(*b, *c)))
                 }
-                _ => (Level::Not, Arrangement::Prefix("NOT ", *a)),
+                _ => (StLevel::Not, Arrangement::Prefix("NOT ", *a)),
             },
-            Formula::And(list) => (Level::Junction, Arrangement::Infix("AND", Cow::Borrowed(list))),
-            Formula::Or(list) => (Level::Junction, Arrangement::Infix("OR", Cow::Borrowed(list))),
+            Formula::And(list) => (StLevel::Junction, Arrangement::Infix("AND", Cow::Borrowed(list))),
+            Formula::Or(list) => (StLevel::Junction, Arrangement::Infix("OR", Cow::Borrowed(list))),
             Formula::Xor(a, b) if self.is_plain(*a) && self.is_plain(*b) => {
-                (Level::Comparison, Arrangement::Infix("<>", pair(*a, *b)))
+                (StLevel::Comparison, Arrangement::Infix("<>", pair(*a, *b)))
             }
-            Formula::Xor(a, b) => (Level::Junction, Arrangement::Infix("XOR", pair(*a, *b))),
-            Formula::Compare(op, a, b) => (Level::Comparison, Arrangement::Infix(comparison(*op), pair(*a, *b))),
+            Formula::Xor(a, b) => (StLevel::Junction, Arrangement::Infix("XOR", pair(*a, *b))),
+            Formula::Compare(op, a, b) => (StLevel::Comparison, Arrangement::Infix(comparison(*op), pair(*a, *b))),
             // `TIME * n` is taken everywhere, `n * TIME` is not.
             Formula::Arithmetic(Arithmetic::Multiply, a, b)
                 if pool.ty(*b) == Type::Time && pool.ty(*a) != Type::Time =>
             {
-                (Level::Arithmetic, Arrangement::Infix("*", pair(*b, *a)))
+                (StLevel::Arithmetic, Arrangement::Infix("*", pair(*b, *a)))
             }
-            Formula::Arithmetic(op, a, b) => (Level::Arithmetic, Arrangement::Infix(arithmetic(*op), pair(*a, *b))),
-            Formula::Negate(a) => (Level::Arithmetic, Arrangement::Prefix(negation(pool.ty(id)), *a)),
+            Formula::Arithmetic(op, a, b) => (StLevel::Arithmetic, Arrangement::Infix(arithmetic(*op), pair(*a, *b))),
+            Formula::Negate(a) => (StLevel::Arithmetic, Arrangement::Prefix(negation(pool.ty(id)), *a)),
             Formula::Widen(a) => {
                 let function = format!("{}_TO_{}(", type_name(pool.ty(*a)), type_name(pool.ty(id)));
                 let pieces = vec![Piece::Text(function.into()), Piece::Enclosed(*a), Piece::Text(")".into())];
-                (Level::Atom, Arrangement::Pieces(pieces))
+                (StLevel::Atom, Arrangement::Pieces(pieces))
             }
         };
         Shape { level, arrangement }

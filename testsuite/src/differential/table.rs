@@ -80,7 +80,7 @@ struct Json<'a> {
     charts_a_second: f64,
     texts_drawn_again: u64,
     mismatches: usize,
-    executors: Vec<Row<'a>>,
+    executors: Vec<ExecutorRow<'a>>,
     productions: BTreeMap<&'static str, u64>,
     rules: BTreeMap<&'static str, u64>,
     others: BTreeMap<&'static str, u64>,
@@ -88,7 +88,7 @@ struct Json<'a> {
 }
 
 #[derive(Serialize)]
-struct Row<'a> {
+struct ExecutorRow<'a> {
     name: &'a str,
     charts: u64,
     scans: u64,
@@ -98,9 +98,9 @@ struct Row<'a> {
     charts_a_second: f64,
 }
 
-impl<'a> Row<'a> {
+impl<'a> ExecutorRow<'a> {
     fn of(name: &'a str, tally: &'a Tally) -> Self {
-        Row {
+        ExecutorRow {
             name,
             charts: tally.charts,
             scans: tally.scans,
@@ -124,7 +124,7 @@ pub fn json(plan: &Plan, executors: &[Box<dyn Executor>], summary: &Summary) -> 
         charts_a_second: rate(coverage.charts, summary.time.as_secs_f64()),
         texts_drawn_again: summary.rejected,
         mismatches: summary.mismatches(),
-        executors: rows(executors, summary).map(|(name, tally)| Row::of(name, tally)).collect(),
+        executors: rows(executors, summary).map(|(name, tally)| ExecutorRow::of(name, tally)).collect(),
         productions: coverage.productions().collect(),
         rules: coverage.rules().collect(),
         others: coverage.others().collect(),

@@ -163,8 +163,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "ld-equivalence-is-difference",
         at: LD,
         breaks: "`NOT (a XOR b)` is drawn as `a XOR b`",
-        text: "Shape::Either((*a, false), (*b, negated))",
-        instead: "Shape::Either((*a, false), (*b, false))",
+        text: "CircuitForm::Either((*a, false), (*b, negated))",
+        instead: "CircuitForm::Either((*a, false), (*b, false))",
     },
     Fault {
         name: "ld-branch-in-a-branch-lost",

@@ -104,7 +104,7 @@ impl<'s> Index<'s> {
     }
 
     /// All places of a pattern: the file, the first token, and how local variables are called there.
-    fn all<'p>(&self, pattern: &[Token<'p>], renaming: bool) -> Vec<(&'s Source, Token<'s>, Names<'p, 's>)> {
+    fn all<'p>(&self, pattern: &[Token<'p>], renaming: bool) -> Vec<(&'s Source, Token<'s>, Renaming<'p, 's>)> {
         let mut found = Vec::new();
         for (source, tokens) in &self.files {
             for start in 0..tokens.len().saturating_sub(pattern.len() - 1) {
@@ -118,11 +118,16 @@ impl<'s> Index<'s> {
 }
 
 /// How local variables of a pattern are called in a file.
-type Names<'p, 's> = BTreeMap<&'p str, &'s str>;
+type Renaming<'p, 's> = BTreeMap<&'p str, &'s str>;
 
 /// Whether a pattern is at a place.
-fn matches<'p, 's>(pattern: &[Token<'p>], tokens: &[Token<'s>], start: usize, renaming: bool) -> Option<Names<'p, 's>> {
-    let mut names = Names::new();
+fn matches<'p, 's>(
+    pattern: &[Token<'p>],
+    tokens: &[Token<'s>],
+    start: usize,
+    renaming: bool,
+) -> Option<Renaming<'p, 's>> {
+    let mut names = Renaming::new();
     for (index, token) in pattern.iter().enumerate() {
         let other = tokens.get(start + index)?;
         if renaming && is_local(pattern, index) {
@@ -143,7 +148,7 @@ fn matches<'p, 's>(pattern: &[Token<'p>], tokens: &[Token<'s>], start: usize, re
 }
 
 /// A text with the local variables called as they are at its place.
-fn with_names(text: &str, names: &Names) -> String {
+fn with_names(text: &str, names: &Renaming) -> String {
     let found = tokens(text);
     let mut out = String::new();
     let mut done = 0;

@@ -7,7 +7,7 @@ use std::ops::Range;
 /// The text of a chart over the Boolean inputs `a` and `b`; a few texts have errors.
 pub fn text(seed: u64) -> String {
     let mut rng = Rng::with_seed(seed);
-    let shape = Shape::draw(&mut rng);
+    let shape = TinyShape::draw(&mut rng);
     let mut chart = String::from("input a, b : bool\noutput w, p, q : bool\nvar n : int\n");
     for (g, steps) in shape.grafcets.iter().enumerate() {
         let name = if shape.is_enclosed(g) { "X10/G2".to_owned() } else { format!("G{}", g + 1) };
@@ -25,7 +25,7 @@ pub fn text(seed: u64) -> String {
     chart
 }
 
-struct Shape {
+struct TinyShape {
     /// The labels of the steps of each grafcet; one or two.
     grafcets: Vec<Range<usize>>,
     /// Step 10 encloses the second grafcet.
@@ -36,14 +36,14 @@ struct Shape {
     edges: f32,
 }
 
-impl Shape {
+impl TinyShape {
     fn draw(rng: &mut Rng) -> Self {
         let mut grafcets = vec![Range { start: 10, end: 10 + rng.usize(2..=4) }];
         if rng.f32() < 0.6 {
             grafcets.push(20..20 + rng.usize(1..=3));
         }
         let two = grafcets.len() > 1;
-        Shape { grafcets, enclosed: two && rng.f32() < 0.4, forced: two && rng.f32() < 0.5, edges: rng.f32() }
+        TinyShape { grafcets, enclosed: two && rng.f32() < 0.4, forced: two && rng.f32() < 0.5, edges: rng.f32() }
     }
 
     fn is_enclosed(&self, g: usize) -> bool {

@@ -41,7 +41,7 @@ pub(super) enum Factor {
 }
 
 /// What a formula looks like. With each operand stands whether it is negated.
-enum Shape {
+enum CircuitForm {
     /// All of them.
     Product(Vec<(FormulaId, bool)>),
     /// One of several.
@@ -101,10 +101,12 @@ impl Ladder<'_> {
                 Factor::Formula(id, negated) => (id, negated),
             };
             match self.shape(id, negated) {
-                Shape::Product(list) => due.extend(list.into_iter().rev().map(|(id, not)| Factor::Formula(id, not))),
-                Shape::Sum(list) => items.push(self.group(list)),
-                Shape::Either(a, b) => items.push(Item::Group(self.either(a, b).into())),
-                Shape::Contact(id, negated) => items.push(Item::Contact(self.contact(id, negated))),
+                CircuitForm::Product(list) => {
+                    due.extend(list.into_iter().rev().map(|(id, not)| Factor::Formula(id, not)))
+                }
+                CircuitForm::Sum(list) => items.push(self.group(list)),
+                CircuitForm::Either(a, b) => items.push(Item::Group(self.either(a, b).into())),
+                CircuitForm::Contact(id, negated) => items.push(Item::Contact(self.contact(id, negated))),
             }
         }
         self.fit(items)
@@ -116,9 +118,9 @@ impl Ladder<'_> {
         let mut due: Vec<(FormulaId, bool)> = list.into_iter().rev().collect();
         while let Some((id, negated)) = due.pop() {
             match self.shape(id, negated) {
-                Shape::Sum(list) => due.extend(list.into_iter().rev()),
-                Shape::Either(a, b) => branches.extend(self.either(a, b)),
-                Shape::Product(_) | Shape::Contact(..) => branches.push(self.series(id, negated)),
+                CircuitForm::Sum(list) => due.extend(list.into_iter().rev()),
+                CircuitForm::Either(a, b) => branches.extend(self.either(a, b)),
+                CircuitForm::Product(_) | CircuitForm::Contact(..) => branches.push(self.series(id, negated)),
             }
         }
         match branches.len() {
@@ -140,9 +142,9 @@ impl Ladder<'_> {
         let mut due = vec![(id, negated)];
         while let Some((id, negated)) = due.pop() {
             match self.shape(id, negated) {
-                Shape::Product(list) => due.extend(list.into_iter().rev()),
-                Shape::Contact(id, negated) => factors.push((id, negated)),
-                Shape::Sum(_) | Shape::Either(..) => {
+                CircuitForm::Product(list) => due.extend(list.into_iter().rev()),
+                CircuitForm::Contact(id, negated) => factors.push((id, negated)),
+                CircuitForm::Sum(_) | CircuitForm::Either(..) => {
                     factors.clear();
                     break;
                 }
@@ -155,16 +157,16 @@ impl Ladder<'_> {
     }
 
     /// What a formula, or its negation, looks like.
-    fn shape(&self, id: FormulaId, negated: bool) -> Shape {
+    fn shape(&self, id: FormulaId, negated: bool) -> CircuitForm {
         let each = |list: &[FormulaId]| list.iter().map(|id| (*id, negated)).collect();
         match self.program.pool.get(id) {
-            Formula::Constant(Value::Bool(truth)) if *truth != negated => Shape::Product(Vec::new()),
+            Formula::Constant(Value::Bool(truth)) if *truth != negated => CircuitForm::Product(Vec::new()),
             Formula::Not(a) => self.shape(*a, !negated),
-            Formula::And(list) if negated => Shape::Sum(each(list)),
-            Formula::And(list) => Shape::Product(each(list)),
-            Formula::Or(list) if negated => Shape::Product(each(list)),
-            Formula::Or(list) => Shape::Sum(each(list)),
-            Formula::Xor(a, b) => Shape::Either((*a, false), (*b, negated)),
+            Formula::And(list) if negated => CircuitForm::Sum(each(list)),
+            Formula::And(list) => CircuitForm::Product(each(list)),
+            Formula::Or(list) if negated => CircuitForm::Product(each(list)),
+            Formula::Or(list) => CircuitForm::Sum(each(list)),
+            Formula::Xor(a, b) => CircuitForm::Either((*a, false), (*b, negated)),
             Formula::Constant(_)
             | Formula::Variable(_)
             | Formula::TimerDone(_)
@@ -172,7 +174,7 @@ impl Ladder<'_> {
             | Formula::Compare(..)
             | Formula::Arithmetic(..)
             | Formula::Negate(_)
-            | Formula::Widen(_) => Shape::Contact(id, negated),
+            | Formula::Widen(_) => CircuitForm::Contact(id, negated),
         }
     }
 

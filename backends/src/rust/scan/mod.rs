@@ -7,7 +7,7 @@ use super::expressions::Expressions;
 use super::interface::fields;
 use super::literals::{literal, type_name, zero};
 use super::locals::{Locals, ROOT};
-use super::names::Names;
+use super::names::RustNames;
 use super::places::Places;
 use super::split::{About, Split, Table};
 use super::steps::list;
@@ -19,7 +19,7 @@ use std::cell::Cell;
 use std::iter;
 
 /// Writes the scan, and the functions that a large one is parted into.
-pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places, split: &Split) {
+pub(super) fn write(out: &mut Writer, program: &Program, names: &RustNames, places: &Places, split: &Split) {
     let expressions = Expressions::new(program, places);
     for (index, function) in split.functions.iter().enumerate() {
         let body = RustStatements {
@@ -68,7 +68,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
 }
 
 /// Writes the struct of the values that functions share.
-pub(super) fn values(out: &mut Writer, program: &Program, names: &Names, places: &Places, shared: &[VarId]) {
+pub(super) fn values(out: &mut Writer, program: &Program, names: &RustNames, places: &Places, shared: &[VarId]) {
     if shared.is_empty() {
         return;
     }
@@ -89,7 +89,7 @@ const VALUES: &str = "&mut Values";
 
 struct RustStatements<'p> {
     program: &'p Program,
-    names: &'p Names,
+    names: &'p RustNames,
     places: &'p Places<'p>,
     expressions: &'p Expressions<'p>,
     split: &'p Split<'p>,

@@ -43,8 +43,8 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t = EncodingName::SinglePhase, value_name = "ENCODING")]
     encoding: EncodingName,
     /// Whether formulas are shortened
-    #[arg(short = 'O', long, value_enum, default_value_t = Level::Short, value_name = "LEVEL")]
-    optimize: Level,
+    #[arg(short = 'O', long, value_enum, default_value_t = Optimization::Short, value_name = "LEVEL")]
+    optimize: Optimization,
     #[command(flatten)]
     profile: ProfileArguments,
     #[command(flatten)]
@@ -100,7 +100,7 @@ impl EncodingName {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Level {
+enum Optimization {
     /// Formulas as the textbook has them
     #[value(name = "0")]
     Plain,
@@ -112,8 +112,8 @@ enum Level {
 /// Compiles one chart.
 pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let simplify = match args.optimize {
-        Level::Plain => false,
-        Level::Short => true,
+        Optimization::Plain => false,
+        Optimization::Short => true,
     };
     let encoding = args.encoding.encoding();
     let lowering = grafc_logic::Options { profile: args.profile.profile(), encoding, simplify };

@@ -32,7 +32,7 @@ pub enum Entity {
 }
 
 /// What the first reading finds.
-pub struct Found {
+pub struct FirstReading {
     /// Without what refers to other elements.
     pub model: Model,
     /// What each element is.
@@ -40,9 +40,9 @@ pub struct Found {
 }
 
 /// The first reading, of what is in `root`.
-pub fn read(document: &Document, root: ElementId, said: &mut Diagnostics) -> Found {
+pub fn read(document: &Document, root: ElementId, said: &mut Diagnostics) -> FirstReading {
     let entities = IndexVec::with_capacity(document.elements.len());
-    let mut reader = Reader { found: Found { model: Model::default(), entities }, said };
+    let mut reader = Reader { found: FirstReading { model: Model::default(), entities }, said };
     for (id, element) in document.elements.iter_enumerated() {
         let entity = match element.parent {
             _ if id == root => reader.grafcet(element, id, GrafcetKind::Chart),
@@ -57,7 +57,7 @@ pub fn read(document: &Document, root: ElementId, said: &mut Diagnostics) -> Fou
 }
 
 struct Reader<'a> {
-    found: Found,
+    found: FirstReading,
     said: &'a mut Diagnostics,
 }
 

@@ -4,7 +4,7 @@
 //! level. Elements with an `xmi:id` are referred to by that. A reference that leads nowhere, or to what it cannot mean,
 //! is an error, since the chart without it would be another.
 
-use super::elements::{Entity, Found};
+use super::elements::{Entity, FirstReading};
 use super::model::{
     ActionId, ActionKind, ActionLink, Arc, GrafcetId, GrafcetKind, NodeId, NodeKind, TermKind, VariableKind,
 };
@@ -14,7 +14,7 @@ use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
 /// Completes the model.
-pub fn resolve(document: &Document, roots: &[ElementId], found: &mut Found, said: &mut Diagnostics) {
+pub fn resolve(document: &Document, roots: &[ElementId], found: &mut FirstReading, said: &mut Diagnostics) {
     let mut resolver =
         Resolver { places: places(document), ids: ids(document), roots, entities: &found.entities, said };
     let model = &mut found.model;
@@ -82,7 +82,7 @@ pub fn resolve(document: &Document, roots: &[ElementId], found: &mut Found, said
 }
 
 /// References to nodes that must be steps of a kind.
-fn check_steps(document: &Document, found: &Found, said: &mut Diagnostics) {
+fn check_steps(document: &Document, found: &FirstReading, said: &mut Diagnostics) {
     let model = &found.model;
     let is_enclosing = |node: NodeId| matches!(model.nodes[node].kind, NodeKind::Enclosing(_));
     for grafcet in &model.grafcets {

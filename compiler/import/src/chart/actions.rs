@@ -1,7 +1,7 @@
 //! Actions of steps, forcing orders, and conditions with times (IEC 60848, symbols 17, 18, 22 to 29 and 37).
 
 use super::Writer;
-use super::conditions::Level;
+use super::conditions::Binding;
 use super::names::spell;
 use crate::agrafe::model::{
     ActionId, ActionKind, Condition, ForcingOrderType, Model, NodeId, NodeKind, StoredActionType, TermId, TermKind,
@@ -135,7 +135,7 @@ impl Writer<'_> {
     pub fn transition_condition(&mut self, condition: &Condition, before: &[NodeId]) {
         let operand = condition.term.map_or(Operand::Steps(before), Operand::Term);
         match (condition.time, condition.term) {
-            (TimeConditionType::None, Some(term)) => self.condition(term, Level::Or),
+            (TimeConditionType::None, Some(term)) => self.condition(term, Binding::Or),
             (TimeConditionType::None, None) => self.text.push("1"),
             (TimeConditionType::Dependent, _) => self.delay(operand, condition.delay_text(), condition.reset_text()),
             (TimeConditionType::Delayed, _) => self.delay(operand, condition.delay_text(), None),
@@ -163,7 +163,7 @@ impl Writer<'_> {
                     StoredActionType::Event => {
                         self.text.push(" on event ");
                         match condition {
-                            Some(term) => self.condition(*term, Level::Or),
+                            Some(term) => self.condition(*term, Binding::Or),
                             None => self.text.push("1"),
                         }
                     }
@@ -200,7 +200,7 @@ impl Writer<'_> {
         }
         self.text.push(" if ");
         match condition.time {
-            TimeConditionType::None => condition.term.iter().for_each(|&term| self.condition(term, Level::Or)),
+            TimeConditionType::None => condition.term.iter().for_each(|&term| self.condition(term, Binding::Or)),
             TimeConditionType::Dependent => self.delay(operand, condition.delay_text(), condition.reset_text()),
             TimeConditionType::Delayed => self.delay(operand, condition.delay_text(), None),
             TimeConditionType::Limited => {
@@ -208,7 +208,7 @@ impl Writer<'_> {
                 if let Operand::Term(term) = operand
                     && !self.is_activity(term, step)
                 {
-                    self.condition(term, Level::And);
+                    self.condition(term, Binding::And);
                     self.text.push(" and ");
                 }
                 self.text.push("not ");
@@ -233,7 +233,7 @@ impl Writer<'_> {
             self.text.push("/");
         }
         match operand {
-            Operand::Term(term) => self.condition(term, if timed { Level::Delay } else { Level::Or }),
+            Operand::Term(term) => self.condition(term, if timed { Binding::Delay } else { Binding::Or }),
             Operand::Steps([]) => self.text.push("(1)"),
             Operand::Steps([step]) => self.activity(*step),
             Operand::Steps(steps) => {

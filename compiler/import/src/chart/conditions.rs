@@ -9,7 +9,7 @@ use crate::agrafe::model::{TermId, TermKind};
 
 /// How tightly a term must hold together where it stands.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Level {
+pub enum Binding {
     Or,
     And,
     /// Where a comparison stands in arithmetic; in a condition the brackets hold it together.
@@ -33,22 +33,22 @@ enum Kind {
 }
 
 enum Task {
-    Term(TermId, Kind, Level),
+    Term(TermId, Kind, Binding),
     Text(&'static str),
 }
 
 impl Writer<'_> {
     /// Writes a term as a condition.
-    pub fn condition(&mut self, term: TermId, level: Level) {
+    pub fn condition(&mut self, term: TermId, level: Binding) {
         self.term(term, Kind::Condition, level);
     }
 
     /// Writes a term as the right side of an assignment.
     pub fn value(&mut self, term: TermId) {
-        self.term(term, Kind::Arithmetic, Level::Or);
+        self.term(term, Kind::Arithmetic, Binding::Or);
     }
 
-    fn term(&mut self, term: TermId, kind: Kind, level: Level) {
+    fn term(&mut self, term: TermId, kind: Kind, level: Binding) {
         let mut tasks = vec![Task::Term(term, kind, level)];
         while let Some(task) = tasks.pop() {
             if self.text.is_full() {
@@ -62,10 +62,10 @@ impl Writer<'_> {
     }
 
     /// Writes what stands before the operands, and leaves the rest as tasks, the last first.
-    fn part(&mut self, term: TermId, kind: Kind, level: Level, tasks: &mut Vec<Task>) {
+    fn part(&mut self, term: TermId, kind: Kind, level: Binding, tasks: &mut Vec<Task>) {
         let model = self.model;
         let operands = &model.terms[term].operands;
-        let mut pair = |writer: &mut Self, own: Level, sign: &'static str, left: Level, right: Level| {
+        let mut pair = |writer: &mut Self, own: Binding, sign: &'static str, left: Binding, right: Binding| {
             let close = writer.open(own < level);
             tasks.extend(close.map(Task::Text));
             for (place, &operand) in operands.iter().enumerate().rev() {
@@ -80,24 +80,24 @@ impl Writer<'_> {
             TermKind::Variable(variable) => variable.into_iter().for_each(|id| self.variable(id, level)),
             TermKind::Boolean(value) => self.constant(value, kind, level),
             TermKind::Integer(value) => self.text.push(&value.to_string()),
-            TermKind::Or => pair(self, Level::Or, " or ", Level::Or, Level::Or),
-            TermKind::And => pair(self, Level::And, " and ", Level::And, Level::And),
-            TermKind::Add => pair(self, Level::Sum, " + ", Level::Sum, Level::Product),
-            TermKind::Subtract => pair(self, Level::Sum, " - ", Level::Sum, Level::Product),
+            TermKind::Or => pair(self, Binding::Or, " or ", Binding::Or, Binding::Or),
+            TermKind::And => pair(self, Binding::And, " and ", Binding::And, Binding::And),
+            TermKind::Add => pair(self, Binding::Sum, " + ", Binding::Sum, Binding::Product),
+            TermKind::Subtract => pair(self, Binding::Sum, " - ", Binding::Sum, Binding::Product),
             TermKind::Equal => self.comparison(term, " = ", kind, level, tasks),
             TermKind::Greater => self.comparison(term, " > ", kind, level, tasks),
             TermKind::Less => self.comparison(term, " < ", kind, level, tasks),
             TermKind::Not => {
-                let close = self.open(Level::Unary < level);
+                let close = self.open(Binding::Unary < level);
                 self.text.push("not ");
                 tasks.extend(close.map(Task::Text));
-                tasks.extend(operands.iter().map(|&operand| Task::Term(operand, kind, Level::Unary)));
+                tasks.extend(operands.iter().map(|&operand| Task::Term(operand, kind, Binding::Unary)));
             }
             TermKind::Rise | TermKind::Fall => {
-                let close = self.open(Level::Unary < level);
+                let close = self.open(Binding::Unary < level);
                 self.text.push(if model.terms[term].kind == TermKind::Rise { "↑" } else { "↓" });
                 tasks.extend(close.map(Task::Text));
-                tasks.extend(operands.iter().map(|&operand| Task::Term(operand, kind, Level::Operand)));
+                tasks.extend(operands.iter().map(|&operand| Task::Term(operand, kind, Binding::Operand)));
             }
         }
     }
@@ -111,9 +111,9 @@ impl Writer<'_> {
     }
 
     /// A comparison: in brackets in a condition.
-    fn comparison(&mut self, term: TermId, sign: &'static str, kind: Kind, level: Level, tasks: &mut Vec<Task>) {
+    fn comparison(&mut self, term: TermId, sign: &'static str, kind: Kind, level: Binding, tasks: &mut Vec<Task>) {
         let close = match kind {
-            Kind::Condition if level == Level::Delay => {
+            Kind::Condition if level == Binding::Delay => {
                 self.text.push("([");
                 Some("])")
             }
@@ -121,11 +121,11 @@ impl Writer<'_> {
                 self.text.push("[");
                 Some("]")
             }
-            Kind::Arithmetic => self.open(Level::Comparison < level),
+            Kind::Arithmetic => self.open(Binding::Comparison < level),
         };
         tasks.extend(close.map(Task::Text));
         for (place, &operand) in self.model.terms[term].operands.iter().enumerate().rev() {
-            tasks.push(Task::Term(operand, Kind::Arithmetic, Level::Sum));
+            tasks.push(Task::Term(operand, Kind::Arithmetic, Binding::Sum));
             if place > 0 {
                 tasks.push(Task::Text(sign));
             }
@@ -133,8 +133,8 @@ impl Writer<'_> {
     }
 
     /// A Boolean constant; the standard writes `1`, and in arithmetic that would be a number.
-    fn constant(&mut self, value: bool, kind: Kind, level: Level) {
-        let close = self.open(level >= Level::Operand);
+    fn constant(&mut self, value: bool, kind: Kind, level: Binding) {
+        let close = self.open(level >= Binding::Operand);
         self.text.push(match (kind, value) {
             (Kind::Condition, true) => "1",
             (Kind::Condition, false) => "0",

@@ -1,6 +1,6 @@
 //! Variables that are named like delays: `2s/X202`, `2s/a/500ms`, `X2/5s`.
 
-use super::names::{Names, spell};
+use super::names::{ImportNames, spell};
 use crate::agrafe::model::{Model, NodeKind, VariableKind};
 use rustc_hash::FxHashMap;
 
@@ -13,7 +13,7 @@ pub struct Steps<'a> {
 
 impl<'a> Steps<'a> {
     /// The steps that no other shares its number with, and the Boolean variables.
-    pub fn of(model: &'a Model, names: &'a Names) -> Self {
+    pub fn of(model: &'a Model, names: &'a ImportNames) -> Self {
         let mut activity: FxHashMap<String, String> = FxHashMap::default();
         for (id, node) in model.nodes.iter_enumerated() {
             let letter = match node.kind {

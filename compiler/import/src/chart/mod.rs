@@ -17,11 +17,11 @@ use crate::Options;
 use crate::agrafe::model::{ActionId, GrafcetId, GrafcetKind, Model, NodeId, NodeKind, VariableId};
 use crate::xml::{Document, ElementId};
 use comments::{Attachment, Comments};
-use conditions::Level;
+use conditions::Binding;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use hierarchy::Hierarchy;
 use index_vec::IndexVec;
-use names::{Names, clean, spell, spell_label};
+use names::{ImportNames, clean, spell, spell_label};
 use rustc_hash::FxHashSet;
 use variables::Variables;
 
@@ -47,7 +47,7 @@ impl Text {
 struct Writer<'a> {
     model: &'a Model,
     hierarchy: Hierarchy,
-    names: Names,
+    names: ImportNames,
     variables: Variables,
     around: IndexVec<NodeId, arcs::Steps>,
     actions: IndexVec<NodeId, Vec<ActionId>>,
@@ -233,9 +233,9 @@ impl Writer<'_> {
     }
 
     /// A variable in a term: its name, or the delay that it stands for.
-    fn variable(&mut self, id: VariableId, level: Level) {
+    fn variable(&mut self, id: VariableId, level: Binding) {
         let name = match self.variables.delays.get(&id) {
-            Some(delay) if level >= Level::Operand => format!("({delay})"),
+            Some(delay) if level >= Binding::Operand => format!("({delay})"),
             Some(delay) => delay.clone(),
             None => spell(&self.names.variables[id]),
         };

@@ -49,7 +49,7 @@ const RESERVED: [&str; 30] = [
 ];
 
 /// Names, without backquotes.
-pub struct Names {
+pub struct ImportNames {
     /// Labels of steps and macro-steps; empty for other nodes.
     pub labels: IndexVec<NodeId, String>,
     /// Names of grafcets; of an expansion the label of its macro-step.
@@ -115,12 +115,12 @@ impl Taken {
 }
 
 /// Names everything.
-pub fn name(model: &Model, hierarchy: &Hierarchy, said: &mut Diagnostics) -> Names {
+pub fn name(model: &Model, hierarchy: &Hierarchy, said: &mut Diagnostics) -> ImportNames {
     let mut namer = Namer {
         model,
         hierarchy,
         taken: Taken::default(),
-        names: Names {
+        names: ImportNames {
             labels: index_vec![String::new(); model.nodes.len()],
             grafcets: index_vec![String::new(); model.grafcets.len()],
             variables: index_vec![String::new(); model.variables.len()],
@@ -139,7 +139,7 @@ struct Namer<'a> {
     model: &'a Model,
     hierarchy: &'a Hierarchy,
     taken: Taken,
-    names: Names,
+    names: ImportNames,
     said: &'a mut Diagnostics,
 }
 

@@ -5,7 +5,7 @@
 
 use super::Writer;
 use super::delays;
-use super::names::{Names, spell};
+use super::names::{ImportNames, spell};
 use crate::agrafe::model::{ActionKind, Model, Sort, StoredActionType, TermKind, VariableId, VariableKind};
 use crate::agrafe::target;
 use crate::{Options, changed, doubtful, lost};
@@ -78,7 +78,7 @@ pub struct Variables {
 /// Looks at all variables.
 pub fn judge(
     model: &Model,
-    names: &Names,
+    names: &ImportNames,
     uses: &IndexVec<VariableId, Use>,
     options: Options,
     said: &mut Diagnostics,

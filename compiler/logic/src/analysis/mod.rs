@@ -18,7 +18,7 @@ pub(crate) mod transients;
 use crate::lower::cover::Cover;
 use crate::lower::{Context, Lowering, Moment};
 use crate::scan::{ActionId, Origin};
-use components::{Components, Found, Reason};
+use components::{Components, FoundComponents, Reason};
 use grafc_formula::FormulaId;
 use grafc_formula::exclusion::EdgeFacts;
 use grafc_model::chart::{Event, StepId, TransitionId};
@@ -55,7 +55,7 @@ impl Analysis {
         let arcs = Arcs::of(&net, |_| true);
         let conditions = Conditions::new(Lowering::new(net.clone(), None));
         let facts = EdgeFacts::new(&conditions.lowering.edges);
-        let Found { components, cover, reasons } =
+        let FoundComponents { components, cover, reasons } =
             components::find(&net, &arcs, &facts, &conditions.lowering.pool, &conditions.of_transition);
         let (transients, together) = (OnceLock::new(), OnceLock::new());
         Analysis { net, arcs, conditions, facts, components, cover, reasons, transients, together }

@@ -45,7 +45,7 @@ enum Column {
 
 /// What a row says.
 #[derive(Clone, Default)]
-struct Row {
+struct RecordedRow {
     t_ms: i64,
     /// By output, the latest value that was recorded.
     outputs: BTreeMap<usize, Value>,
@@ -95,11 +95,11 @@ impl<'a> Comparison<'a> {
         columns
     }
 
-    fn rows(&mut self, header: &Record, records: &[Record]) -> Vec<Row> {
+    fn rows(&mut self, header: &Record, records: &[Record]) -> Vec<RecordedRow> {
         let mut latest = None;
         let mut rows = Vec::new();
         for record in records {
-            let mut row = Row::default();
+            let mut row = RecordedRow::default();
             if self.reader.fits(record, header) {
                 for column in 0..self.columns.len() {
                     let (text, span) = record.cell(column);
@@ -161,7 +161,13 @@ impl<'a> Comparison<'a> {
         found
     }
 
-    fn first_difference(&mut self, records: &[Record], rows: &[Row], stimuli: &[Stimulus], responses: &[Response]) {
+    fn first_difference(
+        &mut self,
+        records: &[Record],
+        rows: &[RecordedRow],
+        stimuli: &[Stimulus],
+        responses: &[Response],
+    ) {
         let mut call = 0;
         let mut before: Option<i64> = None;
         for (record, row) in records.iter().zip(rows) {
@@ -199,7 +205,7 @@ impl<'a> Comparison<'a> {
     }
 
     /// How a row differs from what the chart does, with the places: situation first, because outputs follow from it.
-    fn differences(&self, record: &Record, row: &Row, response: &Response) -> Vec<(String, Span)> {
+    fn differences(&self, record: &Record, row: &RecordedRow, response: &Response) -> Vec<(String, Span)> {
         let mut found = Vec::new();
         let place = |wanted: fn(Column) -> bool| self.columns.iter().position(|column| wanted(*column));
         let step = |id: StepId| &self.chart.steps[id].label;

@@ -139,18 +139,18 @@ pub const ALL: &[&str] = &[
 
 /// Those of a text, which has been read as this tree.
 pub fn of(text: &str, chart: &Chart) -> BTreeSet<&'static str> {
-    let mut found = Found { text, chart, seen: BTreeSet::new() };
+    let mut found = FoundProductions { text, chart, seen: BTreeSet::new() };
     found.all();
     found.seen
 }
 
-struct Found<'a> {
+struct FoundProductions<'a> {
     text: &'a str,
     chart: &'a Chart,
     seen: BTreeSet<&'static str>,
 }
 
-impl Found<'_> {
+impl FoundProductions<'_> {
     fn see(&mut self, holds: bool, what: &'static str) {
         if holds {
             self.seen.insert(what);

@@ -1,7 +1,7 @@
 //! The Rust code that plays traces and prints what [`crate::executors::jobs`] reads.
 
 use crate::executors::jobs::{flags, outputs};
-use grafc_backends::rust::{Names, size_of};
+use grafc_backends::rust::{RustNames, size_of};
 use grafc_logic::scan::{Flag, Program, Role};
 use grafc_model::chart::{Type, Value};
 use grafc_model::reaction::Stimulus;
@@ -54,7 +54,7 @@ pub(super) fn module(index: usize) -> String {
 }
 
 /// The function that plays one job.
-pub(super) fn write(index: usize, program: &Program, names: &Names, stimuli: &[Stimulus]) -> String {
+pub(super) fn write(index: usize, program: &Program, names: &RustNames, stimuli: &[Stimulus]) -> String {
     let (module, chart) = (module(index), &names.chart);
     let mut out = format!(
         "#[allow(clippy::all, unused_mut)]\nfn play_{index}() {{\n    let mut chart = {module}::{chart}::new();\n"

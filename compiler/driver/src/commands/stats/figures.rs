@@ -17,7 +17,7 @@ pub struct Figures {
     pub transitions: usize,
     pub evolution: &'static str,
     pub transients: Transients,
-    pub encodings: Vec<Row>,
+    pub encodings: Vec<EncodingFigures>,
     pub switch: Decomposition,
 }
 
@@ -36,7 +36,7 @@ pub struct Transients {
 
 /// What one encoding takes.
 #[derive(Serialize)]
-pub struct Row {
+pub struct EncodingFigures {
     pub encoding: &'static str,
     pub state_bits: usize,
     pub states: Vec<usize>,
@@ -124,9 +124,9 @@ pub fn figures(document: &mut Document, profile: Profile) -> (Option<Figures>, D
 }
 
 /// What the encoding that a document is in takes.
-fn row(document: &Document, encoding: Encoding) -> Result<Row, Diagnostics> {
+fn row(document: &Document, encoding: Encoding) -> Result<EncodingFigures, Diagnostics> {
     let said = || document.program_diagnostics().cloned().unwrap_or_default();
-    Row::new(encoding, document.program().ok_or_else(said)?)
+    EncodingFigures::new(encoding, document.program().ok_or_else(said)?)
 }
 
 impl Transients {
@@ -142,12 +142,12 @@ impl Transients {
     }
 }
 
-impl Row {
+impl EncodingFigures {
     /// The error is that of the instruction list.
-    fn new(encoding: Encoding, program: &Program) -> Result<Row, Diagnostics> {
+    fn new(encoding: Encoding, program: &Program) -> Result<EncodingFigures, Diagnostics> {
         let Measure { state_bits, states, auxiliary_bits, auxiliary_numbers, timers, statements, instructions } =
             measure(program);
-        Ok(Row {
+        Ok(EncodingFigures {
             encoding: encoding.name(),
             state_bits,
             states,

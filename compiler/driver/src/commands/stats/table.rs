@@ -1,6 +1,6 @@
 //! Figures as text for people.
 
-use super::figures::{Decomposition, Figures, Repeat, Row, Transients};
+use super::figures::{Decomposition, EncodingFigures, Figures, Repeat, Transients};
 
 /// Lines are at most this long, except for a name that is longer.
 const WIDTH: usize = 100;
@@ -27,7 +27,7 @@ impl Figures {
 
     pub fn table(&self) -> String {
         let mut rows = vec![HEADS.map(str::to_string)];
-        rows.extend(self.encodings.iter().map(Row::cells));
+        rows.extend(self.encodings.iter().map(EncodingFigures::cells));
         let widths: Vec<usize> =
             (0..HEADS.len()).map(|column| rows.iter().map(|row| row[column].len()).max().unwrap_or_default()).collect();
         let counted = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
@@ -42,12 +42,12 @@ impl Figures {
             }
             out.push('\n');
         }
-        let by_encoding = |figure: &dyn Fn(&Row) -> String| {
+        let by_encoding = |figure: &dyn Fn(&EncodingFigures) -> String| {
             let all: Vec<String> =
                 self.encodings.iter().map(|row| format!("{} {}", row.encoding, figure(row))).collect();
             all.join(", ")
         };
-        let awl = |row: &Row| row.awl_instructions.map_or("none".to_string(), |count| count.to_string());
+        let awl = |row: &EncodingFigures| row.awl_instructions.map_or("none".to_string(), |count| count.to_string());
         out.push_str(&format!("\nin AWL\n  {}\n", by_encoding(&awl)));
         out.push_str(&format!("\nbytes in Rust\n  {}\n", by_encoding(&|row| row.rust_bytes.to_string())));
         self.transients.list(&mut out);
@@ -56,7 +56,7 @@ impl Figures {
     }
 }
 
-impl Row {
+impl EncodingFigures {
     fn cells(&self) -> [String; HEADS.len()] {
         let repeat = match &self.repeat {
             None => "none".to_string(),

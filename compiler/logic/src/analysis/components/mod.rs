@@ -77,7 +77,7 @@ impl Components {
 }
 
 /// What has been found.
-pub(crate) struct Found {
+pub(crate) struct FoundComponents {
     pub(crate) components: Components,
     pub(crate) cover: Cover,
     /// Why each step that the cover leaves out stays a bit.
@@ -91,7 +91,7 @@ pub(crate) fn find(
     facts: &EdgeFacts,
     pool: &Pool,
     conditions: &IndexVec<TransitionId, FormulaId>,
-) -> Found {
+) -> FoundComponents {
     let arranged = search(net, arcs, facts, pool, conditions);
     let mut components = Components { of_step: net.places.iter().map(|_| Vec::new()).collect() };
     for (number, set) in arranged.cover.sets.iter().enumerate() {
@@ -106,7 +106,7 @@ pub(crate) fn find(
             }
         });
     }
-    Found { components, cover: arranged.cover, reasons: arranged.reasons }
+    FoundComponents { components, cover: arranged.cover, reasons: arranged.reasons }
 }
 
 fn search(

@@ -1,7 +1,7 @@
 //! Transitions after one step that may be cleared in one micro-step (IEC 60848, 6.2.3).
 
 use super::questions::Questions;
-use super::witness::{self, Case, Found};
+use super::witness::{self, Case, SearchResult};
 use grafc_model::chart::{StepId, TransitionId};
 use rustc_hash::FxHashSet;
 
@@ -68,9 +68,9 @@ fn clash(asked: &mut Questions, first: TransitionId, second: TransitionId) -> Op
     }
     let active: Vec<StepId> = before_a.iter().chain(before_b).copied().collect();
     match witness::search(asked, &[a.condition, b.condition], &active) {
-        Found::Case(case) => Some(Clash { first, second, case: Some(case) }),
-        Found::Impossible => None,
-        Found::Unknown => Some(Clash { first, second, case: None }),
+        SearchResult::Case(case) => Some(Clash { first, second, case: Some(case) }),
+        SearchResult::Impossible => None,
+        SearchResult::Unknown => Some(Clash { first, second, case: None }),
     }
 }
 

@@ -22,7 +22,7 @@ const CHOICES: usize = 128;
 pub(crate) type Case = Vec<(Option<ExprId>, bool)>;
 
 /// What the search came to.
-pub(super) enum Found {
+pub(super) enum SearchResult {
     /// This case.
     Case(Case),
     /// There is none.
@@ -32,8 +32,8 @@ pub(super) enum Found {
 }
 
 /// Looks for a case in which all these conditions hold while these steps are active.
-pub(super) fn search(asked: &mut Questions, conditions: &[ExprId], active: &[StepId]) -> Found {
-    let Some(circuit) = Circuit::new(asked, conditions) else { return Found::Unknown };
+pub(super) fn search(asked: &mut Questions, conditions: &[ExprId], active: &[StepId]) -> SearchResult {
+    let Some(circuit) = Circuit::new(asked, conditions) else { return SearchResult::Unknown };
     let mut search = Search { asked, circuit, active, values: FxHashMap::default(), order: Vec::new() };
     search.run()
 }
@@ -216,7 +216,7 @@ struct Search<'k, 'n> {
 }
 
 impl Search<'_, '_> {
-    fn run(&mut self) -> Found {
+    fn run(&mut self) -> SearchResult {
         for _ in 0..CHOICES {
             let gates = self.circuit.evaluate(&self.values);
             let mut goals: Vec<(GateId, bool)> = self.circuit.goals.iter().map(|node| (*node, true)).collect();
@@ -227,14 +227,14 @@ impl Search<'_, '_> {
             let next = open.and_then(|(node, wanted)| self.circuit.choose(&gates, *node, *wanted));
             let goes_on = match next {
                 _ if refuted => self.turn_back(),
-                None => return Found::Case(self.case()),
+                None => return SearchResult::Case(self.case()),
                 Some((atom, value)) => self.give(atom, value, true) || self.turn_back(),
             };
             if !goes_on {
-                return Found::Impossible;
+                return SearchResult::Impossible;
             }
         }
-        Found::Unknown
+        SearchResult::Unknown
     }
 
     /// Takes back choices up to one whose other value is possible and untried.
