@@ -4,7 +4,7 @@ use super::code::Code;
 use super::numbers::literal;
 use super::{AwlNames, Local, Mnemonics, Options};
 use crate::comment::clean;
-use crate::iec::declarations::{self, EntryType, Kind};
+use crate::iec::declarations::{self, EntryType, VarKind};
 use crate::iec::literals::is_zero;
 use crate::iec::names::{Names, remark};
 use crate::keywords::Family;
@@ -77,9 +77,9 @@ fn interface(out: &mut Writer, program: &Program, names: &AwlNames, parts: &[Loc
     let given = Names::new(program, Family::StatementList);
     let mut blocks = declarations::interface_from(program, &given, origins.as_ref(), Vec::new());
     blocks.sort_by_key(|block| match block.kind {
-        Kind::Input => 0,
-        Kind::Output => 1,
-        Kind::Constant | Kind::Local => 2,
+        VarKind::Input => 0,
+        VarKind::Output => 1,
+        VarKind::Constant | VarKind::Local => 2,
     });
     let mut open: Option<&str> = None;
     let mut section = |out: &mut Writer, keyword: &'static str| {
@@ -94,14 +94,14 @@ fn interface(out: &mut Writer, program: &Program, names: &AwlNames, parts: &[Loc
     let mut timers = names.timers.iter();
     for block in &blocks {
         let keyword = match block.kind {
-            Kind::Input => "VAR_INPUT",
-            Kind::Output => "VAR_OUTPUT",
-            Kind::Constant | Kind::Local => "VAR",
+            VarKind::Input => "VAR_INPUT",
+            VarKind::Output => "VAR_OUTPUT",
+            VarKind::Constant | VarKind::Local => "VAR",
         };
         for (heading, entries) in &block.sections {
             if !entries.is_empty() {
                 section(out, keyword);
-                let heading = if block.kind == Kind::Constant { "constants" } else { *heading };
+                let heading = if block.kind == VarKind::Constant { "constants" } else { *heading };
                 out.comment(heading);
             }
             for entry in entries {
@@ -110,7 +110,7 @@ fn interface(out: &mut Writer, program: &Program, names: &AwlNames, parts: &[Loc
                 match &entry.ty {
                     EntryType::Elementary(ty) => {
                         let value = initial.get(entry.name.as_str()).map(|v| v.initial).filter(|v| !is_zero(*v));
-                        declaration(out, &entry.name, *ty, value.filter(|_| block.kind != Kind::Input), comment);
+                        declaration(out, &entry.name, *ty, value.filter(|_| block.kind != VarKind::Input), comment);
                     }
                     EntryType::Timer => {
                         let kept = timers.next().map(|timer| timer.kept()).unwrap_or_default();
@@ -125,7 +125,7 @@ fn interface(out: &mut Writer, program: &Program, names: &AwlNames, parts: &[Loc
             out.origin(Origin::Chart);
         }
         match block.kind {
-            Kind::Input => {
+            VarKind::Input => {
                 section(out, keyword);
                 if let Some(clock) = &names.clock {
                     declaration(
@@ -138,7 +138,7 @@ fn interface(out: &mut Writer, program: &Program, names: &AwlNames, parts: &[Loc
                 }
                 declaration(out, &names.restart, Type::Bool, None, Some("start anew"));
             }
-            Kind::Local => {
+            VarKind::Local => {
                 if names.clock.is_some() || !parts.is_empty() {
                     section(out, keyword);
                 }
@@ -152,7 +152,7 @@ fn interface(out: &mut Writer, program: &Program, names: &AwlNames, parts: &[Loc
                     declaration(out, &part.name, part.ty, None, None);
                 }
             }
-            Kind::Output | Kind::Constant => {}
+            VarKind::Output | VarKind::Constant => {}
         }
     }
     out.close("END_VAR");

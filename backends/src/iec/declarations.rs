@@ -14,34 +14,34 @@ const FURTHEST_COLUMN: usize = 48;
 /// A block of declarations: sections, each with its heading.
 pub(crate) struct VarBlock {
     /// What the variables are to the outside.
-    pub kind: Kind,
+    pub kind: VarKind,
     /// Headings and what stands below them; some may be empty.
     pub sections: Vec<(&'static str, Vec<Entry>)>,
 }
 
 /// What the variables of a block are to the outside.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Kind {
+pub(crate) enum VarKind {
     Input,
     Output,
     Constant,
     Local,
 }
 
-impl Kind {
+impl VarKind {
     /// What opens a block of them.
     pub fn keyword(self) -> &'static str {
         match self {
-            Kind::Input => "VAR_INPUT",
-            Kind::Output => "VAR_OUTPUT",
-            Kind::Constant => "VAR CONSTANT",
-            Kind::Local => "VAR",
+            VarKind::Input => "VAR_INPUT",
+            VarKind::Output => "VAR_OUTPUT",
+            VarKind::Constant => "VAR CONSTANT",
+            VarKind::Local => "VAR",
         }
     }
 }
 
 impl VarBlock {
-    fn new(kind: Kind, sections: Vec<(&'static str, Vec<Entry>)>) -> Self {
+    fn new(kind: VarKind, sections: Vec<(&'static str, Vec<Entry>)>) -> Self {
         VarBlock { kind, sections }
     }
 
@@ -164,10 +164,10 @@ pub(crate) fn interface_from(
         ("values within one call", within),
     ];
     vec![
-        VarBlock::new(Kind::Input, vec![("", entries(|v| v.role == Role::Input))]),
-        VarBlock::new(Kind::Output, vec![("", published)]),
-        VarBlock::new(Kind::Constant, vec![("", entries(|v| v.role == Role::Constant))]),
-        VarBlock::new(Kind::Local, local),
+        VarBlock::new(VarKind::Input, vec![("", entries(|v| v.role == Role::Input))]),
+        VarBlock::new(VarKind::Output, vec![("", published)]),
+        VarBlock::new(VarKind::Constant, vec![("", entries(|v| v.role == Role::Constant))]),
+        VarBlock::new(VarKind::Local, local),
     ]
 }
 
@@ -223,7 +223,7 @@ fn values(state: &State) -> String {
 
 /// A block of local variables.
 pub(super) fn local(entries: Vec<Entry>) -> VarBlock {
-    VarBlock::new(Kind::Local, vec![("", entries)])
+    VarBlock::new(VarKind::Local, vec![("", entries)])
 }
 
 /// Writes blocks, each section under its heading; nothing of what is empty.

@@ -7,7 +7,7 @@
 pub(crate) mod target;
 
 use crate::comment::clean;
-use crate::iec::declarations::{Entry, Kind, VarBlock};
+use crate::iec::declarations::{Entry, VarBlock, VarKind};
 use crate::st::{self, Style};
 use crate::xml::Xml;
 use grafc_diagnostics::Diagnostics;
@@ -57,7 +57,7 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
 fn interface(xml: &mut Xml, blocks: &[VarBlock]) {
     let mut parameters = 0;
     xml.open("Parameters", &[]);
-    for (kind, list) in [(Kind::Input, "InputVars"), (Kind::Output, "OutputVars")] {
+    for (kind, list) in [(VarKind::Input, "InputVars"), (VarKind::Output, "OutputVars")] {
         let entries: Vec<&Entry> = of(blocks, kind).collect();
         if entries.is_empty() {
             continue;
@@ -70,14 +70,14 @@ fn interface(xml: &mut Xml, blocks: &[VarBlock]) {
         xml.close();
     }
     xml.close();
-    for kind in [Kind::Constant, Kind::Local] {
+    for kind in [VarKind::Constant, VarKind::Local] {
         let entries: Vec<&Entry> = of(blocks, kind).collect();
         if entries.is_empty() {
             continue;
         }
         match kind {
-            Kind::Constant => xml.open("Vars", &[("accessSpecifier", "private"), ("constant", "true")]),
-            Kind::Input | Kind::Output | Kind::Local => xml.open("Vars", &[("accessSpecifier", "private")]),
+            VarKind::Constant => xml.open("Vars", &[("accessSpecifier", "private"), ("constant", "true")]),
+            VarKind::Input | VarKind::Output | VarKind::Local => xml.open("Vars", &[("accessSpecifier", "private")]),
         }
         for entry in entries {
             variable(xml, entry, None);
@@ -86,7 +86,7 @@ fn interface(xml: &mut Xml, blocks: &[VarBlock]) {
     }
 }
 
-fn of(blocks: &[VarBlock], kind: Kind) -> impl Iterator<Item = &Entry> {
+fn of(blocks: &[VarBlock], kind: VarKind) -> impl Iterator<Item = &Entry> {
     blocks.iter().filter(move |block| block.kind == kind).flat_map(VarBlock::entries)
 }
 

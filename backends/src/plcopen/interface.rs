@@ -1,7 +1,7 @@
 //! The variables of a program organisation unit.
 
 use super::dialect::Dialect;
-use crate::iec::declarations::{Entry, EntryType, Kind, VarBlock};
+use crate::iec::declarations::{Entry, EntryType, VarBlock, VarKind};
 use crate::xml::Xml;
 
 /// Writes the interface: a list a block, in the order of the blocks.
@@ -9,10 +9,10 @@ pub(super) fn write(xml: &mut Xml, blocks: &[VarBlock], dialect: Dialect) {
     xml.open("interface", &[]);
     for block in blocks.iter().filter(|block| block.entries().next().is_some()) {
         match block.kind {
-            Kind::Input => xml.open("inputVars", &[]),
-            Kind::Output => xml.open("outputVars", &[]),
-            Kind::Constant => xml.open("localVars", &[("constant", "true")]),
-            Kind::Local => xml.open("localVars", &[]),
+            VarKind::Input => xml.open("inputVars", &[]),
+            VarKind::Output => xml.open("outputVars", &[]),
+            VarKind::Constant => xml.open("localVars", &[("constant", "true")]),
+            VarKind::Local => xml.open("localVars", &[]),
         }
         for entry in block.entries() {
             variable(xml, entry, dialect);

@@ -8,7 +8,7 @@
 pub(crate) mod target;
 
 use crate::comment::clean;
-use crate::iec::declarations::{Entry, EntryType, Kind, VarBlock};
+use crate::iec::declarations::{Entry, EntryType, VarBlock, VarKind};
 use crate::iec::pou_parts::PouParts;
 use crate::lines::Lines;
 use crate::st::{self, Style};
@@ -51,7 +51,7 @@ fn function_block(out: &mut Writer, parts: &PouParts, header: &[String]) {
     out.line("VERSION : 0.1");
     // Constants stand last, as the editor itself writes them.
     let (constants, others): (Vec<&VarBlock>, Vec<&VarBlock>) =
-        parts.interface.iter().partition(|block| block.kind == Kind::Constant);
+        parts.interface.iter().partition(|block| block.kind == VarKind::Constant);
     for block in others.into_iter().chain(constants) {
         declarations(out, block);
     }

@@ -19,7 +19,7 @@
 use super::circuit::Ladder;
 use super::local;
 use super::rung::{Contact, Item};
-use crate::iec::declarations::{EntryType, Kind, VarBlock};
+use crate::iec::declarations::{EntryType, VarBlock, VarKind};
 use crate::iec::frame;
 use crate::iec::names::Names;
 use crate::st;
@@ -107,13 +107,13 @@ impl Repeated {
         for block in &mut blocks {
             block.retain(|name| Some(name) != flag && Some(name) != count && name != self.again);
             let more = match block.kind {
-                Kind::Input => {
+                VarKind::Input => {
                     let further = self.asks_further.then(|| local(&self.further, bit(), "not the first micro-step"));
                     let last = self.last.as_ref().map(|name| local(name, bit(), "no other micro-step comes"));
                     further.into_iter().chain(last).collect()
                 }
-                Kind::Output => vec![local(&self.again, bit(), "another micro-step is needed")],
-                Kind::Constant | Kind::Local => Vec::new(),
+                VarKind::Output => vec![local(&self.again, bit(), "another micro-step is needed")],
+                VarKind::Constant | VarKind::Local => Vec::new(),
             };
             block.sections.push(("", more));
         }
@@ -132,8 +132,8 @@ impl Repeated {
             own.push(local(&limit.count, EntryType::Elementary(limit.ty), "micro-steps of this call"));
         }
         let mut outer: Vec<VarBlock> =
-            blocks.into_iter().filter(|block| matches!(block.kind, Kind::Input | Kind::Output)).collect();
-        outer.push(VarBlock { kind: Kind::Local, sections: vec![("", own)] });
+            blocks.into_iter().filter(|block| matches!(block.kind, VarKind::Input | VarKind::Output)).collect();
+        outer.push(VarBlock { kind: VarKind::Local, sections: vec![("", own)] });
         outer
     }
 

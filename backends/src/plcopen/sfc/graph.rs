@@ -24,7 +24,7 @@ pub(super) struct Graph {
 
 /// A box, or a joint of an arc.
 pub(super) struct Vertex {
-    pub kind: Kind,
+    pub kind: VertexKind,
     pub layer: usize,
     /// What it takes to the left and to the right of its axis, and downwards.
     pub left: i64,
@@ -33,7 +33,7 @@ pub(super) struct Vertex {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Kind {
+pub(super) enum VertexKind {
     /// A step, by its place, with whether it is initial.
     Step { step: usize, initial: bool },
     /// A transition, by its place.
@@ -80,7 +80,7 @@ impl Graph {
     pub fn new(sequence: &Sequence, texts: &Texts) -> Result<Graph, StepId> {
         let mut nodes: Vec<Vertex> = Vec::new();
         for (place, step) in sequence.steps.iter().enumerate() {
-            let kind = Kind::Step { step: place, initial: step.initial };
+            let kind = VertexKind::Step { step: place, initial: step.initial };
             let half = step_width(&texts.steps[place]) / 2;
             let rows = i64::try_from(texts.actions[place].len()).unwrap_or(i64::MAX / 100);
             let actions = if rows > 0 { TO_ACTIONS + block_width(texts, place) } else { 0 };
@@ -95,7 +95,7 @@ impl Graph {
         let first_transition = nodes.len();
         for (place, condition) in texts.conditions.iter().enumerate() {
             let right = 15 + text_width(condition) + MARGIN;
-            nodes.push(Vertex { kind: Kind::Transition(place), layer: 0, left: 10 + MARGIN, right, height: 2 });
+            nodes.push(Vertex { kind: VertexKind::Transition(place), layer: 0, left: 10 + MARGIN, right, height: 2 });
         }
         let mut arcs: Vec<(usize, usize)> = Vec::new();
         let kept = kept(sequence);
@@ -114,7 +114,7 @@ impl Graph {
                 arcs.push((own, nodes.len()));
                 let right = 11 + text_width(&texts.steps[step.index()]) + MARGIN;
                 let layer = nodes[own].layer + 1;
-                nodes.push(Vertex { kind: Kind::Jump(step.index()), layer, left: 6 + MARGIN, right, height: 13 });
+                nodes.push(Vertex { kind: VertexKind::Jump(step.index()), layer, left: 6 + MARGIN, right, height: 13 });
             }
         }
         let joints = |arc: &(usize, usize)| nodes[arc.1].layer - nodes[arc.0].layer - 1;
@@ -128,7 +128,7 @@ impl Graph {
             let mut path = vec![from];
             for layer in graph.nodes[from].layer + 1..graph.nodes[to].layer {
                 path.push(graph.nodes.len());
-                graph.nodes.push(Vertex { kind: Kind::Joint, layer, left: 10, right: 10, height: 0 });
+                graph.nodes.push(Vertex { kind: VertexKind::Joint, layer, left: 10, right: 10, height: 0 });
             }
             path.push(to);
             graph.paths.push(path);

@@ -3,7 +3,7 @@
 //! Each node wants to stand below (above) the middle of its neighbours; nodes of a layer must keep their order and their
 //! distance. The positions with the least sum of squared deviations are found by pooling what gets in each other's way.
 
-use super::graph::{Graph, Kind};
+use super::graph::{Graph, VertexKind};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -134,7 +134,7 @@ fn settle(graph: &Graph, layer: &[usize], x: &mut [f64], neighbours: &[Vec<usize
         let near = neighbours.get(node).map_or(&[][..], Vec::as_slice);
         let middle = near.iter().map(|n| x[*n]).sum::<f64>() / near.len() as f64;
         let wish = if near.is_empty() { x[node] } else { middle } - offset as f64;
-        let weight = if graph.nodes[node].kind == Kind::Joint { WEIGHT_OF_JOINT } else { 1.0 };
+        let weight = if graph.nodes[node].kind == VertexKind::Joint { WEIGHT_OF_JOINT } else { 1.0 };
         let mut group = Group { sum: wish * weight, weight, count: 1 };
         while let Some(last) = groups.last().filter(|last| last.sum / last.weight >= group.sum / group.weight) {
             group.sum += last.sum;

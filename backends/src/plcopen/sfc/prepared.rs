@@ -11,7 +11,7 @@
 //! If there is nothing to find, the chart is the function block itself.
 
 use super::texts::Texts;
-use crate::iec::declarations::{Entry, EntryType, Kind, VarBlock, interface};
+use crate::iec::declarations::{Entry, EntryType, VarBlock, VarKind, interface};
 use crate::iec::frame;
 use crate::iec::names::Names;
 use crate::iec::pou_parts::{Language, PouParts};
@@ -70,13 +70,13 @@ impl Units {
         let mut inner = interface(program, &names, Vec::new());
         for block in &mut inner {
             block.retain(|name| !texts.is_of_a_step(name) && !is_found(name));
-            if block.kind == Kind::Input {
+            if block.kind == VarKind::Input {
                 let entries = given.iter().map(|name| Entry::plain(name.clone(), Type::Bool)).collect();
                 block.sections.push(("", entries));
             }
         }
         let markers = show(&mut inner, &shown);
-        if let Some(output) = inner.iter_mut().find(|block| block.kind == Kind::Output) {
+        if let Some(output) = inner.iter_mut().find(|block| block.kind == VarKind::Output) {
             output.sections.push(("", markers));
         }
         let (mut inputs, published) = frame::wired(program, &names);
@@ -97,11 +97,11 @@ impl Units {
             ..Entry::plain(instance.clone(), Type::Bool)
         };
         for block in &mut outer {
-            if block.kind == Kind::Local {
+            if block.kind == VarKind::Local {
                 block.retain(is_found);
             }
         }
-        if let Some(local) = outer.iter_mut().find(|block| block.kind == Kind::Local) {
+        if let Some(local) = outer.iter_mut().find(|block| block.kind == VarKind::Local) {
             local.sections.push(("", vec![drawn]));
         }
         let mut parts = PouParts::new(program, names, Language::St, Vec::new(), body, call);

@@ -1,6 +1,6 @@
 //! The drawing as elements, each with its place, its size and the points of its wires.
 
-use super::graph::{Graph, Kind, ROW, TO_ACTIONS, block_width, step_width};
+use super::graph::{Graph, ROW, TO_ACTIONS, VertexKind, block_width, step_width};
 use super::place::{Placed, bar_above, bar_below};
 use super::texts::{Content, Texts};
 use crate::plcopen::dialect::Dialect;
@@ -49,14 +49,14 @@ impl<'g> Sheet<'g> {
         let mut first_action = vec![0; graph.nodes.len()];
         for &node in graph.layers.iter().flatten() {
             ids[node] = match graph.nodes[node].kind {
-                Kind::Joint => [0; 3],
-                Kind::Step { .. } | Kind::Transition(_) | Kind::Jump(_) => [
+                VertexKind::Joint => [0; 3],
+                VertexKind::Step { .. } | VertexKind::Transition(_) | VertexKind::Jump(_) => [
                     fresh(usize::from(graph.entering[node].len() > 1)),
                     fresh(1),
                     fresh(usize::from(graph.leaving[node].len() > 1)),
                 ],
             };
-            if let Kind::Step { step, .. } = graph.nodes[node].kind {
+            if let VertexKind::Step { step, .. } = graph.nodes[node].kind {
                 let rows = texts.actions[step].len();
                 first_action[node] = fresh(if rows > 0 { rows + 1 } else { 0 });
             }
@@ -76,10 +76,10 @@ impl<'g> Sheet<'g> {
     fn bottom(&self, node: usize) -> i64 {
         self.y(node)
             + match self.graph.nodes[node].kind {
-                Kind::Step { .. } => ROW,
-                Kind::Transition(_) => 2,
-                Kind::Jump(_) => 13,
-                Kind::Joint => 0,
+                VertexKind::Step { .. } => ROW,
+                VertexKind::Transition(_) => 2,
+                VertexKind::Jump(_) => 13,
+                VertexKind::Joint => 0,
             }
     }
 
@@ -90,15 +90,15 @@ impl<'g> Sheet<'g> {
             self.bar_above(xml, node);
         }
         match self.graph.nodes[node].kind {
-            Kind::Step { step, initial } => self.step(xml, node, step, initial),
-            Kind::Transition(transition) => self.transition(xml, node, transition),
-            Kind::Jump(to) => self.jump(xml, node, to),
-            Kind::Joint => {}
+            VertexKind::Step { step, initial } => self.step(xml, node, step, initial),
+            VertexKind::Transition(transition) => self.transition(xml, node, transition),
+            VertexKind::Jump(to) => self.jump(xml, node, to),
+            VertexKind::Joint => {}
         }
         if leaving.len() > 1 {
             self.bar_below(xml, node);
         }
-        if let Kind::Step { step, .. } = self.graph.nodes[node].kind {
+        if let VertexKind::Step { step, .. } = self.graph.nodes[node].kind {
             self.actions(xml, node, step);
         }
     }
@@ -184,10 +184,14 @@ impl<'g> Sheet<'g> {
     /// What the bar above (below) a node is, and how high.
     fn bar(&self, node: usize, above: bool) -> (&'static str, i64) {
         match (self.graph.nodes[node].kind, above) {
-            (Kind::Transition(_), true) => ("simultaneousConvergence", SIMULTANEOUS),
-            (Kind::Transition(_), false) => ("simultaneousDivergence", SIMULTANEOUS),
-            (Kind::Step { .. } | Kind::Jump(_) | Kind::Joint, true) => ("selectionConvergence", SELECTION),
-            (Kind::Step { .. } | Kind::Jump(_) | Kind::Joint, false) => ("selectionDivergence", SELECTION),
+            (VertexKind::Transition(_), true) => ("simultaneousConvergence", SIMULTANEOUS),
+            (VertexKind::Transition(_), false) => ("simultaneousDivergence", SIMULTANEOUS),
+            (VertexKind::Step { .. } | VertexKind::Jump(_) | VertexKind::Joint, true) => {
+                ("selectionConvergence", SELECTION)
+            }
+            (VertexKind::Step { .. } | VertexKind::Jump(_) | VertexKind::Joint, false) => {
+                ("selectionDivergence", SELECTION)
+            }
         }
     }
 

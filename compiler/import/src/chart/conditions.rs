@@ -27,28 +27,28 @@ pub enum Binding {
 
 /// Where a term stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum TermUse {
     Condition,
     Arithmetic,
 }
 
 enum Task {
-    Term(TermId, Kind, Binding),
+    Term(TermId, TermUse, Binding),
     Text(&'static str),
 }
 
 impl Writer<'_> {
     /// Writes a term as a condition.
     pub fn condition(&mut self, term: TermId, level: Binding) {
-        self.term(term, Kind::Condition, level);
+        self.term(term, TermUse::Condition, level);
     }
 
     /// Writes a term as the right side of an assignment.
     pub fn value(&mut self, term: TermId) {
-        self.term(term, Kind::Arithmetic, Binding::Or);
+        self.term(term, TermUse::Arithmetic, Binding::Or);
     }
 
-    fn term(&mut self, term: TermId, kind: Kind, level: Binding) {
+    fn term(&mut self, term: TermId, kind: TermUse, level: Binding) {
         let mut tasks = vec![Task::Term(term, kind, level)];
         while let Some(task) = tasks.pop() {
             if self.text.is_full() {
@@ -62,7 +62,7 @@ impl Writer<'_> {
     }
 
     /// Writes what stands before the operands, and leaves the rest as tasks, the last first.
-    fn part(&mut self, term: TermId, kind: Kind, level: Binding, tasks: &mut Vec<Task>) {
+    fn part(&mut self, term: TermId, kind: TermUse, level: Binding, tasks: &mut Vec<Task>) {
         let model = self.model;
         let operands = &model.terms[term].operands;
         let mut pair = |writer: &mut Self, own: Binding, sign: &'static str, left: Binding, right: Binding| {
@@ -111,21 +111,21 @@ impl Writer<'_> {
     }
 
     /// A comparison: in brackets in a condition.
-    fn comparison(&mut self, term: TermId, sign: &'static str, kind: Kind, level: Binding, tasks: &mut Vec<Task>) {
+    fn comparison(&mut self, term: TermId, sign: &'static str, kind: TermUse, level: Binding, tasks: &mut Vec<Task>) {
         let close = match kind {
-            Kind::Condition if level == Binding::Delay => {
+            TermUse::Condition if level == Binding::Delay => {
                 self.text.push("([");
                 Some("])")
             }
-            Kind::Condition => {
+            TermUse::Condition => {
                 self.text.push("[");
                 Some("]")
             }
-            Kind::Arithmetic => self.open(Binding::Comparison < level),
+            TermUse::Arithmetic => self.open(Binding::Comparison < level),
         };
         tasks.extend(close.map(Task::Text));
         for (place, &operand) in self.model.terms[term].operands.iter().enumerate().rev() {
-            tasks.push(Task::Term(operand, Kind::Arithmetic, Binding::Sum));
+            tasks.push(Task::Term(operand, TermUse::Arithmetic, Binding::Sum));
             if place > 0 {
                 tasks.push(Task::Text(sign));
             }
@@ -133,13 +133,13 @@ impl Writer<'_> {
     }
 
     /// A Boolean constant; the standard writes `1`, and in arithmetic that would be a number.
-    fn constant(&mut self, value: bool, kind: Kind, level: Binding) {
+    fn constant(&mut self, value: bool, kind: TermUse, level: Binding) {
         let close = self.open(level >= Binding::Operand);
         self.text.push(match (kind, value) {
-            (Kind::Condition, true) => "1",
-            (Kind::Condition, false) => "0",
-            (Kind::Arithmetic, true) => "true",
-            (Kind::Arithmetic, false) => "false",
+            (TermUse::Condition, true) => "1",
+            (TermUse::Condition, false) => "0",
+            (TermUse::Arithmetic, true) => "true",
+            (TermUse::Arithmetic, false) => "false",
         });
         self.text.push(close.unwrap_or_default());
     }

@@ -1,6 +1,6 @@
 //! Says of each node what its place asks of it, parents first, and reports where it cannot give that.
 
-use super::{Detail, Kind, Need, Work};
+use super::{Detail, Need, OwnKind, Work};
 use crate::chart::Type;
 use crate::fixes::{name_instead, with_unit};
 use crate::resolve::scope::Reference;
@@ -74,19 +74,21 @@ impl Work<'_, '_, '_> {
     /// The type in which a node of arithmetic computes: its own, or if it has none the type it is to adapt to.
     fn number_type(&self, node: usize) -> Option<Need> {
         match (self.nodes[node].kind, self.nodes[node].need) {
-            (Kind::Faulty, _) => None,
-            (Kind::Known(ty), _) => Some(Need::Value(ty)),
-            (Kind::Whole | Kind::Fraction, Some(Need::Value(ty))) if types::is_number(ty) => Some(Need::Value(ty)),
-            (Kind::Whole | Kind::Fraction, _) => None,
+            (OwnKind::Faulty, _) => None,
+            (OwnKind::Known(ty), _) => Some(Need::Value(ty)),
+            (OwnKind::Whole | OwnKind::Fraction, Some(Need::Value(ty))) if types::is_number(ty) => {
+                Some(Need::Value(ty))
+            }
+            (OwnKind::Whole | OwnKind::Fraction, _) => None,
         }
     }
 
     /// An operand computes in the type of its node; beside a time, a count keeps its own.
     fn operand_need(&self, operand: usize, number: Option<Need>) -> Option<Need> {
         match (self.nodes[operand].kind, number) {
-            (Kind::Known(ty), Some(Need::Value(Type::Time))) => Some(Need::Value(ty)),
-            (Kind::Whole, Some(Need::Value(Type::Time))) => Some(Need::Value(Type::Dint)),
-            (Kind::Known(_) | Kind::Whole | Kind::Fraction | Kind::Faulty, _) => number,
+            (OwnKind::Known(ty), Some(Need::Value(Type::Time))) => Some(Need::Value(ty)),
+            (OwnKind::Whole, Some(Need::Value(Type::Time))) => Some(Need::Value(Type::Dint)),
+            (OwnKind::Known(_) | OwnKind::Whole | OwnKind::Fraction | OwnKind::Faulty, _) => number,
         }
     }
 
@@ -97,13 +99,13 @@ impl Work<'_, '_, '_> {
             return; // what it holds is asked instead
         }
         match (self.nodes[node].kind, need) {
-            (Kind::Faulty, _) => {}
-            (Kind::Known(ty), Need::Condition) => {
+            (OwnKind::Faulty, _) => {}
+            (OwnKind::Known(ty), Need::Condition) => {
                 if ty != Type::Bool {
                     self.report(node, self.not_a_condition(node, ty));
                 }
             }
-            (Kind::Known(from), Need::Value(to)) => {
+            (OwnKind::Known(from), Need::Value(to)) => {
                 if !types::widens(from, to) {
                     let message = format!("{} is `{}`, not `{}`", self.spell(node), types::name(from), types::name(to));
                     let diagnostic = Diagnostic::new(Code::E0205, written.span, message);
@@ -118,14 +120,14 @@ impl Work<'_, '_, '_> {
                     self.report(node, diagnostic);
                 }
             }
-            (Kind::Whole | Kind::Fraction, Need::Condition) => {
+            (OwnKind::Whole | OwnKind::Fraction, Need::Condition) => {
                 if !matches!(written.kind, ExprKind::Integer(0 | 1)) {
                     self.report(node, self.number_as_condition(node));
                 }
             }
-            (Kind::Whole, Need::Value(Type::Bool)) if matches!(written.kind, ExprKind::Integer(0 | 1)) => {}
-            (kind @ (Kind::Whole | Kind::Fraction), Need::Value(to)) => {
-                let adapts = types::is_whole(to) && kind == Kind::Whole || matches!(to, Type::Real | Type::Lreal);
+            (OwnKind::Whole, Need::Value(Type::Bool)) if matches!(written.kind, ExprKind::Integer(0 | 1)) => {}
+            (kind @ (OwnKind::Whole | OwnKind::Fraction), Need::Value(to)) => {
+                let adapts = types::is_whole(to) && kind == OwnKind::Whole || matches!(to, Type::Real | Type::Lreal);
                 if !adapts {
                     let diagnostic = Diagnostic::new(
                         Code::E0205,

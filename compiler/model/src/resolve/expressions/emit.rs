@@ -1,7 +1,7 @@
 //! Writes a faultless expression into the pool, children first.
 
 use super::demand::Literal;
-use super::{Detail, Kind, Need, Work};
+use super::{Detail, Need, OwnKind, Work};
 use crate::chart::{Arithmetic, Comparison, Expr, ExprId, ExprKind, Type, Value};
 use crate::resolve::scope::{Label, Reference};
 use crate::resolve::types;
@@ -44,9 +44,9 @@ impl Work<'_, '_, '_> {
     /// The type in which a node computes, before it is widened.
     fn own_type(&self, node: usize) -> Type {
         match (self.nodes[node].kind, self.nodes[node].need) {
-            (Kind::Known(ty), _) => ty,
-            (Kind::Whole | Kind::Fraction | Kind::Faulty, Some(Need::Value(ty))) => ty,
-            (Kind::Whole | Kind::Fraction | Kind::Faulty, Some(Need::Condition) | None) => Type::Bool,
+            (OwnKind::Known(ty), _) => ty,
+            (OwnKind::Whole | OwnKind::Fraction | OwnKind::Faulty, Some(Need::Value(ty))) => ty,
+            (OwnKind::Whole | OwnKind::Fraction | OwnKind::Faulty, Some(Need::Condition) | None) => Type::Bool,
         }
     }
 

@@ -1,6 +1,6 @@
 //! Lists the nodes of an expression, parents first.
 
-use super::{Detail, Kind, Need, Work};
+use super::{Detail, Need, OwnKind, Work};
 use grafc_syntax::ast;
 
 /// A node of an expression under way.
@@ -10,7 +10,7 @@ pub(super) struct FlatExpr {
     /// The places of its operands in the list, as many as its form has.
     pub(super) children: [usize; 2],
     /// What it is by itself.
-    pub(super) kind: Kind,
+    pub(super) kind: OwnKind,
     /// What its place asks of it; nothing if its parent is faulty.
     pub(super) need: Option<Need>,
     /// What else is known of it.
@@ -37,7 +37,7 @@ impl Work<'_, '_, '_> {
             self.nodes.push(FlatExpr {
                 ast: id,
                 children: [usize::MAX; 2],
-                kind: Kind::Faulty,
+                kind: OwnKind::Faulty,
                 need: None,
                 detail: Detail::None,
                 faulty: false,

@@ -1,6 +1,6 @@
 //! Says of each node what it is by itself, children first.
 
-use super::{Detail, Kind, Work};
+use super::{Detail, OwnKind, Work};
 use crate::chart::Type;
 use crate::resolve::scope::Reference;
 use crate::resolve::types;
@@ -19,7 +19,7 @@ impl Work<'_, '_, '_> {
         }
     }
 
-    fn kind(&mut self, node: usize) -> Kind {
+    fn kind(&mut self, node: usize) -> OwnKind {
         let context = self.context;
         let written = &context.tree[self.nodes[node].ast];
         let [first, second] = self.nodes[node].children;
@@ -28,7 +28,7 @@ impl Work<'_, '_, '_> {
                 Some(reference) => {
                     self.nodes[node].detail = Detail::Reference(reference);
                     self.read(written.span, reference);
-                    Kind::Known(match reference {
+                    OwnKind::Known(match reference {
                         Reference::Variable(id) => context.variables[id].ty,
                         Reference::Activity(_) => Type::Bool,
                         Reference::Duration(_) => Type::Time,
@@ -37,12 +37,12 @@ impl Work<'_, '_, '_> {
                 None => {
                     self.symbols.missed(written.span, Wanted::Value);
                     self.report(node, context.scope.unknown_name(name, written.span));
-                    Kind::Faulty
+                    OwnKind::Faulty
                 }
             },
-            ExprKind::Integer(_) => Kind::Whole,
-            ExprKind::Real(_) => Kind::Fraction,
-            ExprKind::Duration(_) => Kind::Known(Type::Time),
+            ExprKind::Integer(_) => OwnKind::Whole,
+            ExprKind::Real(_) => OwnKind::Fraction,
+            ExprKind::Duration(_) => OwnKind::Known(Type::Time),
             ExprKind::Paren(_) => self.nodes[first].kind,
             ExprKind::Bool(_)
             | ExprKind::Predicate(_)
@@ -50,7 +50,7 @@ impl Work<'_, '_, '_> {
             | ExprKind::Rise(_)
             | ExprKind::Fall(_)
             | ExprKind::Delay(_)
-            | ExprKind::Binary(BinaryOp::And | BinaryOp::Or | BinaryOp::Xor, ..) => Kind::Known(Type::Bool),
+            | ExprKind::Binary(BinaryOp::And | BinaryOp::Or | BinaryOp::Xor, ..) => OwnKind::Known(Type::Bool),
             ExprKind::Negate(_) => self.negation(node, first),
             ExprKind::Binary(
                 op @ (BinaryOp::Equal
@@ -67,15 +67,15 @@ impl Work<'_, '_, '_> {
             ) => self.arithmetic(node, *op, first, second),
             ExprKind::Error => {
                 self.nodes[node].faulty = true;
-                Kind::Faulty
+                OwnKind::Faulty
             }
         }
     }
 
-    fn negation(&mut self, node: usize, operand: usize) -> Kind {
+    fn negation(&mut self, node: usize, operand: usize) -> OwnKind {
         let kind = self.nodes[operand].kind;
         match kind {
-            Kind::Known(ty @ (Type::Bool | Type::Uint | Type::Udint)) => {
+            OwnKind::Known(ty @ (Type::Bool | Type::Uint | Type::Udint)) => {
                 let message = format!("{} is `{}`, which has no negative values", self.spell(operand), types::name(ty));
                 let span = self.written(node).span;
                 let diagnostic = Diagnostic::new(Code::E0205, span, message);
@@ -90,46 +90,46 @@ impl Work<'_, '_, '_> {
                         diagnostic
                     },
                 );
-                Kind::Faulty
+                OwnKind::Faulty
             }
-            Kind::Known(Type::Int | Type::Dint | Type::Real | Type::Lreal | Type::Time)
-            | Kind::Whole
-            | Kind::Fraction
-            | Kind::Faulty => kind,
+            OwnKind::Known(Type::Int | Type::Dint | Type::Real | Type::Lreal | Type::Time)
+            | OwnKind::Whole
+            | OwnKind::Fraction
+            | OwnKind::Faulty => kind,
         }
     }
 
-    fn comparison(&mut self, node: usize, op: BinaryOp, left: usize, right: usize) -> Kind {
+    fn comparison(&mut self, node: usize, op: BinaryOp, left: usize, right: usize) -> OwnKind {
         let orders = !matches!(op, BinaryOp::Equal | BinaryOp::NotEqual);
         let sides = match (self.nodes[left].kind, self.nodes[right].kind) {
-            (Kind::Faulty, _) | (_, Kind::Faulty) => return Kind::Known(Type::Bool),
-            (Kind::Known(Type::Bool), Kind::Known(Type::Bool) | Kind::Whole)
-            | (Kind::Whole, Kind::Known(Type::Bool))
+            (OwnKind::Faulty, _) | (_, OwnKind::Faulty) => return OwnKind::Known(Type::Bool),
+            (OwnKind::Known(Type::Bool), OwnKind::Known(Type::Bool) | OwnKind::Whole)
+            | (OwnKind::Whole, OwnKind::Known(Type::Bool))
                 if !orders =>
             {
                 Some(Type::Bool)
             }
-            (Kind::Known(Type::Bool), _) | (_, Kind::Known(Type::Bool)) => None,
-            (Kind::Known(Type::Time), Kind::Known(Type::Time)) => Some(Type::Time),
+            (OwnKind::Known(Type::Bool), _) | (_, OwnKind::Known(Type::Bool)) => None,
+            (OwnKind::Known(Type::Time), OwnKind::Known(Type::Time)) => Some(Type::Time),
             (a, b) => meet(a, b).map(|kind| match kind {
-                Kind::Known(ty) => ty,
-                Kind::Whole | Kind::Faulty => Type::Dint,
-                Kind::Fraction => Type::Lreal,
+                OwnKind::Known(ty) => ty,
+                OwnKind::Whole | OwnKind::Faulty => Type::Dint,
+                OwnKind::Fraction => Type::Lreal,
             }),
         };
         match sides {
             Some(ty) => self.nodes[node].detail = Detail::Sides(ty),
             None => self.report_mismatch(node, op, left, right),
         }
-        Kind::Known(Type::Bool)
+        OwnKind::Known(Type::Bool)
     }
 
-    fn arithmetic(&mut self, node: usize, op: BinaryOp, left: usize, right: usize) -> Kind {
+    fn arithmetic(&mut self, node: usize, op: BinaryOp, left: usize, right: usize) -> OwnKind {
         use BinaryOp::{Add, Divide, Multiply, Subtract};
-        let time = Kind::Known(Type::Time);
+        let time = OwnKind::Known(Type::Time);
         let (a, b) = (self.nodes[left].kind, self.nodes[right].kind);
-        if a == Kind::Faulty || b == Kind::Faulty {
-            return Kind::Faulty;
+        if a == OwnKind::Faulty || b == OwnKind::Faulty {
+            return OwnKind::Faulty;
         }
         if (a, b) == (time, time) && matches!(op, Add | Subtract)
             || a == time && counts(b) && matches!(op, Multiply | Divide)
@@ -138,17 +138,17 @@ impl Work<'_, '_, '_> {
             return time;
         }
         let met = meet(a, b).filter(|&kind| match kind {
-            Kind::Known(ty) => {
+            OwnKind::Known(ty) => {
                 // Two whole numbers that only meet as reals would divide otherwise than either does.
                 let both_whole = counts(a) && counts(b);
                 types::is_number(ty) && (types::is_whole(ty) || op != BinaryOp::Modulo && !both_whole)
             }
-            Kind::Fraction => op != BinaryOp::Modulo,
-            Kind::Whole | Kind::Faulty => true,
+            OwnKind::Fraction => op != BinaryOp::Modulo,
+            OwnKind::Whole | OwnKind::Faulty => true,
         });
         met.unwrap_or_else(|| {
             self.report_mismatch(node, op, left, right);
-            Kind::Faulty
+            OwnKind::Faulty
         })
     }
 
@@ -164,12 +164,12 @@ impl Work<'_, '_, '_> {
         for (side, kind) in [(left, a), (right, b)] {
             diagnostic = diagnostic.also(self.written(side).span, format!("this is {}", describe(kind)));
         }
-        let time = Kind::Known(Type::Time);
-        let fraction_meets_whole = [(a, b), (b, a)].into_iter().any(|(x, y)| x == Kind::Fraction && counts(y));
+        let time = OwnKind::Known(Type::Time);
+        let fraction_meets_whole = [(a, b), (b, a)].into_iter().any(|(x, y)| x == OwnKind::Fraction && counts(y));
         self.report(
             node,
-            if (a == time || b == time) && [a, b].contains(&Kind::Whole) {
-                let number = if a == Kind::Whole { left } else { right };
+            if (a == time || b == time) && [a, b].contains(&OwnKind::Whole) {
+                let number = if a == OwnKind::Whole { left } else { right };
                 let diagnostic = diagnostic.help("a time has a unit, as in `3s` or `500ms`");
                 match op {
                     // Two times would not go together either.
@@ -190,7 +190,7 @@ impl Work<'_, '_, '_> {
                 diagnostic.note(
                     "times are added, subtracted and compared with times, multiplied and divided by whole numbers",
                 )
-            } else if a == Kind::Known(Type::Bool) || b == Kind::Known(Type::Bool) {
+            } else if a == OwnKind::Known(Type::Bool) || b == OwnKind::Known(Type::Bool) {
                 diagnostic.note("conditions are joined by `and`, `or`, `xor`, and compared by `=` and `<>` only")
             } else if fraction_meets_whole {
                 diagnostic
@@ -203,36 +203,40 @@ impl Work<'_, '_, '_> {
 }
 
 /// Whether it is a whole number.
-fn counts(kind: Kind) -> bool {
+fn counts(kind: OwnKind) -> bool {
     match kind {
-        Kind::Known(ty) => types::is_whole(ty),
-        Kind::Whole => true,
-        Kind::Fraction | Kind::Faulty => false,
+        OwnKind::Known(ty) => types::is_whole(ty),
+        OwnKind::Whole => true,
+        OwnKind::Fraction | OwnKind::Faulty => false,
     }
 }
 
 /// What two kinds of numbers become together.
-fn meet(a: Kind, b: Kind) -> Option<Kind> {
+fn meet(a: OwnKind, b: OwnKind) -> Option<OwnKind> {
     match (a, b) {
-        (Kind::Faulty, _) | (_, Kind::Faulty) => Some(Kind::Faulty),
-        (Kind::Whole, Kind::Whole) => Some(Kind::Whole),
-        (Kind::Fraction, Kind::Whole | Kind::Fraction) | (Kind::Whole, Kind::Fraction) => Some(Kind::Fraction),
-        (Kind::Whole, Kind::Known(ty)) | (Kind::Known(ty), Kind::Whole) => {
-            types::is_number(ty).then_some(Kind::Known(ty))
+        (OwnKind::Faulty, _) | (_, OwnKind::Faulty) => Some(OwnKind::Faulty),
+        (OwnKind::Whole, OwnKind::Whole) => Some(OwnKind::Whole),
+        (OwnKind::Fraction, OwnKind::Whole | OwnKind::Fraction) | (OwnKind::Whole, OwnKind::Fraction) => {
+            Some(OwnKind::Fraction)
         }
-        (Kind::Fraction, Kind::Known(ty)) | (Kind::Known(ty), Kind::Fraction) => {
-            matches!(ty, Type::Real | Type::Lreal).then_some(Kind::Known(ty))
+        (OwnKind::Whole, OwnKind::Known(ty)) | (OwnKind::Known(ty), OwnKind::Whole) => {
+            types::is_number(ty).then_some(OwnKind::Known(ty))
         }
-        (Kind::Known(a), Kind::Known(b)) => types::join(a, b).filter(|&ty| types::is_number(ty)).map(Kind::Known),
+        (OwnKind::Fraction, OwnKind::Known(ty)) | (OwnKind::Known(ty), OwnKind::Fraction) => {
+            matches!(ty, Type::Real | Type::Lreal).then_some(OwnKind::Known(ty))
+        }
+        (OwnKind::Known(a), OwnKind::Known(b)) => {
+            types::join(a, b).filter(|&ty| types::is_number(ty)).map(OwnKind::Known)
+        }
     }
 }
 
 /// What messages call a kind.
-fn describe(kind: Kind) -> String {
+fn describe(kind: OwnKind) -> String {
     match kind {
-        Kind::Known(ty) => format!("`{}`", types::name(ty)),
-        Kind::Whole => "a whole number".to_owned(),
-        Kind::Fraction => "a fraction".to_owned(),
-        Kind::Faulty => "something faulty".to_owned(),
+        OwnKind::Known(ty) => format!("`{}`", types::name(ty)),
+        OwnKind::Whole => "a whole number".to_owned(),
+        OwnKind::Fraction => "a fraction".to_owned(),
+        OwnKind::Faulty => "something faulty".to_owned(),
     }
 }

@@ -47,7 +47,7 @@ pub enum Need {
 
 /// What an expression is by itself.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Kind {
+enum OwnKind {
     /// It makes no sense; that has been reported.
     Faulty,
     /// It has a type.
@@ -105,7 +105,7 @@ impl<'a> Work<'_, '_, 'a> {
     /// Reports a fault of a node.
     fn report(&mut self, node: usize, diagnostic: Diagnostic) {
         self.nodes[node].faulty = true;
-        self.nodes[node].kind = Kind::Faulty;
+        self.nodes[node].kind = OwnKind::Faulty;
         self.diagnostics.push(diagnostic);
     }
 
