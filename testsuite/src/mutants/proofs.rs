@@ -23,8 +23,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "simplify-operand-dropped",
         at: COMPILER,
         breaks: "`a AND (NOT a OR b)` becomes `a`, not `a AND b`",
-        text: "inner.iter().any(|i| operands.contains(i))",
-        instead: "inner.iter().any(|i| { let not = pool.not(*i); operands.contains(i) || operands.contains(&not) })",
+        text: "inner.iter().any(|i| operands.contain(*i))",
+        instead: "inner.iter().any(|i| operands.contain(*i) || pool.known_not(*i).is_some_and(|not| operands.contain(not)))",
     },
     Fault {
         name: "simplify-rest-is-a-conjunction",
