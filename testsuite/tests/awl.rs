@@ -11,7 +11,7 @@ use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::executors::awlsim::{Tools, beyond, play_cycles, run};
 use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::random::profile;
-use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::random::{ChartKind, checked, trace};
 use grafc_testsuite::runs::{compile, simulate};
 
 /// The encodings that are exact, with formulas shortened.
@@ -103,7 +103,7 @@ fn random_charts_agree() {
         if jobs.len() == COUNT {
             break;
         }
-        let drawn = checked(seed, if seed % 2 == 0 { Kind::Flat } else { Kind::Hierarchical });
+        let drawn = checked(seed, if seed % 2 == 0 { ChartKind::Flat } else { ChartKind::Hierarchical });
         let encoding = encodings().nth(seed as usize % 3).unwrap_or_default();
         let options = Options { profile: profile(seed), encoding, simplify: seed % 5 > 0 };
         let program = compile(&drawn.chart, &options).unwrap_or_else(|e| panic!("seed {seed}: {e}\n{}", drawn.text));

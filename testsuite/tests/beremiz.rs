@@ -11,7 +11,7 @@ use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli,
 use grafc_testsuite::executors::beremiz::{Source, Tools, run};
 use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::executors::{Outcome, Task, find_or_skip};
-use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::random::{ChartKind, checked, trace};
 use grafc_testsuite::runs::{self, compile, simulate};
 
 fn prepared(case: &Case) -> (Chart, Vec<Stimulus>) {
@@ -97,7 +97,13 @@ fn overlapping_encodings() {
 }
 
 /// Runs random charts of a kind and compares them with the simulator; at least so many of them must run.
-fn random_charts_agree(name: &str, seeds: std::ops::Range<u64>, kind: Kind, edit: fn(String) -> String, least: usize) {
+fn random_charts_agree(
+    name: &str,
+    seeds: std::ops::Range<u64>,
+    kind: ChartKind,
+    edit: fn(String) -> String,
+    least: usize,
+) {
     let Some(executor) = find_or_skip(name) else { return };
     let charts: Vec<(String, Chart, Vec<Stimulus>, Profile)> = seeds
         .map(|seed| {
@@ -133,7 +139,7 @@ fn random_charts_agree(name: &str, seeds: std::ops::Range<u64>, kind: Kind, edit
 /// To stability and scan by scan.
 #[test]
 fn random_ladders() {
-    random_charts_agree("plcopen:ld", 1000..1010, Kind::Hierarchical, |text| text, 5);
+    random_charts_agree("plcopen:ld", 1000..1010, ChartKind::Hierarchical, |text| text, 5);
 }
 
 /// Of the whole language hardly any chart is one. Of the plain ones many are, also with
@@ -148,7 +154,7 @@ fn random_sequential_function_charts() {
         let conditions = text.replace(": a\n", ": a or ↑X101\n").replace(": b\n", ": b and not 300ms/X100/500ms\n");
         conditions.replace(": c\n", ": 200ms/(X101 and c)\n").replace(": d\n", ": d or ↑([n > 1])\n")
     };
-    random_charts_agree("plcopen:sfc", 0..200, Kind::Plain, |text| text, 30);
-    random_charts_agree("plcopen:sfc", 200..500, Kind::Plain, delays, 30);
-    random_charts_agree("plcopen:sfc", 500..900, Kind::Plain, of_steps, 30);
+    random_charts_agree("plcopen:sfc", 0..200, ChartKind::Plain, |text| text, 30);
+    random_charts_agree("plcopen:sfc", 200..500, ChartKind::Plain, delays, 30);
+    random_charts_agree("plcopen:sfc", 500..900, ChartKind::Plain, of_steps, 30);
 }

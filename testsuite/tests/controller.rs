@@ -9,7 +9,7 @@ use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::controller::{instructions, ladder};
 use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::random::profile;
-use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::random::{ChartKind, checked, trace};
 use grafc_testsuite::runs::{compile, simulate};
 use grafc_testsuite::ways::exact;
 
@@ -34,7 +34,7 @@ fn vectors_and_charts_agree_as_instruction_lists() {
 #[test]
 fn random_charts_agree_as_instruction_lists() {
     for seed in 4000..4030 {
-        let drawn = checked(seed, if seed % 2 == 0 { Kind::Flat } else { Kind::Hierarchical });
+        let drawn = checked(seed, if seed % 2 == 0 { ChartKind::Flat } else { ChartKind::Hierarchical });
         let stimuli = trace(seed, &drawn.chart, 30);
         let ways = exact(profile(seed));
         let program = compile(&drawn.chart, &ways[seed as usize % ways.len()].1).expect("a scan program");
@@ -75,7 +75,7 @@ fn charts_agree_as_ladders() {
 fn random_charts_agree_as_ladders() {
     let mut count = 0;
     for seed in 5000..5040 {
-        let drawn = checked(seed, if seed % 2 == 0 { Kind::Flat } else { Kind::Hierarchical });
+        let drawn = checked(seed, if seed % 2 == 0 { ChartKind::Flat } else { ChartKind::Hierarchical });
         let ways = exact(Profile { evolution: Evolution::Scan, ..Profile::default() });
         let (way, options) = &ways[seed as usize % ways.len()];
         let name = format!("seed {seed}, {way}\n{}", drawn.text);

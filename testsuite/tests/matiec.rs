@@ -11,7 +11,7 @@ use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::executors::matiec::{Language, Tools, misreckons, run};
 use grafc_testsuite::random::profile;
-use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::random::{ChartKind, checked, trace};
 use grafc_testsuite::runs::{compile, simulate};
 
 /// The encodings that are exact, with formulas shortened.
@@ -122,7 +122,7 @@ fn random_charts(language: Language, first: u64, count: usize) {
         if jobs.len() == count {
             break;
         }
-        let drawn = checked(seed, if seed % 2 == 0 { Kind::Flat } else { Kind::Hierarchical });
+        let drawn = checked(seed, if seed % 2 == 0 { ChartKind::Flat } else { ChartKind::Hierarchical });
         if misreckons(&drawn.chart) {
             continue;
         }

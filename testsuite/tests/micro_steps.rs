@@ -20,7 +20,7 @@ use grafc_model::chart::{Chart, Expr, ExprKind, Mode, Node, StepId, Tables, Type
 use grafc_model::reaction::{Evolution, Profile, Stimulus};
 use grafc_testsuite::charts::{self, Case};
 use grafc_testsuite::random::profile;
-use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::random::{ChartKind, checked, trace};
 use grafc_testsuite::runs::{caught, compile, overlapping};
 use grafc_testsuite::ways::exact;
 use runs::{Run, difference, evaluated, simulated};
@@ -155,7 +155,7 @@ fn every_chart_goes_the_same_way() {
 }
 
 /// Runs random charts of a kind, changed before they are run.
-fn random(kind: Kind, seeds: std::ops::Range<u64>, rows: usize, change: impl Fn(&mut Tables, u64)) -> Counts {
+fn random(kind: ChartKind, seeds: std::ops::Range<u64>, rows: usize, change: impl Fn(&mut Tables, u64)) -> Counts {
     let mut counts = Counts::default();
     for seed in seeds {
         let mut drawn = checked(seed, kind);
@@ -174,19 +174,19 @@ fn random(kind: Kind, seeds: std::ops::Range<u64>, rows: usize, change: impl Fn(
 
 #[test]
 fn flat_charts_go_the_same_way() {
-    let counts = random(Kind::Flat, 5000..5150, 25, |_, _| ());
+    let counts = random(ChartKind::Flat, 5000..5150, 25, |_, _| ());
     assert!(counts.changes >= 10_000, "{counts:?}");
 }
 
 #[test]
 fn hierarchical_charts_go_the_same_way() {
-    let counts = random(Kind::Hierarchical, 5000..5150, 25, |_, _| ());
+    let counts = random(ChartKind::Hierarchical, 5000..5150, 25, |_, _| ());
     assert!(counts.changes >= 10_000, "{counts:?}");
 }
 
 #[test]
 fn plain_charts_go_the_same_way() {
-    let counts = random(Kind::Plain, 5000..5100, 25, |_, _| ());
+    let counts = random(ChartKind::Plain, 5000..5100, 25, |_, _| ());
     assert!(counts.overlapping >= 50, "{counts:?}");
 }
 
@@ -194,7 +194,7 @@ fn plain_charts_go_the_same_way() {
 /// these outputs, each of which others have yet to read when it is written.
 #[test]
 fn plain_charts_that_read_their_outputs_go_the_same_way() {
-    let counts = random(Kind::Plain, 6000..6150, 25, |chart, seed| {
+    let counts = random(ChartKind::Plain, 6000..6150, 25, |chart, seed| {
         let mut rng = Rng::with_seed(seed ^ 0x7769_7265);
         chart.stored.clear();
         chart.variables.iter_mut().filter(|v| v.mode == Mode::Stored).for_each(|v| v.mode = Mode::Given);

@@ -12,7 +12,7 @@ use grafc_net::{Net, build, passes};
 use grafc_testsuite::charts::{self, Case};
 use grafc_testsuite::net_steps::{NetSteps, same};
 use grafc_testsuite::random::profile;
-use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::random::{ChartKind, checked, trace};
 use index_vec::IndexVec;
 use std::fmt::Write as _;
 
@@ -153,7 +153,7 @@ fn every_chart_is_the_same_at_every_stage() {
 fn random_charts_are_the_same_at_every_stage() {
     let mut counts = Counts::default();
     for seed in 0..300 {
-        let drawn = checked(seed, Kind::Hierarchical);
+        let drawn = checked(seed, ChartKind::Hierarchical);
         let stimuli = trace(seed, &drawn.chart, 30);
         // A low bound: hundreds of micro-steps of a livelock show nothing that a few do not.
         let profile = profile(seed);

@@ -9,7 +9,7 @@ use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli,
 use grafc_testsuite::compare::report;
 use grafc_testsuite::executors::{Outcome, Task, find_or_skip};
 use grafc_testsuite::random::profile;
-use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::random::{ChartKind, checked, trace};
 use grafc_testsuite::runs::simulate;
 
 /// A chart, how it runs, what is done to it and what it must do.
@@ -37,7 +37,7 @@ fn run_of(case: &Case) -> Run {
 }
 
 fn random_run(seed: u64) -> Run {
-    let drawn = checked(seed, if seed % 2 == 0 { Kind::Flat } else { Kind::Hierarchical });
+    let drawn = checked(seed, if seed % 2 == 0 { ChartKind::Flat } else { ChartKind::Hierarchical });
     let stimuli = trace(seed, &drawn.chart, 30);
     let expected = simulate(&drawn.chart, profile(seed), &stimuli);
     Run { name: format!("seed {seed}\n{}", drawn.text), chart: drawn.chart, profile: profile(seed), stimuli, expected }

@@ -8,7 +8,7 @@ use grafc_testsuite::differential::long_run::{Draft, Plan, run};
 use grafc_testsuite::differential::mismatch;
 use grafc_testsuite::executors::select;
 use grafc_testsuite::random::profile;
-use grafc_testsuite::random::{Draw, Kind, checked, checked_draw, trace};
+use grafc_testsuite::random::{ChartKind, Draw, checked, checked_draw, trace};
 use grafc_testsuite::runs::simulate;
 
 const ROWS: usize = 25;
@@ -73,7 +73,7 @@ fn all_built_in_executors_agree_with_the_simulator() {
 #[test]
 fn larger_charts_are_larger() {
     let steps = |size| -> usize {
-        (0..30).map(|seed| checked_draw(seed, Draw { kind: Kind::Hierarchical, size }).chart.steps.len()).sum()
+        (0..30).map(|seed| checked_draw(seed, Draw { kind: ChartKind::Hierarchical, size }).chart.steps.len()).sum()
     };
     assert!(steps(4) > 3 * steps(1), "{} and {} steps", steps(4), steps(1));
 }
@@ -81,7 +81,7 @@ fn larger_charts_are_larger() {
 #[test]
 fn the_same_seed_gives_the_same_chart() {
     for seed in 0..20 {
-        let (one, two) = (checked(seed, Kind::Flat), checked(seed, Kind::Flat));
+        let (one, two) = (checked(seed, ChartKind::Flat), checked(seed, ChartKind::Flat));
         assert_eq!(one.text, two.text);
         assert_eq!(trace(seed, &one.chart, ROWS), trace(seed, &two.chart, ROWS));
     }
@@ -90,7 +90,7 @@ fn the_same_seed_gives_the_same_chart() {
 #[test]
 fn formatting_keeps_the_meaning() {
     for seed in 0..60 {
-        let kind = if seed % 3 == 0 { Kind::Hierarchical } else { Kind::Flat };
+        let kind = if seed % 3 == 0 { ChartKind::Hierarchical } else { ChartKind::Flat };
         let drawn = checked(seed, kind);
         let (tree, _) = grafc_syntax::parse(FileId::default(), &drawn.text);
         let formatted = grafc_syntax::format(&drawn.text, &tree);

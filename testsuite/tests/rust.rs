@@ -10,7 +10,7 @@ use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::executors::rust::{Tools, run};
 use grafc_testsuite::random::profile;
-use grafc_testsuite::random::{Drawn, Kind, checked, trace};
+use grafc_testsuite::random::{ChartKind, Drawn, checked, trace};
 use grafc_testsuite::runs::{compile, simulate};
 use grafc_testsuite::scaling::SHAPES;
 use grafc_testsuite::ways::exact;
@@ -62,7 +62,7 @@ fn charts_agree() {
 #[test]
 fn random_charts_agree() {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let kinds = [Kind::Hierarchical, Kind::Flat, Kind::Hierarchical, Kind::Plain];
+    let kinds = [ChartKind::Hierarchical, ChartKind::Flat, ChartKind::Hierarchical, ChartKind::Plain];
     let mut faults = Vec::new();
     let seeds: Vec<u64> = (3000..3120).collect();
     for seeds in seeds.chunks(BATCH) {

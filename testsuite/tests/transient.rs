@@ -13,7 +13,7 @@ use grafc_model::chart::{Chart, Expr, ExprKind, Tables, Type, VariableId, Variab
 use grafc_model::reaction::{Flags, Profile, Response};
 use grafc_testsuite::charts;
 use grafc_testsuite::compare::{first_difference, report};
-use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::random::{ChartKind, checked, trace};
 use grafc_testsuite::runs::{caught, evaluate, simulate};
 use grafc_testsuite::ways::exact;
 
@@ -85,7 +85,7 @@ fn a_program_without_loop_or_limit_does_what_the_chart_does() {
 #[test]
 fn no_reaction_of_a_random_chart_needs_more_than_is_proved() {
     let (mut bounded, mut reached, mut single) = (0, 0, 0);
-    for kind in [Kind::Plain, Kind::Flat, Kind::Hierarchical] {
+    for kind in [ChartKind::Plain, ChartKind::Flat, ChartKind::Hierarchical] {
         for seed in 0..120 {
             let mut drawn = checked(seed, kind);
             dampen(drawn.chart.edit(), seed);

@@ -28,7 +28,7 @@ use grafc_model::simulate::Activity;
 use grafc_testsuite::compare::first_difference;
 use grafc_testsuite::net_steps::same;
 use grafc_testsuite::random::profile;
-use grafc_testsuite::random::{Kind, checked, trace};
+use grafc_testsuite::random::{ChartKind, checked, trace};
 use grafc_testsuite::runs::{caught, overlapping, run, simulate};
 use probes::{Seen, Watched, watch};
 use std::collections::{BTreeMap, BTreeSet};
@@ -179,7 +179,7 @@ fn bounded(profile: Profile) -> Profile {
 #[test]
 fn what_happens_at_once_was_warned_of() {
     let mut counts = Counts::default();
-    for kind in [Kind::Plain, Kind::Flat, Kind::Hierarchical] {
+    for kind in [ChartKind::Plain, ChartKind::Flat, ChartKind::Hierarchical] {
         for seed in 7000..7250 {
             let mut drawn = checked(seed, kind);
             enrich::for_meetings(drawn.chart.edit(), seed);
@@ -204,7 +204,7 @@ fn what_happens_at_once_was_warned_of() {
 #[test]
 fn a_step_that_is_passed_through_was_warned_of() {
     let (mut left, mut warned_of) = (0, 0);
-    for kind in [Kind::Flat, Kind::Hierarchical] {
+    for kind in [ChartKind::Flat, ChartKind::Hierarchical] {
         for seed in 8000..8300 {
             let drawn = checked(seed, kind);
             let chart = &drawn.chart;
@@ -254,7 +254,7 @@ fn may_be_held(chart: &Chart, s: StepId) -> bool {
 fn an_overlap_that_shows_was_warned_of() {
     let (mut silent, mut shown) = (0, 0);
     for seed in 9000..9400 {
-        let mut drawn = checked(seed, Kind::Plain);
+        let mut drawn = checked(seed, ChartKind::Plain);
         enrich::for_overlap(drawn.chart.edit(), seed);
         let chart = &drawn.chart;
         let evolution = if seed % 16 == 0 { Evolution::Scan } else { Evolution::Stable };

@@ -6,7 +6,7 @@
 use super::coverage::Coverage;
 use crate::executors::{Executor, Outcome, Simulator, Task};
 use crate::random::profile;
-use crate::random::{Draw, Drawn, Kind, checked_draw, trace};
+use crate::random::{ChartKind, Draw, Drawn, checked_draw, trace};
 use grafc_model::reaction::{Profile, Response, Stimulus};
 use std::collections::BTreeMap;
 use std::num::NonZero;
@@ -50,9 +50,9 @@ impl Draft {
     /// The chart of a seed. Most are hierarchical, because nothing is missing in these.
     pub fn of(seed: u64, plan: &Plan) -> Self {
         let kind = match seed % 8 {
-            0 => Kind::Plain,
-            1..4 => Kind::Flat,
-            _ => Kind::Hierarchical,
+            0 => ChartKind::Plain,
+            1..4 => ChartKind::Flat,
+            _ => ChartKind::Hierarchical,
         };
         let drawn = checked_draw(seed, Draw { kind, size: plan.size });
         let stimuli = trace(seed, &drawn.chart, plan.scans);

@@ -22,7 +22,7 @@ pub use trace::trace;
 
 /// Which part of the language a chart may use.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Kind {
+pub enum ChartKind {
     /// Partial grafcets and macro-steps.
     Flat,
     /// Enclosures, activation links and forcing orders as well.
@@ -35,7 +35,7 @@ pub enum Kind {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Draw {
     /// Which part of the language.
-    pub kind: Kind,
+    pub kind: ChartKind,
     /// How large: 1 is a chart of up to five grafcets of up to eight steps, and it grows with this in both directions.
     pub size: usize,
 }
@@ -45,8 +45,8 @@ fn text(seed: u64, draw: Draw) -> String {
     let mut rng = fastrand::Rng::with_seed(seed);
     let name = format!("Random_{seed}");
     match draw.kind {
-        Kind::Plain => plain::chart(&mut rng, &name),
-        Kind::Flat | Kind::Hierarchical => {
+        ChartKind::Plain => plain::chart(&mut rng, &name),
+        ChartKind::Flat | ChartKind::Hierarchical => {
             let frames = structure::draw(&mut rng, draw.kind, draw.size);
             write::chart(&mut rng, &mut ink::Ink::new(seed), &name, &frames)
         }
@@ -69,7 +69,7 @@ pub struct Drawn {
 ///
 /// # Panics
 /// As that does.
-pub fn checked(seed: u64, kind: Kind) -> Drawn {
+pub fn checked(seed: u64, kind: ChartKind) -> Drawn {
     checked_draw(seed, Draw { kind, size: 1 })
 }
 

@@ -1,6 +1,6 @@
 //! The structure of a random chart: grafcets and expansions with their steps and arcs, nothing else.
 
-use super::Kind;
+use super::ChartKind;
 use fastrand::Rng;
 
 /// A grafcet or an expansion.
@@ -46,18 +46,18 @@ pub(super) enum RandomStepKind {
 }
 
 /// Draws all frames, a `size` of 1 being that of a small chart; those that enclose or force come before those that are enclosed or forced.
-pub(super) fn draw(rng: &mut Rng, kind: Kind, size: usize) -> Vec<Frame> {
+pub(super) fn draw(rng: &mut Rng, kind: ChartKind, size: usize) -> Vec<Frame> {
     let mut frames = Vec::new();
     let count = match kind {
-        Kind::Flat | Kind::Plain => rng.usize(1..=2 + size),
-        Kind::Hierarchical => rng.usize(2..=4 + size),
+        ChartKind::Flat | ChartKind::Plain => rng.usize(1..=2 + size),
+        ChartKind::Hierarchical => rng.usize(2..=4 + size),
     };
     for index in 0..count {
         let macros = rng.f32() < 0.25;
         let name = format!("G{index}");
         draw_frame(rng, &mut frames, name, FrameKind::Top, ((index + 1) * 100 * size, size), macros);
     }
-    if kind == Kind::Hierarchical {
+    if kind == ChartKind::Hierarchical {
         enclose(rng, &mut frames);
         force(rng, &mut frames);
     }
