@@ -140,9 +140,7 @@ impl Absorbing {
 
     /// The shorter form of a formula whose operands have theirs.
     fn one(&mut self, id: FormulaId) -> FormulaId {
-        let changed: FxHashMap<FormulaId, FormulaId> =
-            self.pool.operands(id).map(|o| (o, self.of(o))).filter(|(o, shorter)| o != shorter).collect();
-        let inner = if changed.is_empty() {
+        let inner = if self.pool.operands(id).all(|operand| self.of(operand) == operand) {
             id
         } else {
             let operands = self.pool.operands(id).map(|o| (o, self.of(o))).collect();
