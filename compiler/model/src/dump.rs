@@ -343,7 +343,7 @@ mod tests {
         assert_eq!(
             below(&text, "variables"),
             [
-                "input on : bool at \"%IX0.7\"",
+                "input `on` : bool at \"%IX0.7\"",
                 "input b : bool at \"%IX1.0\"",
                 "input k : int",
                 "output V : bool, by continuous actions \"valve\"",
@@ -355,14 +355,17 @@ mod tests {
         assert_eq!(below(&text, "grafcets"), ["G1, level 0", "  initial step 1 \"one\"", "  step 2"]);
         assert_eq!(
             below(&text, "transitions"),
-            ["#1: 1 -> 2 when on and (b or not X1) and (T1 > d)", "(back): 2 -> 1 when b xor (n <> dint#7) \"again\"",]
+            [
+                "#1: 1 -> 2 when `on` and (b or not X1) and (T1 > d)",
+                "(back): 2 -> 1 when b xor (n <> dint#7) \"again\"",
+            ]
         );
         assert_eq!(below(&text, "continuous actions"), ["1: V if 2000ms/b/d"]);
         assert_eq!(
             below(&text, "stored actions"),
             [
                 "1 on activation: n := n + dint(k)",
-                "2 on event ↑(on or X1): r := -r / real#2.0",
+                "2 on event ↑(`on` or X1): r := -r / real#2.0",
                 "(back) on clearing: n := dint#0",
             ]
         );

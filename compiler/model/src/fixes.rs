@@ -2,12 +2,11 @@
 
 use grafc_diagnostics::{Fix, Span};
 use grafc_syntax::ast::{Step, StepMark};
-use grafc_syntax::dump::plain_or_quoted;
+use grafc_syntax::spelling::written;
 
 /// Another name in place of one, in backquotes if it needs them.
 pub fn name_instead(place: Span, name: &str) -> Fix {
-    let written = plain_or_quoted(name);
-    Fix::maybe(format!("write `{}`", name)).replace(place, written)
+    Fix::maybe(format!("write `{name}`")).replace(place, written(name))
 }
 
 /// A word before `step`.

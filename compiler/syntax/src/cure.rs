@@ -1,6 +1,7 @@
 //! Help for mistakes that other languages suggest.
 
 use crate::expected::contains;
+use crate::spelling::is_reserved;
 use crate::token::{Lexeme, Token, begins_item};
 use grafc_diagnostics::{FileId, Fix, Span};
 
@@ -116,7 +117,7 @@ pub(crate) fn of(slip: &Slip) -> Option<Cure> {
             }
         }
         (_, Token::Integer) if has("whole") && !has("integer") => Cure::new("a step label is a name or decimal digits"),
-        (_, token) if token.is_word() && has("name") => {
+        _ if is_reserved(word) && has("name") => {
             Cure::new(format!("`{word}` is a word of the language; as a name it stands in backquotes"))
                 .fix(Fix::maybe("put it in backquotes").replace(place, format!("`{word}`")))
         }

@@ -4,6 +4,7 @@
 //! Places are left out: a tree is compared by what it says, as by [`same`].
 
 use crate::ast::*;
+use crate::spelling;
 
 /// The tree of a whole file.
 pub fn dump(chart: &Chart) -> String {
@@ -229,10 +230,9 @@ fn name(name: &Name) -> String {
     if name.quoted { quoted(&name.text) } else { name.text.to_string() }
 }
 
-/// A name, in backquotes if it needs them.
+/// A name, in backquotes if it needs them; what cannot be seen is escaped.
 pub fn plain_or_quoted(text: &str) -> String {
-    let plain = !text.is_empty() && text.chars().all(|c| c.is_alphanumeric() || c == '_');
-    if plain { text.to_owned() } else { quoted(text) }
+    if spelling::written(text) == text { text.to_owned() } else { quoted(text) }
 }
 
 fn quoted(text: &str) -> String {
@@ -299,7 +299,7 @@ mod tests {
     transition (a) "go"
       from 1, 2
       to
-      when (and on (not (paren (or b (predicate (> n 2.5))))))
+      when (and `on` (not (paren (or b (predicate (> n 2.5))))))
       stored n := (mod 7 2)
     transition
       from

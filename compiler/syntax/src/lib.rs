@@ -16,6 +16,7 @@ mod lexer;
 mod numeral;
 mod same;
 mod shown;
+pub mod spelling;
 mod token;
 
 /// The parser's tables, made by LALRPOP of `grammar.lalrpop`. They are kept, and not made in each build, so that who

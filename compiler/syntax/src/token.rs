@@ -41,20 +41,26 @@ pub(crate) enum Token {
     #[token("force")]
     Force,
     #[token("true")]
+    #[token("TRUE")]
     True,
     #[token("false")]
+    #[token("FALSE")]
     False,
     #[token("and")]
+    #[token("AND")]
     #[token("·")]
     #[token("⋅")]
     #[token("&")]
     And,
     #[token("or")]
+    #[token("OR")]
     #[token("|")]
     Or,
     #[token("xor")]
+    #[token("XOR")]
     Xor,
     #[token("not")]
+    #[token("NOT")]
     #[token("!")]
     #[token("¬")]
     Not,

@@ -31,6 +31,10 @@ grafcet X9/G4 \"e\" {
 #[test]
 fn the_author_s_spellings_stay() {
     assert_eq!(
+        format("transition 1→2:a AND NOT b XOR TRUE OR(NOT(c))"),
+        "transition 1 → 2 : a AND NOT b XOR TRUE OR (NOT (c))\n"
+    );
+    assert_eq!(
         format(
             "transition 1→2:a·b&c and d|e+f or!g xor¬h·not i·↑a·↓(b)·rise a·fall(b)·[C≠2]·[C<>2]·[T#1m30s>=90s]·[16#FF≥1_0]"
         ),

@@ -29,6 +29,18 @@ fn words_are_names_where_they_cannot_mean_anything_else() {
 }
 
 #[test]
+fn operators_and_constants_may_be_in_capitals() {
+    assert_eq!(condition("NOT a AND TRUE OR b XOR FALSE"), "(or (and (not a) true) (xor b false))");
+    assert_eq!(value("[a AND NOT b]"), "[(and a (not b))]");
+    assert_eq!(condition("`OR` or `NOT`"), "(or OR NOT)");
+    for word in ["AND", "OR", "XOR", "NOT", "TRUE", "FALSE"] {
+        let found = faults(&format!("input {word} : bool"));
+        assert_eq!(found, [format!("E0107 1:7-{} expected a name, found `{word}`", 6 + word.len())]);
+        assert!(faults(&format!("input `{word}` : bool")).is_empty());
+    }
+}
+
+#[test]
 fn numbers() {
     for (written, read) in [
         ("3", "3"),

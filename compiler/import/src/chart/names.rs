@@ -8,45 +8,15 @@ use super::hierarchy::Hierarchy;
 use crate::agrafe::model::{GrafcetId, GrafcetKind, Model, NodeId, NodeKind, VariableId, VariableKind};
 use crate::{changed, doubtful};
 use grafc_diagnostics::Diagnostics;
+use grafc_syntax::spelling::is_reserved;
 use index_vec::{IndexVec, index_vec};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// How long a name may be; what stands in the file once is written again and again.
 const LONGEST: usize = 200;
 
-/// Words that only backquotes make names. Those of the second line are words of the language in places only.
-const RESERVED: [&str; 30] = [
-    "activated",
-    "and",
-    "chart",
-    "const",
-    "enclosing",
-    "expansion",
-    "fall",
-    "false",
-    "force",
-    "grafcet",
-    "if",
-    "initial",
-    "input",
-    "macro",
-    "mod",
-    "not",
-    "on",
-    "or",
-    "output",
-    "rise",
-    "step",
-    "transition",
-    "true",
-    "var",
-    "xor",
-    "activation",
-    "at",
-    "deactivation",
-    "event",
-    "INIT",
-];
+/// Words of the language in places only; backquotes keep them names there.
+const CONTEXTUAL: [&str; 5] = ["activation", "at", "deactivation", "event", "INIT"];
 
 /// Names, without backquotes.
 pub struct ImportNames {
@@ -63,7 +33,7 @@ pub fn spell(name: &str) -> String {
     let letter = |c: char| c == '_' || c.is_ascii_alphabetic() || ('À'..='ӿ').contains(&c) && c.is_alphabetic();
     let mut chars = name.chars();
     let plain = chars.next().is_some_and(letter) && chars.all(|c| letter(c) || c.is_ascii_digit());
-    if plain && !RESERVED.contains(&name) { name.to_string() } else { format!("`{name}`") }
+    if plain && !is_reserved(name) && !CONTEXTUAL.contains(&name) { name.to_string() } else { format!("`{name}`") }
 }
 
 /// A label as it is written: numbers need no backquotes.

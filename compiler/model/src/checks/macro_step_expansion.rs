@@ -13,7 +13,7 @@ use crate::resolve::parts::{ExpansionId, ExpansionPart, Frame};
 use crate::resolve::scope::{Label, kind};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix, Span};
 use grafc_syntax::ast::{self, StepMark};
-use grafc_syntax::dump::plain_or_quoted;
+use grafc_syntax::spelling::written;
 use index_vec::{IndexVec, index_vec};
 
 const ONE_OF_EACH: &str =
@@ -75,7 +75,7 @@ fn check_macro_step(resolved: &Resolved, id: MacroId, is_expanded: bool, diagnos
 
 /// An empty expansion behind its macro-step.
 fn expansion(macro_step: &ast::Step, entry: &str, exit: &str) -> Fix {
-    let [name, entry, exit] = [&macro_step.label.text, entry, exit].map(plain_or_quoted);
+    let [name, entry, exit] = [&macro_step.label.text, entry, exit].map(|name| written(name));
     let block = format!("\nexpansion {name} {{ step {entry} step {exit} transition {entry} -> {exit} : 1 }}\n");
     Fix::maybe("add an expansion").replace(macro_step.span.behind(), block)
 }
