@@ -78,6 +78,7 @@ codes! {
     E0211 "constant-without-value" Error;
     E0212 "malformed-address" Error;
     E0213 "address-taken" Error;
+    E0214 "nothing-to-retain" Error;
 
     E0301 "unknown-step" Error;
     E0302 "unknown-grafcet" Error;
@@ -163,6 +164,7 @@ impl Code {
                 | E0211
                 | E0212
                 | E0213
+                | E0214
                 | E0303
                 | E0307
                 | E0314

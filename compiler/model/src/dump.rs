@@ -158,7 +158,8 @@ pub fn variable(variable: &Variable) -> String {
         Mode::Wire => ", by continuous actions",
         Mode::Stored => ", by stored actions",
     };
-    let head = format!("{kind} {} : {}", name(&variable.name), type_name(variable.ty));
+    let retain = if variable.retain { "retain " } else { "" };
+    let head = format!("{retain}{kind} {} : {}", name(&variable.name), type_name(variable.ty));
     format!("{head}{}{}{mode}{}", initial.unwrap_or_default(), address.unwrap_or_default(), comment(&variable.comment))
 }
 

@@ -89,9 +89,11 @@ pub enum Item {
     Transition(Box<Transition>),
 }
 
-/// `input a "comment", b : bool := 0 at %IX0.0`.
+/// `input a "comment", b : bool := 0 at %IX0.0`, `retain var n : int`.
 #[derive(Clone, Debug)]
 pub struct Declaration {
+    /// Where `retain` is written, if it is: the value is kept over a restart.
+    pub retain: Option<Span>,
     /// Which keyword.
     pub kind: DeclarationKind,
     /// The names, each with its attached comment.

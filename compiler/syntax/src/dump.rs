@@ -74,7 +74,8 @@ impl Dump<'_> {
             DeclarationKind::Variable => "var",
             DeclarationKind::Constant => "const",
         };
-        self.line(&format!("{kind} : {}", format!("{:?}", declaration.ty).to_lowercase()));
+        let retain = if declaration.retain.is_some() { "retain " } else { "" };
+        self.line(&format!("{retain}{kind} : {}", format!("{:?}", declaration.ty).to_lowercase()));
         self.level += 1;
         for declared in &declaration.names {
             self.line(&(name(&declared.name) + &comment(&declared.comment)));

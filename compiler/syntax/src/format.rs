@@ -164,7 +164,8 @@ impl Formatter<'_> {
         let head = matches!(self.pieces[start].lexeme.token, Token::Grafcet | Token::Expansion);
         let mut end = start + 1;
         let mut depth = 0usize;
-        let mut only_prefixes = is_prefix(self.pieces[start].lexeme.token);
+        let first = self.pieces[start].lexeme.token;
+        let mut only_prefixes = is_prefix(first) || first == Token::Retain;
         for (at, piece) in self.pieces.iter().enumerate().skip(start + 1) {
             match piece.lexeme.token {
                 Token::LineComment | Token::BlockComment => continue,

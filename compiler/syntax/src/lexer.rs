@@ -6,7 +6,7 @@
 //! The patterns need no look-ahead beyond a few bytes, so the time is linear whatever the text is.
 
 use crate::numeral;
-use crate::token::{Lexeme, Token};
+use crate::token::{Lexeme, Token, declares};
 use grafc_diagnostics::{Code, Diagnostic, FileId, Fix, Span};
 use logos::Logos;
 use std::ops::Range;
@@ -98,11 +98,38 @@ pub(crate) fn lex(file: FileId, text: &str) -> Lexed {
                     Token::Unreadable
                 }
             },
+            Ok(token) if declares(token) => {
+                mark_retain(text, &mut out.lexemes);
+                token
+            }
             Ok(token) => token,
         };
         out.lexemes.push(Lexeme { token, start, end });
     }
     out
+}
+
+/// The keyword of a declaration follows: `retain` before it belongs to it, where no name is expected.
+fn mark_retain(text: &str, lexemes: &mut [Lexeme]) {
+    let Some((last, before)) = lexemes.split_last_mut() else { return };
+    let is_retain = last.token == Token::Name && &text[last.start as usize..last.end as usize] == "retain";
+    if is_retain && before.last().is_none_or(|l| may_end_item(l.token)) {
+        last.token = Token::Retain;
+    }
+}
+
+/// Whether an item, or the head of a block, may end with this token.
+fn may_end_item(token: Token) -> bool {
+    use Token::*;
+    match token {
+        Name | String | Address | Whole | Integer | Real | Duration | Unreadable | True | False | CloseParen
+        | CloseBracket | OpenBrace | CloseBrace => true,
+        Chart | Input | Output | Var | Const | Grafcet | Expansion | Step | Transition | Initial | Activated
+        | Enclosing | Macro | If | On | Force | And | Or | Xor | Not | Rise | Fall | Mod | Plus | Minus | Star
+        | Slash | Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual | Assign | Colon | Comma | Arrow
+        | OpenParen | OpenBracket | Numeral | LineComment | BlockComment | Activation | Deactivation | Event | At
+        | Retain | End => false,
+    }
 }
 
 impl Lexed {

@@ -39,7 +39,7 @@ fn text(a: &Option<Text>, b: &Option<Text>) -> bool {
 fn items(a: &[Item], b: &[Item]) -> bool {
     all(a, b, |a, b| match (a, b) {
         (Item::Declaration(a), Item::Declaration(b)) => {
-            a.kind == b.kind
+            (a.retain.is_some(), a.kind) == (b.retain.is_some(), b.kind)
                 && all(&a.names, &b.names, |a, b| name(&a.name, &b.name) && text(&a.comment, &b.comment))
                 && a.ty == b.ty
                 && a.initial == b.initial

@@ -158,6 +158,8 @@ pub(crate) enum Token {
     Event,
     /// `at` before an address
     At,
+    /// `retain` before the keyword of a declaration
+    Retain,
     /// The end of an item; the parser puts it there.
     End,
 }
@@ -211,7 +213,8 @@ impl Token {
     }
 }
 
-/// Whether an item begins with this word; it stands nowhere else, except for `step` behind a prefix.
+/// Whether an item begins with this word; it stands nowhere else, except for `step` behind a prefix and for the keyword of
+/// a declaration behind `retain`.
 pub(crate) fn begins_item(token: Token) -> bool {
     is_prefix(token) || may_stand_in_block(token) || is_top_level(token)
 }
@@ -225,7 +228,12 @@ pub(crate) fn may_stand_in_block(token: Token) -> bool {
 }
 
 fn is_top_level(token: Token) -> bool {
-    matches!(token, Token::Chart | Token::Input | Token::Output | Token::Var | Token::Const | Token::Grafcet)
+    declares(token) || matches!(token, Token::Chart | Token::Retain | Token::Grafcet)
+}
+
+/// Whether it is the keyword of a declaration.
+pub(crate) fn declares(token: Token) -> bool {
+    matches!(token, Token::Input | Token::Output | Token::Var | Token::Const)
 }
 
 /// Moves behind the `*)` that closes the comment, or to the end of the text. Comments nest.

@@ -73,6 +73,70 @@ fn declarations() {
 }
 
 #[test]
+fn retained_declarations() {
+    for (text, kind, retained) in [
+        ("retain var n : int", DeclarationKind::Variable, true),
+        ("var n : int", DeclarationKind::Variable, false),
+        ("retain output V \"c\", W : bool := 1 at %QX0.0", DeclarationKind::Output, true),
+        ("retain (* kept *) var n : int", DeclarationKind::Variable, true),
+        ("retain input a : bool", DeclarationKind::Input, true),
+        ("var retain : int", DeclarationKind::Variable, false),
+    ] {
+        let (_, Item::Declaration(declaration)) = only(text) else { panic!("a declaration was written: {text}") };
+        assert_eq!((declaration.kind, declaration.retain.is_some()), (kind, retained), "{text}");
+        assert_eq!(declaration.span.range(), 0..text.len(), "{text}");
+    }
+}
+
+/// It is a name where one is expected, whatever follows.
+#[test]
+fn retain_is_a_name_elsewhere() {
+    for (text, items) in [
+        ("output retain : bool var n : int", 2),
+        ("output a, retain : bool", 1),
+        ("step 1 { retain } var n : int", 2),
+        ("step retain var n : int", 2),
+        ("initial step retain { retain if retain } var n : int", 2),
+        ("transition (1) \"back\" retain -> retain : a and retain var n : int", 2),
+        ("transition (retain) 1 -> 2 : retain output V : bool", 2),
+        ("transition 1 -> 2 : not retain var n : int", 2),
+        ("chart retain var n : int", 1),
+    ] {
+        let chart = chart(text);
+        assert_eq!(chart.items.len(), items, "{text}");
+        let retained = chart.items.iter().filter(|i| matches!(i, Item::Declaration(d) if d.retain.is_some()));
+        assert_eq!(retained.count(), 0, "{text}");
+    }
+}
+
+/// It begins an item behind one that is whole.
+#[test]
+fn retain_begins_an_item() {
+    for before in [
+        "chart C",
+        "chart C \"c\"",
+        "input a : bool",
+        "output a : bool at %QX0.0",
+        "const k : int := 3",
+        "const k : time := 3s",
+        "const k : real := 1.5",
+        "const k : bool := true",
+        "step 1",
+        "step 1 \"c\"",
+        "step 1 { V }",
+        "transition 1 -> 2 : a",
+        "transition 1 -> 2 : (a)",
+        "transition 1 -> 2 : [C = 3]",
+        "transition 1 -> 2 : retain",
+        "grafcet G1 { step 1 }",
+    ] {
+        let chart = chart(&format!("{before} retain var n : int"));
+        let last = chart.items.last().expect("there is one");
+        assert!(matches!(last, Item::Declaration(d) if d.retain.is_some()), "{before}: {last:?}");
+    }
+}
+
+#[test]
 fn steps_of_all_kinds() {
     for (text, kind, initial, activated) in [
         ("step 2", StepKind::Plain, false, false),
@@ -258,7 +322,7 @@ fn an_assignment_of_a_step_says_when() {
 fn every_construct_at_once() {
     let text = include_str!("samples/every_construct.gct");
     let chart = chart(text);
-    assert_eq!(chart.items.len(), 17);
+    assert_eq!(chart.items.len(), 19);
     assert_eq!(chart.comments.len(), 5);
     assert_eq!(chart.span.range(), 0..text.len());
 }

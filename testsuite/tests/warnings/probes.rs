@@ -107,6 +107,7 @@ pub fn variable(chart: &mut Tables, ty: Type, initial: Value) -> VariableId {
         ty,
         initial,
         initial_given: false,
+        retain: false,
         address: None,
         mode: Mode::Stored,
         span,

@@ -130,6 +130,8 @@ pub struct Variable {
     pub initial: Value,
     /// Whether `:= value` was written.
     pub initial_given: bool,
+    /// Whether its value is kept over a restart of the controller (`retain`).
+    pub retain: bool,
     /// `%IX0.0`, counted on where several names shared one.
     pub address: Option<EcoString>,
     /// How it gets its value.

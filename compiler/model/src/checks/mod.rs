@@ -29,6 +29,7 @@ mod level_event;
 mod macro_step_expansion;
 mod negated_edge;
 mod not_an_enclosing_step;
+mod nothing_to_retain;
 mod output_read;
 mod self_loop_with_events;
 mod source_transition_on_level;
@@ -52,6 +53,7 @@ pub type Rule = fn(&Resolved, &mut Diagnostics);
 /// The rules that a chart must not break, in order of their codes. Unknown names and steps (E02.., E0301, E0302) are
 /// reported where they are resolved, cyclic hierarchies (E0313) by [`set_levels`].
 pub const ERRORS: &[Rule] = &[
+    nothing_to_retain::check,
     step_named_twice::check,
     transition_without_steps::check,
     arc_crosses_frame::check,

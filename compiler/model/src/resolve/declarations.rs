@@ -28,6 +28,7 @@ pub fn variables(parts: &Parts) -> IndexVec<VariableId, Variable> {
                 ty: declaration.ty,
                 initial: types::zero(declaration.ty),
                 initial_given: declaration.initial.is_some(),
+                retain: declaration.retain.is_some(),
                 address: None,
                 mode: Mode::Given,
                 span: declared.name.span,

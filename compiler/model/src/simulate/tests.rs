@@ -48,6 +48,7 @@ fn declare(chart: &mut Tables, kind: VariableKind, mode: Mode) -> VariableId {
         ty: Type::Bool,
         initial: Value::Bool(false),
         initial_given: false,
+        retain: false,
         address: None,
         mode,
         span: Span::default(),

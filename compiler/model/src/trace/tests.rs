@@ -14,6 +14,7 @@ fn variable(name: &str, kind: VariableKind, ty: Type, initial: Value) -> Variabl
         ty,
         initial,
         initial_given: false,
+        retain: false,
         address: None,
         mode: Mode::Given,
         span: Span::default(),

@@ -3,7 +3,7 @@
 //! An item begins with a reserved word and ends before the next one, with its own closing brace or before that of its
 //! block.
 
-use crate::token::{Lexeme, Token, begins_item, is_prefix};
+use crate::token::{Lexeme, Token, begins_item, declares, is_prefix};
 
 /// The tokens of one item.
 pub(super) struct Run {
@@ -51,6 +51,9 @@ impl Cutter<'_> {
             if tokens.get(end).is_some_and(|l| l.token == Token::Step) {
                 end += 1;
             }
+        }
+        if first == Token::Retain && tokens.get(end).is_some_and(|l| declares(l.token)) {
+            end += 1;
         }
         // Braces are not nested in an item, unless a mistake nests them: so this is nearly always empty.
         let mut open = Vec::new();

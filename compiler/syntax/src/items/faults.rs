@@ -86,7 +86,9 @@ impl Reader<'_> {
         let found = &self.text[span.range()];
         let mut fault = Diagnostic::new(Code::E0107, span, format!("expected {what}, found `{}`", shorten(found)));
         let lower = found.to_lowercase();
-        if first.token == Token::Name && lower != found && ITEM_WORDS.contains(&lower.as_str()) {
+        if first.token == Token::Name && lower == "retain" {
+            fault = fault.help("`retain` stands before `var` or `output`: `retain var n : int`");
+        } else if first.token == Token::Name && lower != found && ITEM_WORDS.contains(&lower.as_str()) {
             let fix = Fix::certain(format!("write `{lower}`")).replace(span, lower.as_str());
             fault = fault.help(format!("words of the language are in lower case: `{lower}`")).fix(fix);
         }

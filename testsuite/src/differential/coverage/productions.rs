@@ -191,6 +191,7 @@ impl FoundProductions<'_> {
     }
 
     fn declaration(&mut self, declaration: &Declaration) {
+        self.see(declaration.retain.is_some(), "retain");
         self.see(
             true,
             match declaration.kind {

@@ -40,6 +40,7 @@ pub(super) fn of(text: &str) -> Vec<Edit> {
         match item {
             Item::Declaration(declaration) => {
                 list.push((declaration.span, String::new()));
+                list.extend(declaration.retain.map(|span| (span, String::new())));
                 let names = &declaration.names;
                 list.extend(names.iter().filter_map(|n| n.comment.as_ref()).map(|c| (c.span, String::new())));
                 list.extend(names.windows(2).map(|pair| {
