@@ -3,7 +3,7 @@
 use grafc_diagnostics::{Code, FileId};
 use grafc_testsuite::binary::{grafc, root};
 use grafc_testsuite::excerpts;
-use grafc_testsuite::markdown::{blocks, matches, pages, write_files};
+use grafc_testsuite::markdown::{FencedBlock, blocks, matches, pages, write_files};
 use std::path::{Path, PathBuf};
 
 /// The pages that readers start from, and all in `docs`; the pages of the codes have a test of their own.
@@ -35,6 +35,23 @@ fn charts_are_correct() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
+/// Runs the commands of a page in a folder, and counts them: each prints what the page shows.
+fn run_commands(path: &Path, blocks: &[FencedBlock], folder: &Path) -> usize {
+    let mut commands = 0;
+    for block in blocks.iter().filter(|b| b.language == "console") {
+        let wanted: i32 = block.value("exit").map_or(0, |code| code.parse().expect("a number"));
+        for (command, shown) in block.commands() {
+            let place = format!("{}:{}: `{command}`", path.display(), block.line);
+            let Some(arguments) = command.strip_prefix("grafc ") else { continue };
+            let (code, printed) = run(folder, arguments);
+            assert_eq!(code, Some(wanted), "{place} printed\n{printed}");
+            assert!(matches(&shown, &printed), "{place} printed\n{printed}\nbut the book shows\n{shown}");
+            commands += 1;
+        }
+    }
+    commands
+}
+
 #[test]
 fn commands_print_what_the_book_shows() {
     let mut commands = 0;
@@ -45,17 +62,7 @@ fn commands_print_what_the_book_shows() {
         }
         let folder = tempfile::tempdir().expect("a temporary folder");
         write_files(&blocks, folder.path());
-        for block in blocks.iter().filter(|b| b.language == "console") {
-            let wanted: i32 = block.value("exit").map_or(0, |code| code.parse().expect("a number"));
-            for (command, shown) in block.commands() {
-                let place = format!("{}:{}: `{command}`", path.display(), block.line);
-                let Some(arguments) = command.strip_prefix("grafc ") else { continue };
-                let (code, printed) = run(folder.path(), arguments);
-                assert_eq!(code, Some(wanted), "{place} printed\n{printed}");
-                assert!(matches(&shown, &printed), "{place} printed\n{printed}\nbut the book shows\n{shown}");
-                commands += 1;
-            }
-        }
+        commands += run_commands(&path, &blocks, folder.path());
         let read = |name: &str| {
             let text = std::fs::read_to_string(folder.path().join(name));
             text.unwrap_or_else(|e| panic!("{}: no command wrote {name}: {e}", path.display()))
@@ -69,6 +76,19 @@ fn commands_print_what_the_book_shows() {
         assert!(faults.is_empty(), "{}: {}\nUPDATE_EXPECT=1 renews excerpts", path.display(), faults.join("\n"));
     }
     assert!(commands >= 5, "only {commands} commands were found");
+}
+
+#[test]
+fn what_new_makes_does_what_its_readme_shows() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for name in ["mixer", "plant/pump-2"] {
+        assert_eq!(run(folder.path(), &format!("new {name}")).0, Some(0));
+        let made = folder.path().join(name);
+        let readme = made.join("README.md");
+        let page = std::fs::read_to_string(&readme).expect("a README");
+        assert_eq!(run_commands(&readme, &blocks(&page), &made), 3, "{page}");
+        assert!(!page.contains(['{', '}']), "{page}");
+    }
 }
 
 #[test]

@@ -1,7 +1,40 @@
 //! Arguments that several commands have.
 
+use crate::report::{Format, Messages};
 use clap::{Args, ValueEnum};
 use grafc_model::reaction::{Evolution, Profile};
+
+/// How messages are told.
+#[derive(Args, Debug)]
+pub struct MessageArguments {
+    /// The form of messages
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+    #[command(flatten)]
+    quiet: QuietArgument,
+}
+
+impl MessageArguments {
+    /// The choices as a report takes them.
+    pub fn messages(&self) -> Messages {
+        self.quiet.messages(self.format)
+    }
+}
+
+/// Whether warnings are told, of a command that has a form of its own.
+#[derive(Args, Debug)]
+pub struct QuietArgument {
+    /// Tell errors alone: no warnings, no counts, nothing of what was done
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+impl QuietArgument {
+    /// Messages of a form, all of them or errors alone.
+    pub fn messages(&self, format: Format) -> Messages {
+        Messages { format, quiet: self.quiet }
+    }
+}
 
 /// Choices that change what a chart means.
 #[derive(Args, Debug)]

@@ -19,15 +19,14 @@ pub fn targets() -> PossibleValuesParser {
 pub struct Choices(Chosen);
 
 impl Choices {
-    /// The target of this name with what was chosen; none if there is no such target.
-    pub fn target(&self, name: &str) -> Option<Result<Target, Failure>> {
-        let about = Target::ALL.iter().find(|about| about.name == name)?;
+    /// The target with what was chosen.
+    pub fn target(&self, about: &About) -> Result<Target, Failure> {
         // An option that only other targets know would be without effect.
         if let Some(other) = self.0.made().find(|made| about.choices.iter().all(|choice| choice.name != *made)) {
             let what = format!("`--{other}` is an option of {}", sentence(known_to(other), "--target "));
-            return Some(Err(Failure::WrongUse(what, "leave it out".to_string())));
+            return Err(Failure::WrongUse(what, "leave it out".to_string()));
         }
-        Some(about.target(&self.0).map_err(|refusal| Failure::WrongUse(refusal.what, refusal.help)))
+        about.target(&self.0).map_err(|refusal| Failure::WrongUse(refusal.what, refusal.help))
     }
 }
 

@@ -1,17 +1,20 @@
 //! What can be asked of grafc.
 
-use crate::commands::{check, compile, completions, explain, fmt, import, man, sim, stats};
+use crate::commands::{check, compile, completions, explain, fmt, import, man, new, sim, stats};
+use crate::meant;
+use crate::stream::Stream;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
-use std::path::Path;
 
 const AFTER_HELP: &str = "\
 Example:
-  grafc valve.gct --target st -o valve.st
+  grafc valve.gct -o valve.st
+  grafc charts/*.gct -t rust -o src/ --watch
   grafc valve.gct --emit net
 
-Exit codes: 0 done, 1 the chart has errors, 2 wrong use, 3 a file cannot be read or written.
+The ending of FILE says what to make, unless `--target` does: .st, .il, .awl, .scl, .TcPOU, .rs; of .xml there are two.
+Exit codes: 0 done, 1 a chart has errors, 2 wrong use, 3 a file cannot be read or written, 101 a fault of grafc.
 A chart that is named like a command is given as `./check`; `-` is standard input or output.";
 
 /// Compile GRAFCET charts (IEC 60848) to IEC 61131-3 code
@@ -31,26 +34,26 @@ impl CommandLine {
     /// What was asked for; the error is help, the version, or what is wrong with the arguments.
     pub fn from_arguments(arguments: impl IntoIterator<Item = OsString>) -> Result<CommandLine, clap::Error> {
         let arguments: Vec<OsString> = arguments.into_iter().collect();
-        CommandLine::try_parse_from(&arguments).map_err(|error| match error.kind() {
-            ErrorKind::ArgumentConflict | ErrorKind::MissingRequiredArgument => {
-                misspelt_command(&arguments).unwrap_or(error)
-            }
-            _ => error,
-        })
+        let parsed = CommandLine::try_parse_from(&arguments);
+        let mut root = CommandLine::command();
+        let is_command = |word: &&str| root.get_subcommands().any(|command| command.get_name() == *word);
+        // A command that there is not looks like a chart.
+        let words: Vec<&str> = match &parsed {
+            Ok(CommandLine { command: Some(_), .. }) => Vec::new(),
+            Ok(CommandLine { command: None, compile }) => compile.charts.iter().filter_map(Stream::as_word).collect(),
+            Err(error) if error.use_stderr() => arguments
+                .get(1)
+                .and_then(|first| first.to_str())
+                .filter(|first| !is_command(first))
+                .into_iter()
+                .collect(),
+            Err(_) => Vec::new(),
+        };
+        match meant::command(&words, &root) {
+            Some(message) => Err(root.error(ErrorKind::InvalidSubcommand, message)),
+            None => parsed,
+        }
     }
-}
-
-/// A misspelt command looks like a chart; if there is no such chart, say what was probably meant.
-fn misspelt_command(arguments: &[OsString]) -> Option<clap::Error> {
-    let mut root = CommandLine::command();
-    let first = arguments.get(1)?.to_str()?;
-    let near = root.get_subcommands().map(|command| command.get_name().to_string());
-    let near = near.filter(|name| name != first).find(|name| strsim::jaro_winkler(name, first) > 0.85)?;
-    if Path::new(first).exists() {
-        return None;
-    }
-    let message = format!("unrecognized command '{first}'\n\n  tip: a similar command exists: '{near}'");
-    Some(root.error(ErrorKind::InvalidSubcommand, message))
 }
 
 /// The commands other than to compile.
@@ -60,6 +63,8 @@ pub enum Command {
     Check(check::Arguments),
     /// Run a chart over a trace of its inputs with the reference simulator
     Sim(sim::Arguments),
+    /// Begin a chart: a folder with a chart that works, a trace, and what to do with them
+    New(new::Arguments),
     /// Measure what a chart takes in each encoding
     Stats(stats::Arguments),
     /// Bring charts into the canonical format

@@ -7,8 +7,10 @@ mod choices;
 pub mod command_line;
 mod commands;
 mod map;
+mod meant;
 mod report;
 mod stream;
+mod watch;
 
 use clap::CommandFactory;
 use command_line::{Command, CommandLine};
@@ -32,6 +34,7 @@ pub fn run(command_line: CommandLine) -> Exit {
         None => commands::compile::run(command_line.compile),
         Some(Command::Check(args)) => commands::check::run(args),
         Some(Command::Sim(args)) => commands::sim::run(args),
+        Some(Command::New(args)) => commands::new::run(args),
         Some(Command::Stats(args)) => commands::stats::run(args),
         Some(Command::Fmt(args)) => commands::fmt::run(args),
         Some(Command::Import(args)) => commands::import::run(args),

@@ -4,7 +4,7 @@ use crate::Exit;
 use crate::stream::Stream;
 use clap::ValueEnum;
 use grafc::files::{Refusal, print};
-use grafc_diagnostics::{Diagnostics, FileId, SourceMap, render};
+use grafc_diagnostics::{Diagnostics, FileId, Severity, SourceMap, render};
 use std::fmt;
 use std::io::{IsTerminal, Write};
 
@@ -17,6 +17,15 @@ pub enum Format {
     Json,
     /// A SARIF 2.1.0 log
     Sarif,
+}
+
+/// Which messages are told, and how.
+#[derive(Clone, Copy, Debug)]
+pub struct Messages {
+    /// Their form.
+    pub format: Format,
+    /// Errors alone, and no counts.
+    pub quiet: bool,
 }
 
 /// Why a command could not do its work.
@@ -75,17 +84,17 @@ impl Report {
     }
 
     /// Says everything on standard error; for people with a last line that counts.
-    pub fn tell(&mut self, format: Format) -> Exit {
-        to_stderr(&self.render(format, wants_colour()));
+    pub fn tell(&mut self, messages: Messages) -> Exit {
+        to_stderr(&self.render(messages, wants_colour()));
         self.exit()
     }
 
     /// Says everything where a command whose product is messages says it: tools find theirs on standard output.
-    pub fn publish(&mut self, format: Format) -> Result<Exit, Refusal> {
-        match format {
-            Format::Human => Ok(self.tell(format)),
+    pub fn publish(&mut self, messages: Messages) -> Result<Exit, Refusal> {
+        match messages.format {
+            Format::Human => Ok(self.tell(messages)),
             Format::Json | Format::Sarif => {
-                print(&self.render(format, false))?;
+                print(&self.render(messages, false))?;
                 Ok(self.exit())
             }
         }
@@ -96,12 +105,17 @@ impl Report {
     }
 
     /// All messages, for people with a last line that counts.
-    pub fn render(&mut self, format: Format, colour: bool) -> String {
+    pub fn render(&mut self, messages: Messages, colour: bool) -> String {
         self.diagnostics.sort_by_place();
-        match format {
+        if messages.quiet {
+            self.diagnostics.retain(|diagnostic| diagnostic.code.severity() == Severity::Error);
+        }
+        match messages.format {
             Format::Human => {
                 let mut text = render::human(&self.sources, &self.diagnostics, colour);
-                text.push_str(&render::summary(&self.diagnostics));
+                if !messages.quiet {
+                    text.push_str(&render::summary(&self.diagnostics));
+                }
                 text
             }
             Format::Json => render::json(&self.sources, &self.diagnostics),

@@ -3,7 +3,7 @@
 use grafc::files::{self, Refusal, print};
 use std::ffi::OsString;
 use std::io::{self, Read};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf, is_separator};
 
 /// What a file name on the command line stands for.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -21,12 +21,34 @@ impl From<OsString> for Stream {
 }
 
 impl Stream {
+    /// The name, if it is a single word and no file has it: perhaps it was meant as a command.
+    pub fn as_word(&self) -> Option<&str> {
+        match self {
+            Stream::File(path) if !path.exists() => path.to_str(),
+            Stream::File(_) | Stream::Standard => None,
+        }
+    }
+
     /// What messages call it when it is read.
     pub fn input_name(&self) -> String {
         match self {
             Stream::Standard => "<stdin>".to_string(),
             Stream::File(path) => path.display().to_string(),
         }
+    }
+
+    /// What messages call it when it is written.
+    pub fn output_name(&self) -> String {
+        match self {
+            Stream::Standard => "<stdout>".to_string(),
+            Stream::File(path) => path.display().to_string(),
+        }
+    }
+
+    /// Whether a path is that of a folder: of one that is there, or with an ending that only folders have.
+    pub fn is_folder(path: &Path) -> bool {
+        let last = path.as_os_str().as_encoded_bytes().last();
+        last.is_some_and(|byte| is_separator(char::from(*byte))) || path.is_dir()
     }
 
     /// The name without folders, for the head of what is made of it.
@@ -85,5 +107,21 @@ impl Stream {
             Stream::Standard => print(text),
             Stream::File(path) => files::write(path, text),
         }
+    }
+
+    /// Puts texts into their places: all of them or none, each whole.
+    pub fn write_all(texts: &[(&Stream, &str)]) -> Result<(), Refusal> {
+        let mut staged = Vec::new();
+        for (stream, text) in texts {
+            if let Stream::File(path) = stream {
+                staged.push(files::stage(path, text)?);
+            }
+        }
+        for (stream, text) in texts {
+            if let Stream::Standard = stream {
+                print(text)?;
+            }
+        }
+        staged.into_iter().try_for_each(files::Staged::put)
     }
 }

@@ -256,7 +256,8 @@ fn code_says_what_made_it() {
 fn wrong_use_ends_with_2() {
     let folder = Folder::new(&[("valve.gct", VALVE)]);
     folder.run(&[]).ends(2, "Usage: grafc");
-    folder.run(&["valve.gct"]).ends(2, "--target <TARGET>|--emit <STAGE>|--dump-after <PASS>");
+    folder.run(&["valve.gct"]).ends(2, "nothing says what to make of `valve.gct`").ends(2, "add `--target st`");
+    folder.run(&["valve.gct", "-t", "st", "--emit", "net"]).ends(2, "cannot be used with");
     folder.run(&["--target", "st"]).ends(2, "CHART");
     folder.run(&["valve.gct", "--target", "fortran"]).ends(2, "possible values: st");
     folder.run(&["valve.gct", "--target", "st", "--encoding", "gray"]).ends(2, "single-phase");
@@ -268,8 +269,14 @@ fn wrong_use_ends_with_2() {
         .run(&["valve.gct", "--target", "st", "--pou", "configuration", "--task-interval", "0ms"])
         .ends(2, "task-interval");
     folder.run(&["valve.gct", "--target", "st", "--nonsense"]).ends(2, "--nonsense");
-    folder.run(&["chek", "valve.gct"]).ends(2, "similar command exists: 'check'");
-    folder.run(&["valve.gct", "check"]).ends(2, "check");
+    folder.run(&["chek", "valve.gct"]).ends(2, "similar command exists: `grafc check`");
+    folder.run(&["valve.gct", "check"]).ends(2, "a command comes first: `grafc check ...`");
+    folder.run(&["run", "valve.gct"]).ends(2, "that is `grafc sim CHART --trace IN.csv`");
+    folder.run(&["run", "valve.gct", "--trace", "t.csv"]).ends(2, "grafc has no command `run`");
+    folder.run(&["valve", "-t", "st"]).ends(2, "there is `valve.gct`");
+    // What is no word, or a command that was called wrongly, is what it looks like.
+    folder.run(&["./run", "-t", "st"]).ends(3, "cannot read `./run`");
+    folder.run(&["check", "--nonsense"]).ends(2, "unexpected argument '--nonsense'");
     assert_eq!(folder.names(), ["valve.gct"]);
 }
 

@@ -19,7 +19,13 @@ fn what_cannot_be_written_is_named_with_its_reason() {
     let folder = Folder::new(&[("valve.gct", VALVE)]);
     std::fs::create_dir(folder.path("directory")).unwrap();
     folder.run(&["valve.gct", "--target", "st", "-o", "no/out.st"]).ends(3, "cannot write `no/out.st`: no such file");
-    folder.run(&["valve.gct", "--target", "st", "-o", "directory"]).ends(3, "cannot write `directory`: is a directory");
+    std::fs::create_dir(folder.path("directory/valve.st")).unwrap();
+    let taken = folder.run(&["valve.gct", "--target", "st", "-o", "directory/valve.st/valve.st/"]);
+    taken.is_done();
+    folder
+        .run(&["valve.gct", "-t", "st", "-o", "directory"])
+        .ends(3, "cannot write `directory/valve.st`: is a directory");
+    folder.run(&["valve.gct", "-t", "st", "-o", "valve.gct/"]).ends(3, "cannot write `valve.gct/`: file exists");
     assert_eq!(folder.names(), ["directory", "valve.gct"]);
 }
 
@@ -49,6 +55,14 @@ fn a_chart_with_an_odd_name_still_makes_code() {
     let heading = run.is_done().out.lines().find(|line| line.starts_with("FUNCTION_BLOCK ")).unwrap();
     let name = heading.trim_start_matches("FUNCTION_BLOCK ");
     assert!(name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_'), "{name}");
+}
+
+#[test]
+fn code_and_map_are_written_both_or_neither() {
+    let folder = Folder::new(&[("valve.gct", VALVE), ("valve.st", "old")]);
+    folder.run(&["valve.gct", "-o", "valve.st", "--map", "no/map.json"]).ends(3, "cannot write `no/map.json`");
+    assert_eq!(folder.read("valve.st"), "old");
+    assert_eq!(folder.names(), ["valve.gct", "valve.st"]);
 }
 
 #[cfg(unix)]

@@ -5,15 +5,20 @@ mod common;
 use common::Folder;
 use grafc_diagnostics::Code;
 
-const COMMANDS: [&str; 7] = ["check", "sim", "fmt", "stats", "explain", "completions", "man"];
+const COMMANDS: [&str; 9] = ["check", "sim", "new", "fmt", "stats", "import", "explain", "completions", "man"];
 
 #[test]
 fn help_of_every_command_shows_an_example() {
     let folder = Folder::new(&[]);
     let root = folder.run(&["--help"]);
-    assert!(root.is_done().out.contains("Example:\n  grafc valve.gct --target st"), "{}", root.out);
+    assert!(root.is_done().out.contains("Example:\n  grafc valve.gct -o valve.st\n"), "{}", root.out);
     assert!(root.out.contains("\n  grafc valve.gct --emit net\n"), "{}", root.out);
-    assert!(root.out.contains("Exit codes: 0 done, 1 the chart has errors"), "{}", root.out);
+    assert!(
+        root.out
+            .contains("Exit codes: 0 done, 1 a chart has errors, 2 wrong use, 3 a file cannot be read or written, 101"),
+        "{}",
+        root.out
+    );
     for command in COMMANDS {
         assert!(root.out.contains(&format!("\n  {command} ")), "{command} is listed");
         for flag in ["--help", "-h"] {
@@ -38,6 +43,9 @@ fn completions_know_every_command() {
         for command in COMMANDS {
             assert!(script.contains(command), "{shell}: {command}");
         }
+        for option in ["watch", "quiet", "dump-after"] {
+            assert!(script.contains(option), "{shell}: --{option}");
+        }
         assert!(
             script.contains("s-trigger") && script.contains("flatten-enclosures")
                 || shell == "elvish"
@@ -53,7 +61,7 @@ fn the_manual_is_roff_and_there_is_one_for_each_command() {
     let folder = Folder::new(&[]);
     let page = folder.run(&["man"]).is_done().out.clone();
     assert!(page.contains(".TH grafc 1"), "{page}");
-    assert!(page.contains("\\-\\-target") && page.contains("Exit codes"), "{page}");
+    assert!(page.contains("\\-\\-target") && page.contains("\\-\\-watch") && page.contains("Exit codes"), "{page}");
     for command in COMMANDS {
         let page = folder.run(&["man", command]).is_done().out.clone();
         assert!(page.contains(&format!(".TH grafc-{command} 1")), "{page}");

@@ -15,7 +15,65 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Refusal> {
 
 /// Puts a text into a file, whole or not at all.
 pub fn write(path: &Path, text: &str) -> Result<(), Refusal> {
-    write_file(path, text).map_err(|error| Refusal::to_write(path.display().to_string(), error))
+    stage(path, text)?.put()
+}
+
+/// Makes a folder, and those around it, if they are not there.
+pub fn make_folder(path: &Path) -> Result<(), Refusal> {
+    fs::create_dir_all(path).map_err(|error| Refusal::to_write(path.display().to_string(), error))
+}
+
+/// A text beside its place. Of several texts, none need be put before all are known to fit; dropped, it is gone.
+#[derive(Debug)]
+pub struct Staged {
+    name: String,
+    place: PathBuf,
+    text: StagedText,
+}
+
+#[derive(Debug)]
+enum StagedText {
+    /// In a file beside the place.
+    Temporary(PathBuf),
+    /// For a device or a pipe, which cannot be replaced, and where nobody finds half a text later.
+    Device(String),
+    /// Where it belongs.
+    Put,
+}
+
+/// Writes a text beside the place where it is to be.
+pub fn stage(path: &Path, text: &str) -> Result<Staged, Refusal> {
+    let name = path.display().to_string();
+    match stage_file(path, text) {
+        Ok((place, text)) => Ok(Staged { name, place, text }),
+        Err(error) => Err(Refusal::to_write(name, error)),
+    }
+}
+
+impl Staged {
+    /// Puts the text into its place.
+    pub fn put(mut self) -> Result<(), Refusal> {
+        let put = match &self.text {
+            StagedText::Temporary(temporary) => fs::rename(temporary, &self.place),
+            StagedText::Device(text) => {
+                File::options().write(true).open(&self.place).and_then(|mut file| file.write_all(text.as_bytes()))
+            }
+            StagedText::Put => Ok(()),
+        };
+        if put.is_ok() {
+            self.text = StagedText::Put;
+        }
+        put.map_err(|error| Refusal::to_write(self.name.clone(), error))
+    }
+}
+
+impl Drop for Staged {
+    fn drop(&mut self) {
+        if let StagedText::Temporary(temporary) = &self.text {
+            // What was wrong before is what is worth saying.
+            let _ = fs::remove_file(temporary);
+        }
+    }
 }
 
 /// Prints to standard output. If it was closed early, the reader has seen enough.
@@ -27,10 +85,10 @@ pub fn print(text: &str) -> Result<(), Refusal> {
     }
 }
 
-fn write_file(path: &Path, text: &str) -> io::Result<()> {
+fn stage_file(path: &Path, text: &str) -> io::Result<(PathBuf, StagedText)> {
     // Follow links, so that the file is replaced and not the link to it.
-    let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-    let existing = match fs::metadata(path) {
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    let existing = match fs::metadata(&path) {
         Ok(metadata) => Some(metadata),
         Err(error) if error.kind() == ErrorKind::NotFound => None,
         Err(error) => return Err(error),
@@ -40,8 +98,7 @@ fn write_file(path: &Path, text: &str) -> io::Result<()> {
             return Err(ErrorKind::IsADirectory.into());
         }
         if !metadata.is_file() {
-            // A device or a pipe cannot be replaced, and nobody finds half a text in it later.
-            return File::options().write(true).open(path)?.write_all(text.as_bytes());
+            return Ok((path, StagedText::Device(text.to_string())));
         }
         if metadata.permissions().readonly() {
             return Err(ErrorKind::PermissionDenied.into());
@@ -55,11 +112,14 @@ fn write_file(path: &Path, text: &str) -> io::Result<()> {
     fs::metadata(directory)?;
     let permissions = existing.map(|metadata| metadata.permissions());
     let (temporary, file) = temporary_file(directory, permissions.as_ref())?;
-    let written = fill(file, text, permissions).and_then(|()| fs::rename(&temporary, path));
-    written.inspect_err(|_| {
-        // What was wrong before is what is worth saying.
-        let _ = fs::remove_file(&temporary);
-    })
+    match fill(file, text, permissions) {
+        Ok(()) => Ok((path, StagedText::Temporary(temporary))),
+        Err(error) => {
+            // What was wrong before is what is worth saying.
+            let _ = fs::remove_file(&temporary);
+            Err(error)
+        }
+    }
 }
 
 /// A new file in a directory, that nobody can open who cannot open the one that it will replace.
@@ -102,22 +162,31 @@ fn restrict(options: &mut OpenOptions, permissions: Option<&Permissions>) {
 fn restrict(_: &mut OpenOptions, _: Option<&Permissions>) {}
 
 /// Whether both are one file that is there, by whatever paths.
-#[cfg(unix)]
 pub fn is_same_file(a: &Path, b: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    match (fs::metadata(a), fs::metadata(b)) {
-        (Ok(a), Ok(b)) => a.is_file() && (a.dev(), a.ino()) == (b.dev(), b.ino()),
-        (Err(_), _) | (_, Err(_)) => false,
-    }
+    identity(a).is_some_and(|a| Some(a) == identity(b))
 }
 
-/// Whether both are one file that is there, by whatever paths.
+/// What a file is, whatever paths lead to it.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub struct FileIdentity(Inner);
+
+#[cfg(unix)]
+type Inner = (u64, u64);
 #[cfg(not(unix))]
-pub fn is_same_file(a: &Path, b: &Path) -> bool {
-    match (fs::canonicalize(a), fs::canonicalize(b)) {
-        (Ok(a), Ok(b)) => a.is_file() && a == b,
-        (Err(_), _) | (_, Err(_)) => false,
-    }
+type Inner = PathBuf;
+
+/// The identity of a file that is there.
+#[cfg(unix)]
+pub fn identity(path: &Path) -> Option<FileIdentity> {
+    use std::os::unix::fs::MetadataExt;
+    let metadata = fs::metadata(path).ok().filter(fs::Metadata::is_file)?;
+    Some(FileIdentity((metadata.dev(), metadata.ino())))
+}
+
+/// The identity of a file that is there.
+#[cfg(not(unix))]
+pub fn identity(path: &Path) -> Option<FileIdentity> {
+    fs::canonicalize(path).ok().filter(|path| path.is_file()).map(FileIdentity)
 }
 
 /// A file cannot be read or written.
@@ -162,6 +231,7 @@ impl Refusal {
             (ErrorKind::PermissionDenied, "read") => "ask for permission to read it",
             (ErrorKind::PermissionDenied, _) => "choose another place, or ask for permission to write there",
             (ErrorKind::IsADirectory, _) => "name a file in it",
+            (ErrorKind::AlreadyExists, _) => "choose another name; nothing that is there is overwritten",
             (ErrorKind::NotADirectory, _) => "check the path: a part of it is a file, not a directory",
             (ErrorKind::StorageFull | ErrorKind::QuotaExceeded, _) => "free some space, or choose another place",
             (ErrorKind::ReadOnlyFilesystem, _) => "choose another place",

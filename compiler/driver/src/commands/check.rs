@@ -2,8 +2,10 @@
 
 use super::refuse_second_standard_input;
 use crate::Exit;
-use crate::report::{Failure, Format, Report, to_stderr};
+use crate::arguments::MessageArguments;
+use crate::report::{Failure, Report, to_stderr};
 use crate::stream::Stream;
+use crate::watch;
 use clap::Args;
 
 const AFTER_HELP: &str = "\
@@ -19,14 +21,21 @@ pub struct Arguments {
     /// The charts; `-` is standard input
     #[arg(required = true, value_name = "CHART")]
     charts: Vec<Stream>,
-    /// The form of messages
-    #[arg(long, value_enum, default_value_t = Format::Human)]
-    format: Format,
+    #[command(flatten)]
+    messages: MessageArguments,
+    /// Check again whenever a chart changes, until Ctrl-C
+    #[arg(long)]
+    watch: bool,
+}
+
+/// Checks the charts, once or whenever one changes.
+pub fn run(args: Arguments) -> Result<Exit, Failure> {
+    refuse_second_standard_input(&args.charts)?;
+    if args.watch { watch::run(&args.charts, args.messages.messages(), || check(&args)) } else { check(&args) }
 }
 
 /// Checks every chart, also after one that cannot be read.
-pub fn run(args: Arguments) -> Result<Exit, Failure> {
-    refuse_second_standard_input(&args.charts)?;
+fn check(args: &Arguments) -> Result<Exit, Failure> {
     let mut report = Report::default();
     let mut exit = Exit::Done;
     for stream in &args.charts {
@@ -42,5 +51,5 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
             }
         }
     }
-    Ok(exit.max(report.publish(args.format)?))
+    Ok(exit.max(report.publish(args.messages.messages())?))
 }

@@ -2,6 +2,7 @@
 
 use super::refuse_second_standard_input;
 use crate::Exit;
+use crate::arguments::QuietArgument;
 use crate::report::{Failure, Format, Report, to_stderr};
 use crate::stream::Stream;
 use clap::Args;
@@ -24,6 +25,8 @@ pub struct Arguments {
     /// Write nothing, but print the names of charts that would change
     #[arg(long)]
     check: bool,
+    #[command(flatten)]
+    quiet: QuietArgument,
 }
 
 /// Formats every chart, also after one that cannot be.
@@ -40,7 +43,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
             }
         }
     }
-    Ok(exit.max(report.tell(Format::Human)))
+    Ok(exit.max(report.tell(args.quiet.messages(Format::Human))))
 }
 
 fn format(stream: &Stream, check: bool, report: &mut Report) -> Result<Exit, Failure> {

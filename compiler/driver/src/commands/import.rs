@@ -2,7 +2,8 @@
 
 use super::refuse_output_over_input;
 use crate::Exit;
-use crate::report::{Failure, Format, Report};
+use crate::arguments::MessageArguments;
+use crate::report::{Failure, Report};
 use crate::stream::Stream;
 use clap::Args;
 
@@ -26,9 +27,8 @@ pub struct Arguments {
     /// Take variables that are named like delays, such as `2s/X202`, for these delays
     #[arg(long)]
     delays: bool,
-    /// The form of the report
-    #[arg(long, value_enum, default_value_t = Format::Human)]
-    format: Format,
+    #[command(flatten)]
+    messages: MessageArguments,
 }
 
 /// Imports one chart.
@@ -44,7 +44,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         report.diagnostics.append(said);
         result = made;
     }
-    let exit = report.tell(args.format);
+    let exit = report.tell(args.messages.messages());
     if let Some(result) = result {
         output.write(&result)?;
     }

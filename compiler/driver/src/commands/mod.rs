@@ -7,6 +7,7 @@ pub mod explain;
 pub mod fmt;
 pub mod import;
 pub mod man;
+pub mod new;
 pub mod sim;
 pub mod stats;
 

@@ -2,8 +2,8 @@
 
 use super::{refuse_output_over_input, refuse_second_standard_input};
 use crate::Exit;
-use crate::arguments::ProfileArguments;
-use crate::report::{Failure, Format, Report};
+use crate::arguments::{MessageArguments, ProfileArguments};
+use crate::report::{Failure, Report};
 use crate::stream::Stream;
 use clap::Args;
 use grafc::files::print;
@@ -35,9 +35,8 @@ pub struct Arguments {
     output: Option<Stream>,
     #[command(flatten)]
     profile: ProfileArguments,
-    /// The form of messages, which go to standard error
-    #[arg(long, value_enum, default_value_t = Format::Human)]
-    format: Format,
+    #[command(flatten)]
+    messages: MessageArguments,
 }
 
 /// Runs one chart over one trace.
@@ -66,10 +65,12 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         report.diagnostics.append(said);
         made = simulation;
     }
-    let exit = report.tell(args.format);
+    let messages = args.messages.messages();
+    let exit = report.tell(messages);
     if let Some(made) = made.filter(|_| !report.has_errors()) {
         match &output {
             Some(output) => output.write(&made.result)?,
+            None if messages.quiet => {}
             None => print(&format!("{} rows agree\n", made.compared.unwrap_or_default()))?,
         }
     }

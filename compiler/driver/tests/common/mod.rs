@@ -1,7 +1,7 @@
 //! A directory with charts, and grafc run in it.
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Output;
 use tempfile::TempDir;
 
@@ -64,7 +64,12 @@ impl Folder {
 
     /// The names in the directory, sorted; hidden ones too.
     pub fn names(&self) -> Vec<String> {
-        let entries = std::fs::read_dir(self.directory.path()).unwrap();
+        Folder::names_in(self.directory.path())
+    }
+
+    /// The names in a directory, sorted; hidden ones too.
+    pub fn names_in(directory: &Path) -> Vec<String> {
+        let entries = std::fs::read_dir(directory).unwrap();
         let mut names: Vec<String> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
         names.sort();
         names

@@ -4,7 +4,7 @@ mod figures;
 mod table;
 
 use crate::Exit;
-use crate::arguments::ProfileArguments;
+use crate::arguments::{ProfileArguments, QuietArgument};
 use crate::report::{Failure, Format, Report};
 use crate::stream::Stream;
 use clap::{Args, ValueEnum};
@@ -30,6 +30,8 @@ pub struct Arguments {
     /// The form of the figures, and of messages, which go to standard error
     #[arg(long, value_enum, default_value_t = Form::Human)]
     format: Form,
+    #[command(flatten)]
+    quiet: QuietArgument,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -53,8 +55,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         found = figures;
     }
     let (exit, text) = match args.format {
-        Form::Human => (report.tell(Format::Human), found.as_ref().map(Figures::table)),
-        Form::Json => (report.tell(Format::Json), found.as_ref().map(Figures::json)),
+        Form::Human => (report.tell(args.quiet.messages(Format::Human)), found.as_ref().map(Figures::table)),
+        Form::Json => (report.tell(args.quiet.messages(Format::Json)), found.as_ref().map(Figures::json)),
     };
     if let Some(text) = text {
         print(&text)?;
