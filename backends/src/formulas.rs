@@ -5,6 +5,7 @@
 //! bounds.
 
 use crate::writer::Writer;
+use ecow::EcoString;
 use grafc_formula::FormulaId;
 use std::borrow::Cow;
 
@@ -29,18 +30,18 @@ pub(crate) struct Shape<'p, Level> {
 /// How texts and operands make up a formula.
 pub(crate) enum Arrangement<'p> {
     /// A text that holds together.
-    Atom(Cow<'p, str>),
+    Atom(EcoString),
     /// A word before an operand, which is at place 1.
     Prefix(&'static str, FormulaId),
     /// Texts and operands, as in a call.
-    Pieces(Vec<Piece<'p>>),
+    Pieces(Vec<Piece>),
     /// Operands with a word between them.
     Infix(&'static str, Cow<'p, [FormulaId]>),
 }
 
-pub(crate) enum Piece<'p> {
+pub(crate) enum Piece {
     /// A text between operands.
-    Text(Cow<'p, str>),
+    Text(EcoString),
     /// An operand that the texts around it enclose.
     Enclosed(FormulaId),
     /// An operand at a place, in parentheses if need be.
@@ -48,19 +49,21 @@ pub(crate) enum Piece<'p> {
 }
 
 /// The formulas of one program in a notation.
-pub(crate) struct Formulas<N> {
+pub(crate) struct Formulas<N, Level> {
     pub notation: N,
     /// The columns that each formula takes on one line.
     widths: Vec<usize>,
+    levels: Vec<Level>,
 }
 
-impl<N: Notation> Formulas<N> {
+impl<N: Notation> Formulas<N, N::Level> {
     /// Measures all formulas; operands come before operators.
     pub fn new(notation: N, ids: impl Iterator<Item = FormulaId>) -> Self {
-        let mut this = Formulas { notation, widths: Vec::new() };
+        let mut this = Formulas { notation, widths: Vec::new(), levels: Vec::new() };
         for id in ids {
-            let width = this.measure(id);
+            let (width, level) = this.measure(id);
             this.widths.push(width);
+            this.levels.push(level);
         }
         this
     }
@@ -70,17 +73,22 @@ impl<N: Notation> Formulas<N> {
         self.widths[id.index()]
     }
 
-    /// Whether a formula stands in parentheses.
-    pub fn needs_parentheses(&self, parent: N::Level, place: usize, id: FormulaId) -> bool {
-        self.notation.needs_parentheses(parent, place, self.notation.shape(id).level)
+    /// What parentheses around a formula depend on.
+    pub fn level(&self, id: FormulaId) -> N::Level {
+        self.levels[id.index()]
     }
 
-    fn measure(&self, id: FormulaId) -> usize {
+    /// Whether a formula stands in parentheses.
+    pub fn needs_parentheses(&self, parent: N::Level, place: usize, id: FormulaId) -> bool {
+        self.notation.needs_parentheses(parent, place, self.level(id))
+    }
+
+    fn measure(&self, id: FormulaId) -> (usize, N::Level) {
         let shape = self.notation.shape(id);
         let operand = |place: usize, id: FormulaId| {
             self.width(id).saturating_add(if self.needs_parentheses(shape.level, place, id) { 2 } else { 0 })
         };
-        match &shape.arrangement {
+        let width = match &shape.arrangement {
             Arrangement::Atom(text) => text.len(),
             Arrangement::Prefix(word, id) => operand(1, *id).saturating_add(word.len()),
             Arrangement::Pieces(pieces) => pieces.iter().fold(0, |sum: usize, piece| {
@@ -94,7 +102,8 @@ impl<N: Notation> Formulas<N> {
                 let gaps = (operands.len().saturating_sub(1)) * (operator.len() + 2);
                 operands.iter().enumerate().fold(gaps, |sum, (place, id)| sum.saturating_add(operand(place, *id)))
             }
-        }
+        };
+        (width, shape.level)
     }
 
     /// Writes a formula on the current line.

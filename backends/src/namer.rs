@@ -1,7 +1,8 @@
 //! Identifiers that a target takes, each given once.
 
 use crate::keywords::{Family, Reserved};
-use crate::transliterate::{identifier, is_plain};
+use crate::transliterate::{identifier, is_identifier};
+use ecow::{EcoString, eco_format};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The longest name that is given: more is unreadable, and some PLC editors stop there.
@@ -23,9 +24,10 @@ impl Family {
 pub struct Namer {
     family: Family,
     reserved: Reserved,
-    taken: FxHashSet<String>,
+    /// In upper case.
+    taken: FxHashSet<EcoString>,
     /// The next suffix to try for a stem.
-    next: FxHashMap<String, u32>,
+    next: FxHashMap<EcoString, u32>,
 }
 
 impl Namer {
@@ -35,7 +37,7 @@ impl Namer {
     }
 
     /// A name as near to the wanted one as can be.
-    pub fn name(&mut self, wanted: &str) -> String {
+    pub fn name(&mut self, wanted: &str) -> EcoString {
         let longest = self.family.longest();
         let stem = identifier(wanted, longest);
         if self.take(&stem) {
@@ -46,9 +48,9 @@ impl Namer {
         loop {
             // Rust wants no underscore between a letter and something else in the name of a type.
             let joined = self.family == Family::RustTypes && !stem.ends_with(|c: char| c.is_ascii_digit());
-            let suffix = format!("{}{number}", if joined { "" } else { "_" });
+            let suffix = eco_format!("{}{number}", if joined { "" } else { "_" });
             let kept = stem[..stem.len().min(longest - suffix.len())].trim_end_matches('_');
-            let name = format!("{kept}{suffix}");
+            let name = eco_format!("{kept}{suffix}");
             number += 1;
             if self.take(&name) {
                 self.next.insert(key, number);
@@ -58,23 +60,20 @@ impl Namer {
     }
 
     /// Names of equal rank: those that need no change get theirs first, so that `Tuer` stays when `Tür` is there too.
-    pub fn names<'n>(&mut self, wanted: impl IntoIterator<Item = &'n str>) -> Vec<String> {
-        let wanted: Vec<&str> = wanted.into_iter().collect();
-        self.taken.reserve(wanted.len());
+    pub fn names(&mut self, wanted: impl IntoIterator<Item = EcoString>) -> Vec<EcoString> {
+        let mut names: Vec<EcoString> = wanted.into_iter().collect();
+        self.taken.reserve(names.len());
         let longest = self.family.longest();
-        let stays = |name: &str| is_plain(name, longest) || identifier(name, longest) == name;
-        let mut given: Vec<Option<String>> =
-            wanted.iter().map(|name| (stays(name) && self.take(name)).then(|| name.to_string())).collect();
-        for (name, place) in wanted.iter().zip(&mut given) {
-            if place.is_none() {
-                *place = Some(self.name(name));
-            }
+        let mut stays = |name: &EcoString| is_identifier(name, longest) && self.take(name);
+        let changed: Vec<usize> = (0..names.len()).filter(|place| !stays(&names[*place])).collect();
+        for place in changed {
+            names[place] = self.name(&names[place]);
         }
-        given.into_iter().flatten().collect()
+        names
     }
 
     /// Takes an identifier if it is free.
-    fn take(&mut self, name: &str) -> bool {
+    fn take(&mut self, name: &EcoString) -> bool {
         let key = name.to_ascii_uppercase();
         !self.reserved.contains(&key) && self.taken.insert(key)
     }
@@ -84,8 +83,8 @@ impl Namer {
 mod tests {
     use super::*;
 
-    fn names(wanted: &[&str]) -> Vec<String> {
-        Namer::new(Family::Iec).names(wanted.iter().copied())
+    fn names(wanted: &[&str]) -> Vec<EcoString> {
+        Namer::new(Family::Iec).names(wanted.iter().copied().map(EcoString::from))
     }
 
     #[test]
@@ -147,7 +146,7 @@ mod tests {
     #[test]
     fn many_of_one_name_take_linear_time() {
         let mut namer = Namer::new(Family::Iec);
-        let mut last = String::new();
+        let mut last = EcoString::new();
         for _ in 0..200_000 {
             last = namer.name("é");
         }

@@ -1,12 +1,18 @@
 //! Any text as letters, digits and single underscores of ASCII, still readable.
 
+use ecow::EcoString;
 use std::iter::Peekable;
 use std::str::Chars;
 
 /// The text as an identifier of at most `limit` characters: never empty, no digit first, no two underscores in a row,
 /// none at the end. What has no spelling here becomes `u1F600`, its code point.
-pub fn identifier(text: &str, limit: usize) -> String {
-    if is_plain(text, limit) { text.to_owned() } else { spelled(text, limit) }
+pub fn identifier(text: &str, limit: usize) -> EcoString {
+    if is_plain(text, limit) { text.into() } else { spelled(text, limit).into() }
+}
+
+/// Whether a text is an identifier already.
+pub fn is_identifier(text: &str, limit: usize) -> bool {
+    is_plain(text, limit) || spelled(text, limit) == text
 }
 
 fn spelled(text: &str, limit: usize) -> String {
@@ -31,8 +37,8 @@ fn spelled(text: &str, limit: usize) -> String {
     name
 }
 
-/// Whether a text is an identifier as it stands, as most names are.
-pub fn is_plain(text: &str, limit: usize) -> bool {
+/// Whether a text is easily seen to be an identifier, as most names are.
+fn is_plain(text: &str, limit: usize) -> bool {
     let word = |word: &str| !word.is_empty() && word.bytes().all(|b| b.is_ascii_alphanumeric());
     text.len() <= limit && text.starts_with(|c: char| c.is_ascii_alphabetic()) && text.split('_').all(word)
 }

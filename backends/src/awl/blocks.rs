@@ -9,6 +9,7 @@ use crate::iec::literals::is_zero;
 use crate::iec::names::{Names, remark};
 use crate::keywords::Family;
 use crate::writer::Writer;
+use ecow::{EcoString, eco_format};
 use grafc_formula::{Type, Value};
 use grafc_logic::scan::{Origin, Program, Role, Variable};
 use rustc_hash::FxHashMap;
@@ -176,10 +177,10 @@ fn declaration(out: &mut Writer, name: &str, ty: Type, initial: Option<Value>, c
 }
 
 /// A constant as a declaration takes it.
-fn initial_value(value: Value, ty: Type) -> String {
+fn initial_value(value: Value, ty: Type) -> EcoString {
     match (value, ty) {
-        (Value::Int(n), Type::Uint) => format!("W#16#{n:X}"),
-        (Value::Int(n), Type::Udint) => format!("DW#16#{n:X}"),
+        (Value::Int(n), Type::Uint) => eco_format!("W#16#{n:X}"),
+        (Value::Int(n), Type::Udint) => eco_format!("DW#16#{n:X}"),
         (value, ty) => literal(value, ty),
     }
 }

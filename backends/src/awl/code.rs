@@ -3,6 +3,7 @@
 use super::{AwlNames, Known, Local, Mnemonics, local};
 use crate::comment::clean;
 use crate::writer::{self, Writer};
+use ecow::EcoString;
 use grafc_formula::Type;
 
 /// Where comments beside instructions begin, if the instruction is shorter.
@@ -181,7 +182,7 @@ impl Code {
     }
 
     /// The variable of ours at a place among those of its type.
-    pub fn part(&mut self, names: &mut AwlNames, place: usize, ty: Type, stem: &str) -> String {
+    pub fn part(&mut self, names: &mut AwlNames, place: usize, ty: Type, stem: &str) -> EcoString {
         let of_type = self.parts.iter().filter(|part| part.ty == ty);
         if let Some(part) = of_type.clone().nth(place) {
             return local(&part.name);

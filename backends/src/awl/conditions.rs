@@ -14,6 +14,7 @@
 use super::code::Code;
 use super::numbers::Numbers;
 use super::{AwlNames, local};
+use ecow::EcoString;
 use grafc_formula::{Formula, FormulaId, Type};
 use grafc_logic::scan::Program;
 use rustc_hash::FxHashMap;
@@ -27,7 +28,7 @@ pub(super) struct Conditions<'p> {
     /// For each formula, how many parentheses it opens: as a chain that may go on, and at an end.
     needs: Vec<(u32, u32)>,
     /// The variables that hold parts of the formula that is being loaded.
-    parts: FxHashMap<FormulaId, String>,
+    parts: FxHashMap<FormulaId, EcoString>,
 }
 
 impl<'p> Conditions<'p> {
@@ -58,7 +59,7 @@ impl<'p> Conditions<'p> {
     }
 
     /// The operand of an instruction that has the formula or its negation for one.
-    fn operand(&self, names: &AwlNames, id: FormulaId) -> Option<String> {
+    fn operand(&self, names: &AwlNames, id: FormulaId) -> Option<EcoString> {
         if let Some(part) = self.parts.get(&id) {
             return Some(part.clone());
         }

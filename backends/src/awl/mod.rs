@@ -40,6 +40,7 @@ use crate::namer::Namer;
 use crate::transliterate::ascii;
 use crate::writer::{self, Writer};
 use code::Code;
+use ecow::{EcoString, eco_format};
 use grafc_diagnostics::Diagnostics;
 use grafc_formula::{FormulaId, Type};
 use grafc_logic::scan::{Program, TimerId, VarId};
@@ -88,17 +89,17 @@ pub fn instructions(program: &Program) -> Result<u64, Diagnostics> {
 }
 
 /// The names that [`emit`] gives to the variables of a program.
-pub fn names(program: &Program) -> IndexVec<VarId, String> {
+pub fn names(program: &Program) -> IndexVec<VarId, EcoString> {
     Names::new(program, Family::StatementList).variables
 }
 
 /// The name of the input that is given the time in milliseconds, if the program measures any.
-pub fn clock_input(program: &Program) -> Option<String> {
+pub fn clock_input(program: &Program) -> Option<EcoString> {
     AwlNames::new(program).clock.map(|clock| clock.now)
 }
 
 /// The name of the input that puts the chart back to its start.
-pub fn restart_input(program: &Program) -> String {
+pub fn restart_input(program: &Program) -> EcoString {
     AwlNames::new(program).restart
 }
 
@@ -113,11 +114,11 @@ fn body(program: &Program, mnemonics: Mnemonics, traced: bool) -> Result<(AwlNam
 
 /// All names of the function block, without the mark of local names.
 struct AwlNames {
-    variables: IndexVec<VarId, String>,
+    variables: IndexVec<VarId, EcoString>,
     timers: IndexVec<TimerId, timers::TimerNames>,
-    block: String,
+    block: EcoString,
     /// The input that restarts the chart.
-    restart: String,
+    restart: EcoString,
     /// What measures time, if anything does.
     clock: Option<timers::Clock>,
     /// Gives further names.
@@ -136,19 +137,19 @@ impl AwlNames {
     }
 
     /// The operand of a variable of the block.
-    fn variable(&self, id: VarId) -> String {
+    fn variable(&self, id: VarId) -> EcoString {
         local(&self.variables[id])
     }
 }
 
 /// A name as an operand: the mark tells it from words of the language and global symbols.
-fn local(name: &str) -> String {
-    format!("#{name}")
+fn local(name: &str) -> EcoString {
+    eco_format!("#{name}")
 }
 
 /// A variable of ours that holds a value within one call.
 struct Local {
-    name: String,
+    name: EcoString,
     ty: Type,
 }
 

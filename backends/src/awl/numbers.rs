@@ -12,6 +12,7 @@
 
 use super::code::Code;
 use super::{AwlNames, local};
+use ecow::{EcoString, eco_format};
 use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::{Program, VarId};
 
@@ -200,8 +201,8 @@ fn opposite(op: Comparison) -> Comparison {
 }
 
 /// A constant of 32 bits with sign.
-pub(super) fn long(n: i64) -> String {
-    format!("L#{n}")
+pub(super) fn long(n: i64) -> EcoString {
+    eco_format!("L#{n}")
 }
 
 /// The zero of a type.
@@ -215,11 +216,11 @@ pub(super) fn zero(ty: Type) -> &'static str {
 }
 
 /// A constant as an operand of `L`.
-pub(super) fn literal(value: Value, ty: Type) -> String {
+pub(super) fn literal(value: Value, ty: Type) -> EcoString {
     match (value, ty) {
-        (Value::Bool(true), _) => "TRUE".to_owned(),
-        (Value::Bool(false), _) => "FALSE".to_owned(),
-        (Value::Int(n), Type::Int) => n.to_string(),
+        (Value::Bool(true), _) => "TRUE".into(),
+        (Value::Bool(false), _) => "FALSE".into(),
+        (Value::Int(n), Type::Int) => eco_format!("{n}"),
         (Value::Int(n), Type::Udint) => long(i64::from(n as i32)),
         (Value::Int(n), Type::Dint | Type::Uint | Type::Bool | Type::Time) => long(n),
         (Value::Time(ms), _) => long(ms),

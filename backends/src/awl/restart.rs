@@ -32,7 +32,7 @@ pub(super) fn write(code: &mut Code, program: &Program, names: &AwlNames) {
     }
     // All zeros are one in 32 bits, of which an INT takes 16.
     let text = |ty: Type, value: Value| {
-        if is_zero(value) { "L#0".to_owned() } else { literal(value, ty) }
+        if is_zero(value) { "L#0".into() } else { literal(value, ty) }
     };
     numbers.sort_by_key(|(_, _, initial)| !is_zero(*initial));
     let mut loaded = None;

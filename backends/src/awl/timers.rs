@@ -9,17 +9,18 @@ use super::code::Code;
 use super::numbers::long;
 use super::{AwlNames, Local, local};
 use crate::namer::Namer;
+use ecow::{EcoString, eco_format};
 use grafc_formula::Type;
 use grafc_logic::scan::{Preset, Reads, TimerId};
 
 /// The variables that measure time for all timers.
 pub(super) struct Clock {
     /// The input.
-    pub now: String,
+    pub now: EcoString,
     /// What the input was at the last call.
-    pub before: String,
+    pub before: EcoString,
     /// The block's own clock.
-    pub clock: String,
+    pub clock: EcoString,
 }
 
 impl Clock {
@@ -44,7 +45,7 @@ impl Clock {
 
     /// What keeps its value, and what it is.
     pub fn kept(&self) -> [(Local, &'static str); 2] {
-        let local = |name: &String| Local { name: name.clone(), ty: Type::Dint };
+        let local = |name: &EcoString| Local { name: name.clone(), ty: Type::Dint };
         [
             (local(&self.before), "NOW at the call before"),
             (local(&self.clock), "milliseconds, counted from call to call"),
@@ -55,13 +56,13 @@ impl Clock {
 /// The variables of one timer.
 pub(super) struct TimerNames {
     /// Whether it has run out.
-    pub done: String,
+    pub done: EcoString,
     /// For how long it has run.
-    pub elapsed: String,
+    pub elapsed: EcoString,
     /// Whether it runs.
-    run: String,
+    run: EcoString,
     /// What the clock showed when it was started.
-    start: String,
+    start: EcoString,
     /// Whether somebody asks for how long it has run.
     measures: bool,
     /// Whether somebody asks whether it has run out.
@@ -70,9 +71,9 @@ pub(super) struct TimerNames {
 
 impl TimerNames {
     /// The timer's name is that of what is read of it.
-    pub fn new(reads: Reads, name: String, namer: &mut Namer) -> Self {
+    pub fn new(reads: Reads, name: EcoString, namer: &mut Namer) -> Self {
         let Reads { end: ends, elapsed: measures } = reads;
-        let mut further = |end: &str| namer.name(&format!("{name}_{end}"));
+        let mut further = |end: &str| namer.name(&eco_format!("{name}_{end}"));
         let (run, start) = (further("run"), further("start"));
         let elapsed = if ends && measures { further("time") } else { name.clone() };
         TimerNames { done: name, elapsed, run, start, measures, ends }
@@ -80,7 +81,7 @@ impl TimerNames {
 
     /// What keeps its value; the first is what the timer is called after.
     pub fn kept(&self) -> Vec<Local> {
-        let local = |name: &String, ty| Local { name: name.clone(), ty };
+        let local = |name: &EcoString, ty| Local { name: name.clone(), ty };
         let done = self.ends.then(|| local(&self.done, Type::Bool));
         let elapsed = self.measures.then(|| local(&self.elapsed, Type::Time));
         let others = [local(&self.run, Type::Bool), local(&self.start, Type::Dint)];

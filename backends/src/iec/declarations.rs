@@ -4,6 +4,7 @@ use super::literals::{self, is_zero, type_name};
 use super::names::{Names, remark};
 use crate::comment::clean;
 use crate::writer::Writer;
+use ecow::EcoString;
 use grafc_formula::Type;
 use grafc_logic::scan::{Origin, Origins, Program, Role, State, VarId, Variable};
 use rustc_hash::FxHashMap;
@@ -64,7 +65,7 @@ pub(crate) enum EntryType {
     /// A timer.
     Timer,
     /// A function block.
-    Block(String),
+    Block(EcoString),
 }
 
 impl EntryType {
@@ -81,13 +82,13 @@ impl EntryType {
 /// One declaration.
 pub(crate) struct Entry {
     /// The name.
-    pub name: String,
+    pub name: EcoString,
     /// Where the variable lies.
     pub address: Option<String>,
     /// The type.
     pub ty: EntryType,
     /// The initial value, if it is not the one of the type.
-    pub initial: Option<String>,
+    pub initial: Option<EcoString>,
     /// What stands beside it, clean.
     pub comment: Option<String>,
     /// Where the variable comes from, if somebody asks.
@@ -96,7 +97,7 @@ pub(crate) struct Entry {
 
 impl Entry {
     /// A variable of an elementary type, without anything beside it.
-    pub fn plain(name: String, ty: Type) -> Entry {
+    pub fn plain(name: EcoString, ty: Type) -> Entry {
         Entry {
             name,
             address: None,

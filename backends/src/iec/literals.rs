@@ -1,5 +1,6 @@
 //! Constants and types.
 
+use ecow::{EcoString, eco_format};
 use grafc_formula::{Type, Value};
 
 /// The keyword of a type.
@@ -17,12 +18,12 @@ pub(crate) fn type_name(ty: Type) -> &'static str {
 }
 
 /// A constant as the initial value of a variable, whose declaration says the type.
-pub(crate) fn initial(value: Value, ty: Type) -> String {
+pub(crate) fn initial(value: Value, ty: Type) -> EcoString {
     match (value, ty) {
-        (Value::Bool(true), _) => "TRUE".to_owned(),
-        (Value::Bool(false), _) => "FALSE".to_owned(),
+        (Value::Bool(true), _) => "TRUE".into(),
+        (Value::Bool(false), _) => "FALSE".into(),
         (Value::Int(n), Type::Real | Type::Lreal) => real(n as f64, ty),
-        (Value::Int(n), _) => n.to_string(),
+        (Value::Int(n), _) => eco_format!("{n}"),
         (Value::Real(x), _) => real(x, ty),
         (Value::Time(ms), _) => time(ms),
     }
@@ -31,33 +32,33 @@ pub(crate) fn initial(value: Value, ty: Type) -> String {
 /// A constant in a formula. `0.1` alone is of the type LREAL in CODESYS, TwinCAT and MATIEC, which then compute in
 /// double precision, so that a constant of the type REAL says what it is. A sign stands before the type: STruC++ knows
 /// no other place for it.
-pub(crate) fn literal(value: Value, ty: Type) -> String {
+pub(crate) fn literal(value: Value, ty: Type) -> EcoString {
     let text = initial(value, ty);
     match ty {
         Type::Real => match text.strip_prefix('-') {
-            Some(digits) => format!("-REAL#{digits}"),
-            None => format!("REAL#{text}"),
+            Some(digits) => eco_format!("-REAL#{digits}"),
+            None => eco_format!("REAL#{text}"),
         },
         Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Lreal | Type::Time => text,
     }
 }
 
 /// A constant as the operand of an instruction, where nothing but a literal may stand: the sign is within it.
-pub(crate) fn operand(value: Value, ty: Type) -> String {
+pub(crate) fn operand(value: Value, ty: Type) -> EcoString {
     let text = initial(value, ty);
     match ty {
-        Type::Real => format!("REAL#{text}"),
+        Type::Real => eco_format!("REAL#{text}"),
         Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Lreal | Type::Time => text,
     }
 }
 
 /// The zero of a type.
-pub(crate) fn zero(ty: Type) -> String {
+pub(crate) fn zero(ty: Type) -> EcoString {
     match ty {
-        Type::Bool => "FALSE".to_owned(),
-        Type::Int | Type::Dint | Type::Uint | Type::Udint => "0".to_owned(),
-        Type::Real => "REAL#0.0".to_owned(),
-        Type::Lreal => "0.0".to_owned(),
+        Type::Bool => "FALSE".into(),
+        Type::Int | Type::Dint | Type::Uint | Type::Udint => "0".into(),
+        Type::Real => "REAL#0.0".into(),
+        Type::Lreal => "0.0".into(),
         Type::Time => time(0),
     }
 }
@@ -73,26 +74,28 @@ pub(crate) fn is_zero(value: Value) -> bool {
 
 /// The shortest form that is read back as the same number of the type: digits on both sides of the point, then an
 /// exponent if need be.
-fn real(x: f64, ty: Type) -> String {
+fn real(x: f64, ty: Type) -> EcoString {
     let text = match ty {
-        Type::Real => format!("{:?}", x as f32),
-        Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Lreal | Type::Time => format!("{x:?}"),
+        Type::Real => eco_format!("{:?}", x as f32),
+        Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Lreal | Type::Time => {
+            eco_format!("{x:?}")
+        }
     };
     match text.split_once('e') {
-        Some((digits, exponent)) if digits.contains('.') => format!("{digits}E{exponent}"),
-        Some((digits, exponent)) => format!("{digits}.0E{exponent}"),
+        Some((digits, exponent)) if digits.contains('.') => eco_format!("{digits}E{exponent}"),
+        Some((digits, exponent)) => eco_format!("{digits}.0E{exponent}"),
         None => text,
     }
 }
 
 /// A duration in the largest unit that needs no fraction: compound literals are not taken everywhere.
-pub(crate) fn time(ms: i64) -> String {
+pub(crate) fn time(ms: i64) -> EcoString {
     for (unit, length) in [("h", 3_600_000), ("m", 60_000), ("s", 1000)] {
         if ms != 0 && ms % length == 0 {
-            return format!("T#{}{unit}", ms / length);
+            return eco_format!("T#{}{unit}", ms / length);
         }
     }
-    format!("T#{ms}ms")
+    eco_format!("T#{ms}ms")
 }
 
 #[cfg(test)]

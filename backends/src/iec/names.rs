@@ -4,21 +4,22 @@ use super::literals::time;
 use crate::comment::clean;
 use crate::keywords::Family;
 use crate::namer::Namer;
+use ecow::{EcoString, eco_format};
 use grafc_logic::scan::{Preset, Program, Role, TimerId, VarId};
 use index_vec::IndexVec;
 
 /// All names, each unique in the whole file: readers search for them, and some tools mix up scopes.
 #[derive(Clone)]
 pub(crate) struct Names {
-    pub variables: IndexVec<VarId, String>,
-    pub timers: IndexVec<TimerId, String>,
-    pub block: String,
-    pub program: String,
-    pub instance: String,
-    pub configuration: String,
-    pub resource: String,
-    pub task: String,
-    pub program_instance: String,
+    pub variables: IndexVec<VarId, EcoString>,
+    pub timers: IndexVec<TimerId, EcoString>,
+    pub block: EcoString,
+    pub program: EcoString,
+    pub instance: EcoString,
+    pub configuration: EcoString,
+    pub resource: EcoString,
+    pub task: EcoString,
+    pub program_instance: EcoString,
     /// Gives further names: labels, variables of the target's own.
     pub namer: Namer,
 }
@@ -27,7 +28,7 @@ impl Names {
     /// Names by rank: what the chart declares, the chart, what is published, what is ours.
     pub fn new(program: &Program, family: Family) -> Self {
         let mut namer = Namer::new(family);
-        let mut variables: IndexVec<VarId, String> = program.variables.iter().map(|_| String::new()).collect();
+        let mut variables: IndexVec<VarId, EcoString> = program.variables.iter().map(|_| EcoString::new()).collect();
         name_rank(&mut namer, program, &mut variables, 0);
         let block = namer.name(&program.name);
         name_rank(&mut namer, program, &mut variables, 1);
@@ -50,24 +51,24 @@ impl Names {
 
 impl Names {
     /// How long a timer with this preset runs.
-    pub fn preset(&self, preset: Preset) -> String {
+    pub fn preset(&self, preset: Preset) -> EcoString {
         preset.constant.map_or_else(|| time(preset.ms), |constant| self.variables[constant].clone())
     }
 
     /// The same names, variables and timers with a mark before them.
     pub fn marked(&self, mark: &str) -> Names {
         Names {
-            variables: self.variables.iter().map(|name| format!("{mark}{name}")).collect(),
-            timers: self.timers.iter().map(|name| format!("{mark}{name}")).collect(),
+            variables: self.variables.iter().map(|name| eco_format!("{mark}{name}")).collect(),
+            timers: self.timers.iter().map(|name| eco_format!("{mark}{name}")).collect(),
             ..self.clone()
         }
     }
 }
 
 /// Names the variables of one rank, in order.
-fn name_rank(namer: &mut Namer, program: &Program, variables: &mut IndexVec<VarId, String>, wanted: u8) {
+fn name_rank(namer: &mut Namer, program: &Program, variables: &mut IndexVec<VarId, EcoString>, wanted: u8) {
     let of_rank = || program.variables.iter_enumerated().filter(|(_, variable)| rank(variable.role) == wanted);
-    let given = namer.names(of_rank().map(|(_, variable)| variable.name.as_str()));
+    let given = namer.names(of_rank().map(|(_, variable)| variable.name.clone()));
     for ((id, _), name) in of_rank().zip(given) {
         variables[id] = name;
     }

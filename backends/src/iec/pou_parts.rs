@@ -4,12 +4,13 @@ use super::declarations::{self, Entry, VarBlock};
 use super::frame;
 use super::names::{Names, remark};
 use crate::lines::Lines;
+use ecow::EcoString;
 use grafc_logic::scan::Program;
 
 /// All parts.
 pub(crate) struct PouParts {
     /// The name of the function block.
-    pub block: String,
+    pub block: EcoString,
     /// What it is, clean.
     pub description: Option<String>,
     /// Its variables.
@@ -18,17 +19,17 @@ pub(crate) struct PouParts {
     pub body: String,
     pub lines: Lines,
     /// The name of the program.
-    pub program: String,
+    pub program: EcoString,
     /// The variables of the program.
     pub program_variables: Vec<VarBlock>,
     /// The statements of the program, and their language.
     pub program_body: String,
     pub language: Language,
     /// Names for what runs the program.
-    pub configuration: String,
-    pub resource: String,
-    pub task: String,
-    pub program_instance: String,
+    pub configuration: EcoString,
+    pub resource: EcoString,
+    pub task: EcoString,
+    pub program_instance: EcoString,
 }
 
 /// The textual languages.

@@ -2,6 +2,7 @@
 
 use crate::comment::clean;
 use crate::writer::Writer;
+use ecow::EcoString;
 use grafc_formula::FormulaId;
 
 /// Where comments beside instructions begin, if the instruction is shorter.
@@ -23,7 +24,7 @@ pub(super) struct Code {
     /// How many instructions there are.
     pub count: u64,
     /// Names of the variables that hold parts of formulas.
-    pub parts: Vec<String>,
+    pub parts: Vec<EcoString>,
     /// What is known of the accumulator.
     pub known: Option<Known>,
     /// What the reader should know, due beside the next instruction.

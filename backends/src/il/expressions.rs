@@ -12,6 +12,7 @@
 use super::code::Code;
 use crate::iec::literals::{self, type_name, zero};
 use crate::iec::names::Names;
+use ecow::{EcoString, eco_format};
 use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type};
 use grafc_logic::scan::Program;
 use rustc_hash::FxHashMap;
@@ -23,7 +24,7 @@ pub(super) struct Expressions<'p> {
     /// Which formulas need no parenthesis.
     chains: Vec<bool>,
     /// The variables that hold parts of the formula that is being loaded.
-    parts: FxHashMap<FormulaId, String>,
+    parts: FxHashMap<FormulaId, EcoString>,
 }
 
 /// What is done with the accumulator, operand by operand.
@@ -33,7 +34,7 @@ enum Form<'p> {
     /// The value of a formula, and then an instruction with a constant or without operand.
     Then(FormulaId, Cow<'static, str>, &'static str),
     /// A constant, and then an operation.
-    From(String, &'static str, FormulaId),
+    From(EcoString, &'static str, FormulaId),
     /// The first of two operands, and then an operation.
     Pair(FormulaId, &'static str, FormulaId),
     /// Any operand first, and then an operation on each of the others.
@@ -59,13 +60,13 @@ impl<'p> Expressions<'p> {
     }
 
     /// The text of an operand, if a formula is one.
-    pub fn operand(&self, names: &Names, id: FormulaId) -> Option<String> {
+    pub fn operand(&self, names: &Names, id: FormulaId) -> Option<EcoString> {
         let pool = &self.program.pool;
         match pool.get(id) {
             Formula::Constant(value) => Some(literals::operand(*value, pool.ty(id))),
             Formula::Variable(variable) => Some(names.variables[*variable].clone()),
-            Formula::TimerDone(timer) => Some(format!("{}.Q", names.timers[*timer])),
-            Formula::TimerElapsed(timer) => Some(format!("{}.ET", names.timers[*timer])),
+            Formula::TimerDone(timer) => Some(eco_format!("{}.Q", names.timers[*timer])),
+            Formula::TimerElapsed(timer) => Some(eco_format!("{}.ET", names.timers[*timer])),
             Formula::Not(_)
             | Formula::And(_)
             | Formula::Or(_)

@@ -30,6 +30,7 @@ use crate::lines::Lines;
 use crate::writer::{self, Writer};
 use code::Code;
 use declarations::Entry;
+use ecow::EcoString;
 use grafc_diagnostics::Diagnostics;
 use grafc_formula::Type;
 use grafc_logic::scan::{Program, VarId};
@@ -115,6 +116,6 @@ pub fn instructions(program: &Program) -> Result<u64, Diagnostics> {
 }
 
 /// The names that [`emit`] gives to the variables of a program.
-pub fn names(program: &Program) -> IndexVec<VarId, String> {
+pub fn names(program: &Program) -> IndexVec<VarId, EcoString> {
     Names::new(program, Family::InstructionList).variables
 }

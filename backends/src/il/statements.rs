@@ -8,6 +8,7 @@ use super::expressions::Expressions;
 use crate::iec::literals::{operand, zero};
 use crate::iec::names::Names;
 use crate::writer::{self, Writer};
+use ecow::EcoString;
 use grafc_formula::{FormulaId, Value};
 use grafc_logic::scan::{
     Arm, ByMinusOne, Division, Guard, Limit, Origins, Program, Repeat, Statement, TimerId, VarId, is_empty, origin_of,
@@ -54,7 +55,7 @@ impl IlStatements<'_, '_> {
         }
     }
 
-    fn name(&self, id: VarId) -> String {
+    fn name(&self, id: VarId) -> EcoString {
         self.names.variables[id].clone()
     }
 
@@ -67,7 +68,7 @@ impl IlStatements<'_, '_> {
     }
 
     /// A label that nothing else is called like.
-    fn new_label(&mut self, wanted: &str) -> String {
+    fn new_label(&mut self, wanted: &str) -> EcoString {
         self.names.namer.name(wanted)
     }
 
@@ -206,7 +207,7 @@ impl IlStatements<'_, '_> {
 
     /// An arm a value, with what the value stands for beside it.
     fn case(&mut self, of: VarId, arms: &[Arm], after: Option<&str>) {
-        let done = after.map_or_else(|| self.new_label("done"), str::to_owned);
+        let done = after.map_or_else(|| self.new_label("done"), EcoString::from);
         let mut arms: Vec<&Arm> = arms.iter().collect();
         if arms.len() > FEW_ARMS {
             arms.sort_by_key(|arm| arm.value);
@@ -231,7 +232,7 @@ impl IlStatements<'_, '_> {
         }
         for (place, arm) in arms.iter().enumerate() {
             let is_last = place + 1 == arms.len();
-            let next = if is_last { done.to_owned() } else { self.new_label("next") };
+            let next = if is_last { done.into() } else { self.new_label("next") };
             let outer = self.code.out.inner_origin(arm.origin);
             self.code.remark(self.program.remark(arm.origin, arm.told).as_deref());
             self.code.operation("LD", &self.names.variables[of]);
@@ -253,7 +254,7 @@ impl IlStatements<'_, '_> {
         if branches.is_empty() {
             return self.block(otherwise, after);
         }
-        let done = after.map_or_else(|| self.new_label("done"), str::to_owned);
+        let done = after.map_or_else(|| self.new_label("done"), EcoString::from);
         for (place, (condition, body)) in branches.iter().enumerate() {
             let outer = self.code.out.inner_origin(origin_of(body));
             let is_last = place + 1 == branches.len() && is_empty(otherwise);

@@ -2,6 +2,7 @@
 
 use crate::iec::literals::time;
 use crate::xml::Xml;
+use ecow::{EcoString, eco_format};
 
 /// Which tools read it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -33,10 +34,10 @@ impl Dialect {
     }
 
     /// An interval as the readers take it: a literal of IEC 61131-3, or a duration of ISO 8601.
-    pub(super) fn duration(self, ms: u32) -> String {
+    pub(super) fn duration(self, ms: u32) -> EcoString {
         match self {
             Dialect::Neutral => time(i64::from(ms)),
-            Dialect::Codesys => format!("PT{}.{:03}S", ms / 1000, ms % 1000),
+            Dialect::Codesys => eco_format!("PT{}.{:03}S", ms / 1000, ms % 1000),
         }
     }
 

@@ -9,6 +9,7 @@ use super::places::{Places, flag_name};
 use super::split::Split;
 use super::{saved, scan, situation};
 use crate::writer::Writer;
+use ecow::{EcoString, eco_format};
 use grafc_logic::scan::{Flag, Origin, Origins, Program, Role, VarId};
 
 /// All flags.
@@ -93,17 +94,17 @@ impl Chart<'_> {
         out.close("}");
     }
 
-    fn type_of(&self, id: VarId) -> String {
+    fn type_of(&self, id: VarId) -> EcoString {
         match self.places.state(id) {
             Some(state) => state.ty.clone(),
-            None => type_name(self.program.variables[id].ty).to_owned(),
+            None => type_name(self.program.variables[id].ty).into(),
         }
     }
 
     /// A variable's value before the first scan: of a state any, since nothing reads it before the first scan sets it.
-    fn initial(&self, id: VarId) -> String {
+    fn initial(&self, id: VarId) -> EcoString {
         match self.places.state(id) {
-            Some(state) => format!("{}::{}", state.ty, state.variants.first().map_or("", |(_, name)| name)),
+            Some(state) => eco_format!("{}::{}", state.ty, state.variants.first().map_or("", |(_, name)| name)),
             None => literal(self.program.variables[id].initial, self.program.variables[id].ty),
         }
     }

@@ -4,6 +4,7 @@ use super::literals::{literal, type_name};
 use super::places::Places;
 use crate::formulas::{Arrangement, Formulas, Notation, Piece, Shape};
 use crate::writer::{STEP, Writer};
+use ecow::{EcoString, eco_format};
 use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::Program;
 use std::borrow::Cow;
@@ -15,7 +16,7 @@ pub(super) const SMALL: usize = 60;
 
 /// How formulas of one program are spelt.
 pub(super) struct Expressions<'p> {
-    formulas: Formulas<Rust<'p>>,
+    formulas: Formulas<Rust<'p>, RustLevel>,
 }
 
 struct Rust<'p> {
@@ -154,18 +155,18 @@ impl Notation for Rust<'_> {
     fn shape(&self, id: FormulaId) -> Shape<'_, RustLevel> {
         let pool = &self.program.pool;
         let pair = |a: FormulaId, b: FormulaId| Cow::Owned(vec![a, b]);
-        let atom = |text: String| (RustLevel::Atom, Arrangement::Atom(text.into()));
+        let atom = |text: EcoString| (RustLevel::Atom, Arrangement::Atom(text));
         let (level, arrangement) = match pool.get(id) {
             Formula::Constant(value) => {
                 let text = literal(*value, pool.ty(id));
                 let level = if text.starts_with('-') { RustLevel::Prefix } else { RustLevel::Atom };
-                (level, Arrangement::Atom(text.into()))
+                (level, Arrangement::Atom(text))
             }
-            Formula::Variable(variable) => (RustLevel::Atom, Arrangement::Atom(self.places.read(*variable).into())),
+            Formula::Variable(variable) => atom(self.places.read(*variable).clone()),
             Formula::TimerDone(timer) => {
-                atom(format!("{}.has_run({})", self.places.timer(*timer), self.places.preset(*timer)))
+                atom(eco_format!("{}.has_run({})", self.places.timer(*timer), self.places.preset(*timer)))
             }
-            Formula::TimerElapsed(timer) => atom(format!("{}.elapsed()", self.places.timer(*timer))),
+            Formula::TimerElapsed(timer) => atom(eco_format!("{}.elapsed()", self.places.timer(*timer))),
             Formula::Not(a) => match pool.get(*a) {
                 Formula::Xor(b, c) if self.program.pool.is_leaf(*b) && self.program.pool.is_leaf(*c) => {
                     (RustLevel::Comparison, Arrangement::Infix("==", pair(*b, *c)))
@@ -191,8 +192,8 @@ impl Notation for Rust<'_> {
                 }
             },
             Formula::Widen(a) => {
-                let function = format!("{}::from(", type_name(pool.ty(id)));
-                let pieces = vec![Piece::Text(function.into()), Piece::Enclosed(*a), Piece::Text(")".into())];
+                let function = eco_format!("{}::from(", type_name(pool.ty(id)));
+                let pieces = vec![Piece::Text(function), Piece::Enclosed(*a), Piece::Text(")".into())];
                 (RustLevel::Atom, Arrangement::Pieces(pieces))
             }
         };
@@ -225,8 +226,8 @@ impl Rust<'_> {
         if let (Formula::Variable(v), Formula::Constant(Value::Int(n))) = (pool.get(a), pool.get(b))
             && let Some(variant) = self.places.variant(*v, *n)
         {
-            let text = format!(" {sign} {variant}");
-            return (RustLevel::Comparison, Arrangement::Pieces(vec![Piece::Enclosed(a), Piece::Text(text.into())]));
+            let text = eco_format!(" {sign} {variant}");
+            return (RustLevel::Comparison, Arrangement::Pieces(vec![Piece::Enclosed(a), Piece::Text(text)]));
         }
         (RustLevel::Comparison, Arrangement::Infix(sign, Cow::Owned(vec![a, b])))
     }
@@ -247,16 +248,16 @@ impl Rust<'_> {
         }
         let converted = ty == Type::Time && pool.ty(b) != Type::Time && pool.as_constant(b).is_none();
         let (open, close) = if converted { ("i64::from(", "))") } else { ("", ")") };
-        let text = |text: String| Piece::Text(text.into());
+        let text = Piece::Text;
         // A constant has no type of its own, and a long chain would be broken.
         let width = |id: FormulaId| self.places.width_of_operand(self.program, id);
         let chain = width(a) + method.len() + 3 + open.len() + width(b) + close.len();
         let pieces = if pool.as_constant(a).is_some() || chain > SMALL {
-            let head = text(format!("{}::{method}(", type_name(ty)));
-            vec![head, Piece::Enclosed(a), text(format!(", {open}")), Piece::Enclosed(b), text(close.to_owned())]
+            let head = text(eco_format!("{}::{method}(", type_name(ty)));
+            vec![head, Piece::Enclosed(a), text(eco_format!(", {open}")), Piece::Enclosed(b), text(close.into())]
         } else {
-            let middle = text(format!(".{method}({open}"));
-            vec![Piece::Operand(0, a), middle, Piece::Enclosed(b), text(close.to_owned())]
+            let middle = text(eco_format!(".{method}({open}"));
+            vec![Piece::Operand(0, a), middle, Piece::Enclosed(b), text(close.into())]
         };
         (RustLevel::Atom, Arrangement::Pieces(pieces))
     }

@@ -4,6 +4,7 @@ use super::items::doc;
 use super::literals::{literal, type_name, zero};
 use super::names::{RustNames, remark};
 use crate::writer::Writer;
+use ecow::EcoString;
 use grafc_formula::Type;
 use grafc_logic::scan::{Origin, Program, Role, Variable};
 
@@ -59,7 +60,7 @@ pub(super) fn has_variables(program: &Program) -> bool {
 }
 
 /// Each variable of a role with its value before the first scan.
-pub(super) fn values(program: &Program, names: &RustNames, role: Role) -> Vec<(String, String)> {
+pub(super) fn values(program: &Program, names: &RustNames, role: Role) -> Vec<(EcoString, EcoString)> {
     program.of_role(role).map(|(id, v)| (names.variables[id].clone(), literal(v.initial, v.ty))).collect()
 }
 
@@ -98,7 +99,7 @@ fn document(out: &mut Writer, name: &str, variable: &Variable) {
 }
 
 /// Writes a struct expression, on one line where rustfmt would, with `tail` behind it.
-pub(super) fn fields(out: &mut Writer, head: &str, values: &[(String, String)], tail: &str) {
+pub(super) fn fields(out: &mut Writer, head: &str, values: &[(EcoString, EcoString)], tail: &str) {
     let flat = values.iter().map(|(name, value)| format!("{name}: {value}")).collect::<Vec<_>>().join(", ");
     if values.is_empty() {
         return out.line(&format!("{head} {{}}{tail}"));

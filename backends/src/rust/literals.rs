@@ -1,5 +1,6 @@
 //! Types and constants.
 
+use ecow::{EcoString, eco_format};
 use grafc_formula::{Type, Value};
 
 /// A type of the chart.
@@ -28,9 +29,9 @@ pub(super) fn size(ty: Type) -> usize {
 }
 
 /// A constant where its type is known from what stands around it.
-pub(super) fn literal(value: Value, ty: Type) -> String {
+pub(super) fn literal(value: Value, ty: Type) -> EcoString {
     match (value, ty) {
-        (Value::Bool(b), _) => b.to_string(),
+        (Value::Bool(b), _) => eco_format!("{b}"),
         (Value::Int(n), Type::Real | Type::Lreal) => real(n as f64, ty),
         (Value::Int(n) | Value::Time(n), _) => whole(n),
         (Value::Real(x), _) => real(x, ty),
@@ -47,9 +48,9 @@ pub(super) fn zero(ty: Type) -> &'static str {
 }
 
 /// A whole number, its thousands apart from five digits on.
-fn whole(n: i64) -> String {
+fn whole(n: i64) -> EcoString {
     let digits = n.unsigned_abs().to_string();
-    let mut out = String::from(if n < 0 { "-" } else { "" });
+    let mut out = EcoString::from(if n < 0 { "-" } else { "" });
     for (place, digit) in digits.chars().enumerate() {
         if place > 0 && digits.len() > 4 && (digits.len() - place) % 3 == 0 {
             out.push('_');
@@ -60,10 +61,12 @@ fn whole(n: i64) -> String {
 }
 
 /// The shortest form that is read back as the same number of the type.
-fn real(x: f64, ty: Type) -> String {
+fn real(x: f64, ty: Type) -> EcoString {
     match ty {
-        Type::Real => format!("{:?}", x as f32),
-        Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Lreal | Type::Time => format!("{x:?}"),
+        Type::Real => eco_format!("{:?}", x as f32),
+        Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Lreal | Type::Time => {
+            eco_format!("{x:?}")
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use crate::comment::clean;
 use crate::keywords::Family;
 use crate::namer::{MAX_LENGTH, Namer};
 use crate::transliterate::identifier;
+use ecow::{EcoString, eco_format};
 use grafc_logic::scan::{Program, Role, StepId, TimerId, VarId};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
@@ -12,12 +13,12 @@ use rustc_hash::FxHashMap;
 /// them.
 pub struct RustNames {
     /// Variables without what they are part of: `full`, not `inputs.full`.
-    pub variables: IndexVec<VarId, String>,
+    pub variables: IndexVec<VarId, EcoString>,
     /// The chart's type.
-    pub chart: String,
+    pub chart: EcoString,
     /// The variants of `Step`.
-    pub steps: IndexVec<StepId, String>,
-    pub(super) timers: IndexVec<TimerId, String>,
+    pub steps: IndexVec<StepId, EcoString>,
+    pub(super) timers: IndexVec<TimerId, EcoString>,
     /// The type of each state, and its variants by value.
     pub(super) states: Vec<StateNames>,
 }
@@ -25,9 +26,9 @@ pub struct RustNames {
 /// The names of a state.
 pub(super) struct StateNames {
     /// The enum.
-    pub ty: String,
+    pub ty: EcoString,
     /// What each value is called, the idle one first, then in order of declaration.
-    pub variants: Vec<(i64, String)>,
+    pub variants: Vec<(i64, EcoString)>,
     by_value: FxHashMap<i64, usize>,
 }
 
@@ -49,11 +50,11 @@ impl RustNames {
         let mut values = Namer::new(Family::RustValues);
         let mut types = Namer::new(Family::RustTypes);
         let chart = types.name(&camel(&program.name));
-        let mut variables: IndexVec<VarId, String> = program.variables.iter().map(|_| String::new()).collect();
-        let mut give = |namer: &mut Namer, case: fn(&str) -> String, wanted: &dyn Fn(Role) -> bool| {
+        let mut variables: IndexVec<VarId, EcoString> = program.variables.iter().map(|_| EcoString::new()).collect();
+        let mut give = |namer: &mut Namer, case: fn(&str) -> EcoString, wanted: &dyn Fn(Role) -> bool| {
             let ids: Vec<VarId> = program.variables.indices().filter(|v| wanted(program.variables[*v].role)).collect();
-            let wishes: Vec<String> = ids.iter().map(|v| case(&program.variables[*v].name)).collect();
-            for (v, name) in ids.iter().zip(namer.names(wishes.iter().map(String::as_str))) {
+            let wishes = ids.iter().map(|v| case(&program.variables[*v].name));
+            for (v, name) in ids.iter().zip(namer.names(wishes)) {
                 variables[*v] = name;
             }
         };
@@ -63,16 +64,16 @@ impl RustNames {
             matches!(role, Role::Step | Role::State | Role::Flag(_) | Role::Memory | Role::Temporary)
         });
         let timers = program.timers.iter().map(|timer| values.name(&snake(&timer.name))).collect();
-        let wishes: Vec<String> = program.steps.iter().map(|step| variant(&step.label)).collect();
-        let steps: IndexVec<StepId, String> = types.names(wishes.iter().map(String::as_str)).into_iter().collect();
+        let wishes = program.steps.iter().map(|step| variant(&step.label));
+        let steps: IndexVec<StepId, EcoString> = types.names(wishes).into();
         let states = program.states.iter().map(|state| {
             let ty = types.name(&camel(&program.variables[state.variable].name));
             // Always written with their type, so what they are called elsewhere does not matter.
             let mut own = Namer::new(Family::RustTypes);
-            let given = own.names(state.values.iter().map(|(s, _)| steps[*s].as_str()));
-            let mut variants: Vec<(i64, String)> = state.values.iter().map(|(_, n)| *n).zip(given).collect();
+            let given = own.names(state.values.iter().map(|(s, _)| steps[*s].clone()));
+            let mut variants: Vec<(i64, EcoString)> = state.values.iter().map(|(_, n)| *n).zip(given).collect();
             if let Some(idle) = state.idle {
-                variants.insert(0, (idle, "None".to_owned()));
+                variants.insert(0, (idle, "None".into()));
             }
             let by_value = variants.iter().enumerate().map(|(place, (value, _))| (*value, place)).collect();
             StateNames { ty, variants, by_value }
@@ -83,7 +84,7 @@ impl RustNames {
 }
 
 /// A name for a module.
-pub(super) fn module(wanted: &str) -> String {
+pub(super) fn module(wanted: &str) -> EcoString {
     Namer::new(Family::RustValues).name(&snake(wanted))
 }
 
@@ -101,44 +102,44 @@ pub(super) fn remark(original: &str, given: &str, comment: Option<&str>) -> Opti
 }
 
 /// `weighA` and `Weigh_A` to `weigh_a`: a name of a field, a variable or a function.
-fn snake(name: &str) -> String {
+fn snake(name: &str) -> EcoString {
     let name = identifier(name, MAX_LENGTH);
-    let mut out = String::with_capacity(name.len());
+    let mut out = EcoString::new();
     let mut before_is_small = false;
     for c in name.chars() {
-        if c.is_uppercase() && before_is_small {
+        if c.is_ascii_uppercase() && before_is_small {
             out.push('_');
         }
-        before_is_small = c.is_lowercase();
-        out.extend(c.to_lowercase());
+        before_is_small = c.is_ascii_lowercase();
+        out.push(c.to_ascii_lowercase());
     }
     out
 }
 
 /// A name of a constant.
-fn screaming(name: &str) -> String {
-    snake(name).to_uppercase()
+fn screaming(name: &str) -> EcoString {
+    snake(name).to_ascii_uppercase()
 }
 
 /// `weigh_mix_b4` to `WeighMixB4`, `at_G1_1` to `AtG1_1`: a name of a type. Between digits the underscore stays.
-fn camel(name: &str) -> String {
+fn camel(name: &str) -> EcoString {
     let name = identifier(name, MAX_LENGTH);
-    let mut out = String::with_capacity(name.len());
-    for word in name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()) {
+    let mut out = EcoString::new();
+    for word in name.split('_').filter(|word| !word.is_empty()) {
         let digits_meet = out.ends_with(|c: char| c.is_ascii_digit()) && word.starts_with(|c: char| c.is_ascii_digit());
         if digits_meet {
             out.push('_');
         }
         let mut letters = word.chars();
-        out.extend(letters.next().into_iter().flat_map(char::to_uppercase));
+        out.extend(letters.next().map(|c| c.to_ascii_uppercase()));
         out.push_str(letters.as_str());
     }
     out
 }
 
 /// A step as a variant: `X` before a number, as in the standard's variable of its activity.
-fn variant(label: &str) -> String {
-    if label.starts_with(|c: char| c.is_ascii_digit()) { camel(&format!("X{label}")) } else { camel(label) }
+fn variant(label: &str) -> EcoString {
+    if label.starts_with(|c: char| c.is_ascii_digit()) { camel(&eco_format!("X{label}")) } else { camel(label) }
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::literals::literal;
 use super::names::{RustNames, StateNames};
+use ecow::{EcoString, eco_format};
 use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_logic::scan::{Flag, Held, Origins, Program, Role, StepId, TimerId, VarId};
 use index_vec::IndexVec;
@@ -14,7 +15,7 @@ pub(super) struct Places<'p> {
     /// Where variables come from, if somebody asks.
     pub origins: Option<Origins>,
     /// How each variable is read.
-    read: IndexVec<VarId, String>,
+    read: IndexVec<VarId, EcoString>,
     /// The state whose values each variable holds.
     state: FxHashMap<VarId, usize>,
     /// The steps whose bits lie in the packed situation.
@@ -40,31 +41,31 @@ impl<'p> Places<'p> {
         places
     }
 
-    fn spell(&self, id: VarId) -> String {
+    fn spell(&self, id: VarId) -> EcoString {
         let name = &self.names.variables[id];
         match self.program.variables[id].role {
-            Role::Input => format!("inputs.{name}"),
-            Role::Output => format!("self.outputs.{name}"),
-            Role::Internal => format!("self.variables.{name}"),
+            Role::Input => eco_format!("inputs.{name}"),
+            Role::Output => eco_format!("self.outputs.{name}"),
+            Role::Internal => eco_format!("self.variables.{name}"),
             Role::Constant | Role::Temporary => name.clone(),
-            Role::Flag(flag) => format!("self.flags.{}", flag_name(flag)),
+            Role::Flag(flag) => eco_format!("self.flags.{}", flag_name(flag)),
             Role::Step => match self.packed.get(&id) {
-                Some(step) => format!("self.is_active({})", self.names.steps[*step]),
-                None => format!("self.{name}"),
+                Some(step) => eco_format!("self.is_active({})", self.names.steps[*step]),
+                None => eco_format!("self.{name}"),
             },
-            Role::State | Role::Memory => format!("self.{name}"),
+            Role::State | Role::Memory => eco_format!("self.{name}"),
         }
     }
 
     /// Temporaries that functions pass on to each other.
     pub fn share(&mut self, shared: &[VarId]) {
         for v in shared {
-            self.read[*v] = format!("values.{}", self.names.variables[*v]);
+            self.read[*v] = eco_format!("values.{}", self.names.variables[*v]);
         }
     }
 
     /// A variable as an operand.
-    pub fn read(&self, id: VarId) -> &str {
+    pub fn read(&self, id: VarId) -> &EcoString {
         &self.read[id]
     }
 
@@ -79,12 +80,12 @@ impl<'p> Places<'p> {
     }
 
     /// A value of a state as a variant of its enum.
-    pub fn variant(&self, id: VarId, value: i64) -> Option<String> {
-        self.state(id).map(|state| format!("{}::{}", state.ty, state.variant(value)))
+    pub fn variant(&self, id: VarId, value: i64) -> Option<EcoString> {
+        self.state(id).map(|state| eco_format!("{}::{}", state.ty, state.variant(value)))
     }
 
     /// A value of the type that a variable has.
-    pub fn value(&self, id: VarId, value: Value, ty: Type) -> String {
+    pub fn value(&self, id: VarId, value: Value, ty: Type) -> EcoString {
         match value {
             Value::Int(n) => self.variant(id, n).unwrap_or_else(|| literal(value, ty)),
             Value::Bool(_) | Value::Real(_) | Value::Time(_) => literal(value, ty),
@@ -92,12 +93,12 @@ impl<'p> Places<'p> {
     }
 
     /// The field of a timer.
-    pub fn timer(&self, timer: TimerId) -> String {
-        format!("self.{}", self.names.timers[timer])
+    pub fn timer(&self, timer: TimerId) -> EcoString {
+        eco_format!("self.{}", self.names.timers[timer])
     }
 
     /// How long a timer runs.
-    pub fn preset(&self, timer: TimerId) -> String {
+    pub fn preset(&self, timer: TimerId) -> EcoString {
         let preset = self.program.timers[timer].given_preset();
         match preset.constant {
             Some(constant) => self.read[constant].clone(),

@@ -7,6 +7,7 @@ use super::places::Places;
 use super::steps;
 use crate::comment::clean;
 use crate::writer::Writer;
+use ecow::eco_format;
 use grafc_logic::scan::{Held, Program, StepId};
 use std::cmp::Ordering;
 
@@ -49,11 +50,11 @@ impl Situation<'_> {
             out.open("match step {");
             for s in self.program.steps.indices() {
                 let value = match self.program.steps[s].held {
-                    Held::Bit(bit) => self.places.read(bit).to_owned(),
+                    Held::Bit(bit) => self.places.read(bit).clone(),
                     Held::State(state, value) => {
                         let state = self.program.states[state].variable;
                         let variant = self.places.variant(state, value).unwrap_or_default();
-                        format!("{} == {variant}", self.places.read(state))
+                        eco_format!("{} == {variant}", self.places.read(state))
                     }
                 };
                 steps::arm(out, &format!("Step::{}", self.names.steps[s]), &value);
@@ -91,7 +92,7 @@ impl Situation<'_> {
                 format!("steps {} to {}", label(first), label(last))
             });
             let value = match held {
-                Held::Bit(bit) => self.places.read(bit).to_owned(),
+                Held::Bit(bit) => self.places.read(bit).clone(),
                 Held::State(state, value) => {
                     let place = self.place(state, value);
                     let number = match place.cmp(&first) {
@@ -99,7 +100,7 @@ impl Situation<'_> {
                         Ordering::Less => format!("step as usize - {}", first - place),
                         Ordering::Greater => format!("step as usize + {}", place - first),
                     };
-                    format!("{} as usize == {number}", self.places.read(self.program.states[state].variable))
+                    eco_format!("{} as usize == {number}", self.places.read(self.program.states[state].variable))
                 }
             };
             steps::arm(out, &if one { first.to_string() } else { format!("{first}..={last}") }, &value);

@@ -4,6 +4,7 @@ use crate::formulas::{Arrangement, Formulas, Notation, Piece, Shape};
 use crate::iec::literals::{literal, type_name};
 use crate::iec::names::Names;
 use crate::writer::Writer;
+use ecow::eco_format;
 use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::Program;
 use std::borrow::Cow;
@@ -13,7 +14,7 @@ const LONGEST_CHAIN: usize = 200;
 
 /// How formulas of one program are spelt.
 pub(super) struct Expressions<'p> {
-    formulas: Formulas<StructuredText<'p>>,
+    formulas: Formulas<StructuredText<'p>, StLevel>,
 }
 
 struct StructuredText<'p> {
@@ -71,7 +72,7 @@ impl<'p> Expressions<'p> {
     }
 
     fn level(&self, id: FormulaId) -> StLevel {
-        self.shape(id).level
+        self.formulas.level(id)
     }
 
     fn shape(&self, id: FormulaId) -> Shape<'_, StLevel> {
@@ -163,16 +164,14 @@ impl Notation for StructuredText<'_> {
         let (level, arrangement) = match pool.get(id) {
             Formula::Constant(value) => {
                 let text = literal(*value, pool.ty(id));
-                (if text.starts_with('-') { StLevel::Signed } else { StLevel::Atom }, Arrangement::Atom(text.into()))
+                (if text.starts_with('-') { StLevel::Signed } else { StLevel::Atom }, Arrangement::Atom(text))
             }
-            Formula::Variable(variable) => {
-                (StLevel::Atom, Arrangement::Atom((&self.names.variables[*variable]).into()))
-            }
+            Formula::Variable(variable) => (StLevel::Atom, Arrangement::Atom(self.names.variables[*variable].clone())),
             Formula::TimerDone(timer) => {
-                (StLevel::Atom, Arrangement::Atom(format!("{}.Q", self.names.timers[*timer]).into()))
+                (StLevel::Atom, Arrangement::Atom(eco_format!("{}.Q", self.names.timers[*timer])))
             }
             Formula::TimerElapsed(timer) => {
-                (StLevel::Atom, Arrangement::Atom(format!("{}.ET", self.names.timers[*timer]).into()))
+                (StLevel::Atom, Arrangement::Atom(eco_format!("{}.ET", self.names.timers[*timer])))
             }
             Formula::Not(a) => match pool.get(*a) {
                 Formula::Xor(b, c) => (StLevel::Comparison, Arrangement::Infix("=", pair(*b, *c))),
@@ -199,8 +198,8 @@ impl Notation for StructuredText<'_> {
             Formula::Arithmetic(op, a, b) => (StLevel::Arithmetic, Arrangement::Infix(arithmetic(*op), pair(*a, *b))),
             Formula::Negate(a) => (StLevel::Arithmetic, Arrangement::Prefix(negation(pool.ty(id)), *a)),
             Formula::Widen(a) => {
-                let function = format!("{}_TO_{}(", type_name(pool.ty(*a)), type_name(pool.ty(id)));
-                let pieces = vec![Piece::Text(function.into()), Piece::Enclosed(*a), Piece::Text(")".into())];
+                let function = eco_format!("{}_TO_{}(", type_name(pool.ty(*a)), type_name(pool.ty(id)));
+                let pieces = vec![Piece::Text(function), Piece::Enclosed(*a), Piece::Text(")".into())];
                 (StLevel::Atom, Arrangement::Pieces(pieces))
             }
         };
@@ -231,13 +230,13 @@ impl StructuredText<'_> {
     }
 
     /// The negations of operands with a word between them, each `NOT` as deep as it goes.
-    fn negated<'s>(&'s self, word: &'static str, operands: &'s [FormulaId]) -> Arrangement<'s> {
+    fn negated(&self, word: &'static str, operands: &[FormulaId]) -> Arrangement<'static> {
         let mut pieces = Vec::new();
         self.negate(&mut pieces, word, operands);
         Arrangement::Pieces(pieces)
     }
 
-    fn negate<'s>(&'s self, pieces: &mut Vec<Piece<'s>>, word: &'static str, operands: &'s [FormulaId]) {
+    fn negate(&self, pieces: &mut Vec<Piece>, word: &'static str, operands: &[FormulaId]) {
         let text = |text: &'static str| Piece::Text(text.into());
         for (place, operand) in operands.iter().enumerate() {
             if place > 0 {
@@ -256,7 +255,7 @@ impl StructuredText<'_> {
         }
     }
 
-    fn negate_within<'s>(&'s self, pieces: &mut Vec<Piece<'s>>, word: &'static str, operands: &'s [FormulaId]) {
+    fn negate_within(&self, pieces: &mut Vec<Piece>, word: &'static str, operands: &[FormulaId]) {
         pieces.push(Piece::Text("(".into()));
         self.negate(pieces, word, operands);
         pieces.push(Piece::Text(")".into()));

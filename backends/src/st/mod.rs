@@ -18,6 +18,7 @@ use crate::keywords::Family;
 use crate::limits;
 use crate::lines::Lines;
 use crate::writer::{self, Comments, Writer};
+use ecow::EcoString;
 use expressions::Expressions;
 use grafc_diagnostics::Diagnostics;
 use grafc_formula::FormulaId;
@@ -48,7 +49,7 @@ fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, 
 }
 
 /// The names that [`emit`] gives to the variables of a program.
-pub fn names(program: &Program) -> IndexVec<VarId, String> {
+pub fn names(program: &Program) -> IndexVec<VarId, EcoString> {
     Names::new(program, Family::Iec).variables
 }
 
@@ -99,10 +100,10 @@ pub(crate) fn call(program: &Program, names: &Names) -> String {
 }
 
 /// Formulas on a line each, some variables spelt otherwise than they are named.
-pub(crate) fn spell(program: &Program, spelt: &FxHashMap<VarId, String>, formulas: &[FormulaId]) -> Vec<String> {
+pub(crate) fn spell(program: &Program, spelt: &FxHashMap<VarId, EcoString>, formulas: &[FormulaId]) -> Vec<String> {
     let mut names = Names::new(program, Family::Iec);
     for (variable, text) in spelt {
-        names.variables[*variable].clone_from(text);
+        names.variables[*variable] = text.clone();
     }
     let texts = Texts::new(program, &names);
     formulas.iter().map(|id| texts.of(*id)).collect()

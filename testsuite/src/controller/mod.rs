@@ -29,7 +29,8 @@ struct Memory<'b> {
 impl<'b> Memory<'b> {
     fn new(block: &'b FunctionBlock) -> Self {
         let all = block.program.variables.iter_enumerated();
-        let variables = all.map(|(id, variable)| (block.names[id].clone(), (variable.ty, variable.initial))).collect();
+        let variables =
+            all.map(|(id, variable)| (block.names[id].to_string(), (variable.ty, variable.initial))).collect();
         Memory { block, variables, risen: BTreeMap::new(), now: 0 }
     }
 
@@ -42,7 +43,7 @@ impl<'b> Memory<'b> {
         let inputs = |memory: &mut Memory, stimulus: &Stimulus| {
             let ids = memory.block.program.variables.iter_enumerated().filter(|(_, v)| v.role == Role::Input);
             for ((id, _), value) in ids.zip(&stimulus.inputs) {
-                if let Some((_, variable)) = memory.variables.get_mut(&memory.block.names[id]) {
+                if let Some((_, variable)) = memory.variables.get_mut(memory.block.names[id].as_str()) {
                     *variable = *value;
                 }
             }
@@ -60,8 +61,9 @@ impl<'b> Memory<'b> {
     /// Outputs, activities of steps and flags, as tools print them.
     fn line(&self) -> Result<String, String> {
         let program = &self.block.program;
-        let value =
-            |id: VarId| self.variables.get(&self.block.names[id]).map_or(Value::Bool(false), |(_, value)| *value);
+        let value = |id: VarId| {
+            self.variables.get(self.block.names[id].as_str()).map_or(Value::Bool(false), |(_, value)| *value)
+        };
         let mut values: Vec<Value> = jobs::outputs(program).map(|(id, _)| value(id)).collect();
         values.extend(self.block.activities()?.into_iter().map(|activity| match activity {
             Activity::Bit(id) => value(id),

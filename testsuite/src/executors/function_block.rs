@@ -1,6 +1,7 @@
 //! A job as a function block of IEC 61131-3, for tools that compile one and let its variables be read.
 
 use super::jobs::Job;
+use ecow::EcoString;
 use grafc_backends::st;
 use grafc_diagnostics::Diagnostics;
 use grafc_formula::{Comparison, Formula, FormulaId};
@@ -13,7 +14,7 @@ pub(crate) struct FunctionBlock {
     /// The scan program, under a name that is unique among the jobs.
     pub program: Program,
     /// What its variables are called in the text.
-    pub names: IndexVec<VarId, String>,
+    pub names: IndexVec<VarId, EcoString>,
     /// What the block is called.
     pub name: String,
     /// The text.
@@ -49,7 +50,7 @@ impl FunctionBlock {
         index: usize,
         job: &Job,
         emit: impl FnOnce(&Program) -> Result<String, Diagnostics>,
-        names: impl FnOnce(&Program) -> IndexVec<VarId, String>,
+        names: impl FnOnce(&Program) -> IndexVec<VarId, EcoString>,
     ) -> Result<Self, String> {
         let program = named(index, &job.program);
         let text = emit(&program).map_err(|said| format!("{said:#?}"))?;

@@ -11,6 +11,7 @@
 use super::circuit::{Factor, Ladder};
 use super::rung::{BlockCall, Contact, End, Sink, Storage};
 use crate::iec::literals::{literal, operand, zero};
+use ecow::EcoString;
 use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::{ByMinusOne, Division, Guard, VarId};
 
@@ -55,7 +56,7 @@ impl Ladder<'_> {
     }
 
     /// Stores a number behind some contacts.
-    pub fn move_to(&mut self, target: VarId, text: String, behind: Vec<Contact>) {
+    pub fn move_to(&mut self, target: VarId, text: EcoString, behind: Vec<Contact>) {
         self.function("MOVE", vec![("IN", text)], target, behind);
     }
 
@@ -63,7 +64,7 @@ impl Ladder<'_> {
     fn function(
         &mut self,
         kind: &'static str,
-        inputs: Vec<(&'static str, String)>,
+        inputs: Vec<(&'static str, EcoString)>,
         target: VarId,
         behind: Vec<Contact>,
     ) {

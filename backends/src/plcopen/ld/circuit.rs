@@ -22,6 +22,7 @@ use crate::iec::declarations::Entry;
 use crate::iec::literals;
 use crate::iec::names::Names;
 use crate::st::Texts;
+use ecow::EcoString;
 use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Type, Value};
 use grafc_logic::scan::Program;
 use index_vec::IndexVec;
@@ -58,7 +59,7 @@ pub(super) struct Ladder<'p> {
     pub names: &'p mut Names,
     pub texts: &'p Texts<'p>,
     /// For each timer the variable that its output goes to.
-    pub timer_outputs: IndexVec<TimerId, String>,
+    pub timer_outputs: IndexVec<TimerId, EcoString>,
     /// The timers that are called under conditions.
     pub enabled: FxHashSet<TimerId>,
     pub rungs: Vec<Rung>,
@@ -69,7 +70,7 @@ pub(super) struct Ladder<'p> {
     /// The last of what was said.
     pub said: String,
     /// The variables of formulas that got a rung since something was written.
-    pub known: FxHashMap<FormulaId, String>,
+    pub known: FxHashMap<FormulaId, EcoString>,
 }
 
 impl Ladder<'_> {
@@ -81,7 +82,7 @@ impl Ladder<'_> {
 
     /// Adds a rung with one coil.
     pub fn coil(&mut self, items: Vec<Item>, name: &str, storage: Storage) {
-        self.rung(items, End::Coils(vec![Coil { name: name.to_owned(), storage }]));
+        self.rung(items, End::Coils(vec![Coil { name: name.into(), storage }]));
     }
 
     /// What lets the power through where all factors do.
@@ -196,7 +197,7 @@ impl Ladder<'_> {
     }
 
     /// The variable that has a formula's value without further ado.
-    pub fn leaf(&self, id: FormulaId) -> Option<String> {
+    pub fn leaf(&self, id: FormulaId) -> Option<EcoString> {
         match self.program.pool.get(id) {
             Formula::Variable(variable) => Some(self.names.variables[*variable].clone()),
             Formula::TimerDone(timer) => Some(self.timer_outputs[*timer].clone()),
@@ -214,13 +215,13 @@ impl Ladder<'_> {
     }
 
     /// A formula at a pin. Beremiz takes what stands before a `#` for a type, so the sign of a constant is behind it.
-    pub fn text(&self, id: FormulaId) -> String {
+    pub fn text(&self, id: FormulaId) -> EcoString {
         let pool = &self.program.pool;
-        pool.as_constant(id).map_or_else(|| self.texts.of(id), |value| literals::operand(value, pool.ty(id)))
+        pool.as_constant(id).map_or_else(|| self.texts.of(id).into(), |value| literals::operand(value, pool.ty(id)))
     }
 
     /// Writes a formula to a new variable.
-    fn part(&mut self, id: FormulaId) -> String {
+    fn part(&mut self, id: FormulaId) -> EcoString {
         if let Formula::Compare(op, a, b) = self.program.pool.get(id) {
             return self.comparison(*op, [self.text(*a), self.text(*b)]).name;
         }
@@ -237,7 +238,7 @@ impl Ladder<'_> {
     }
 
     /// A contact that is closed where a comparison holds, and the rung that compares.
-    pub fn comparison(&mut self, op: Comparison, [a, b]: [String; 2]) -> Contact {
+    pub fn comparison(&mut self, op: Comparison, [a, b]: [EcoString; 2]) -> Contact {
         let (kind, sign) = match op {
             Comparison::Equal => ("EQ", "="),
             Comparison::NotEqual => ("NE", "<>"),
@@ -261,7 +262,7 @@ impl Ladder<'_> {
     }
 
     /// Declares a variable, with what it stands for.
-    fn new_part(&mut self, note: Option<String>) -> String {
+    fn new_part(&mut self, note: Option<String>) -> EcoString {
         let name = self.names.namer.name(&format!("part_{}", self.parts.len() + 1));
         let comment = note.map(|text| clean(&text));
         self.parts.push(Entry { comment, ..Entry::plain(name.clone(), Type::Bool) });

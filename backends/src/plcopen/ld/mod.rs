@@ -32,6 +32,7 @@ use crate::limits;
 use crate::st::{self, Texts};
 use crate::xml::Xml;
 use circuit::Ladder;
+use ecow::EcoString;
 use grafc_diagnostics::Diagnostics;
 use grafc_formula::Type;
 use grafc_logic::scan::{Program, Role};
@@ -70,7 +71,7 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
 }
 
 /// The instance whose variables hold the situation, if the rungs are a function block of their own.
-pub fn instance(program: &Program) -> Option<String> {
+pub fn instance(program: &Program) -> Option<EcoString> {
     let repeat = program.repeat?;
     Some(Repeated::new(program, &mut Names::new(program, Family::Iec), repeat).instance)
 }
@@ -135,6 +136,6 @@ fn nothing(ladder: &mut Ladder) {
 }
 
 /// A local variable of a type, with a few words on it.
-fn local(name: &str, ty: EntryType, note: &str) -> Entry {
-    Entry { ty, comment: Some(note.to_owned()), ..Entry::plain(name.to_owned(), Type::Bool) }
+fn local(name: &EcoString, ty: EntryType, note: &str) -> Entry {
+    Entry { ty, comment: Some(note.to_owned()), ..Entry::plain(name.clone(), Type::Bool) }
 }

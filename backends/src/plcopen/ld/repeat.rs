@@ -24,6 +24,7 @@ use crate::iec::frame;
 use crate::iec::names::Names;
 use crate::st;
 use crate::writer::{self, Writer};
+use ecow::EcoString;
 use grafc_formula::Type;
 use grafc_logic::scan::{Program, Repeat, Statement, VarId};
 
@@ -35,14 +36,14 @@ pub(super) fn is_call(statement: &Statement) -> bool {
 /// The names and the bound of a loop.
 pub(super) struct Repeated {
     /// The function block that holds the rungs, and the instance of it.
-    pub block: String,
-    pub instance: String,
-    again: String,
-    further: String,
+    pub block: EcoString,
+    pub instance: EcoString,
+    again: EcoString,
+    further: EcoString,
     /// Whether the rungs ask for it.
     asks_further: bool,
     /// What says that there will be no micro-step after this, if the rungs ask for it.
-    last: Option<String>,
+    last: Option<EcoString>,
     /// Whether the outputs wait for the last micro-step.
     waits: bool,
     limit: Option<Limit>,
@@ -51,9 +52,9 @@ pub(super) struct Repeated {
 /// The bound, and who knows when it is hit.
 struct Limit {
     bound: u32,
-    count: String,
+    count: EcoString,
     ty: Type,
-    flag: String,
+    flag: EcoString,
 }
 
 impl Repeated {

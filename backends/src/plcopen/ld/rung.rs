@@ -1,9 +1,10 @@
 //! What stands on a rung.
 
+use ecow::EcoString;
 /// Closed while its variable is true, or while it is false.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Contact {
-    pub name: String,
+    pub name: EcoString,
     pub negated: bool,
 }
 
@@ -37,7 +38,7 @@ pub(super) enum Storage {
 /// A coil.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Coil {
-    pub name: String,
+    pub name: EcoString,
     pub storage: Storage,
 }
 
@@ -46,11 +47,11 @@ pub(super) struct Coil {
 pub(super) struct BlockCall {
     pub kind: &'static str,
     /// The name of a function block's instance.
-    pub instance: Option<String>,
+    pub instance: Option<EcoString>,
     /// The input that the power goes to.
     pub power: &'static str,
     /// The other inputs, and what they are given.
-    pub inputs: Vec<(&'static str, String)>,
+    pub inputs: Vec<(&'static str, EcoString)>,
     pub outputs: Vec<(&'static str, Sink)>,
 }
 
@@ -62,9 +63,9 @@ pub(super) enum Sink {
     /// The right rail.
     Rail,
     /// A coil of this variable.
-    Coil(String),
+    Coil(EcoString),
     /// This variable.
-    Variable(String),
+    Variable(EcoString),
 }
 
 /// The right end of a rung.

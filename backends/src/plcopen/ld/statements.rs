@@ -14,6 +14,7 @@ use super::circuit::{Factor, Ladder};
 use super::rung::{BlockCall, Coil, Contact, End, Item, Sink, Storage};
 use crate::comment::clean;
 use crate::iec::names::remark;
+use ecow::EcoString;
 use grafc_formula::{Formula, FormulaId, Type};
 use grafc_logic::scan::{Role, Statement, TimerId, VarId};
 use rustc_hash::FxHashSet;
@@ -67,7 +68,7 @@ impl Ladder<'_> {
         }
     }
 
-    pub fn name(&self, id: VarId) -> String {
+    pub fn name(&self, id: VarId) -> EcoString {
         self.names.variables[id].clone()
     }
 

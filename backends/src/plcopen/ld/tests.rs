@@ -32,7 +32,7 @@ fn line(rung: &Rung) -> String {
     let end = match &rung.end {
         End::Coils(coils) => {
             let spelt = coils.iter().map(|coil| match coil.storage {
-                Storage::Plain => coil.name.clone(),
+                Storage::Plain => coil.name.to_string(),
                 Storage::Set => format!("S {}", coil.name),
                 Storage::Reset => format!("R {}", coil.name),
             });

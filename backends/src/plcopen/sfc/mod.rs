@@ -14,6 +14,7 @@ mod order;
 mod place;
 mod prepared;
 mod texts;
+use ecow::EcoString;
 pub(super) mod tree_form;
 mod write;
 
@@ -51,7 +52,7 @@ pub fn emit(sequence: &Sequence, options: &Options) -> Result<String, Diagnostic
 }
 
 /// The instance whose variables hold the situation, if something is found before the chart is called.
-pub fn instance(sequence: &Sequence) -> Option<String> {
+pub fn instance(sequence: &Sequence) -> Option<EcoString> {
     let mut names = Names::new(&sequence.program, Family::Iec);
     (!sequence.given.is_empty()).then(|| prepared::instance(&mut names))
 }

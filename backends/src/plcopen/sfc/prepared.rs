@@ -20,6 +20,7 @@ use crate::plcopen::dialect::Dialect;
 use crate::plcopen::{Options, project};
 use crate::st;
 use crate::xml::Xml;
+use ecow::{EcoString, eco_format};
 use grafc_formula::Type;
 use grafc_logic::scan::VarId;
 use grafc_logic::sequence::Sequence;
@@ -30,16 +31,16 @@ pub(super) struct Units {
     /// The function block of the chart and the program.
     parts: PouParts,
     /// The function block that is drawn, if it is another: its name and its variables.
-    drawn: Option<(String, Vec<VarBlock>)>,
+    drawn: Option<(EcoString, Vec<VarBlock>)>,
 }
 
 /// The name of the instance that is drawn.
-pub(super) fn instance(names: &mut Names) -> String {
+pub(super) fn instance(names: &mut Names) -> EcoString {
     names.namer.name("drawn")
 }
 
 /// Takes the declarations of some names out.
-fn show(blocks: &mut [VarBlock], names: &[String]) -> Vec<Entry> {
+fn show(blocks: &mut [VarBlock], names: &[EcoString]) -> Vec<Entry> {
     let mut taken = Vec::new();
     for (_, entries) in blocks.iter_mut().flat_map(|block| &mut block.sections) {
         let (out, kept) = std::mem::take(entries).into_iter().partition(|entry| names.contains(&entry.name));
@@ -62,9 +63,9 @@ impl Units {
         }
         let instance = instance(&mut names);
         let block = names.namer.name(&format!("{}_chart", names.block));
-        let all = |ids: &[VarId]| -> Vec<String> { ids.iter().map(|id| names.variables[*id].clone()).collect() };
+        let all = |ids: &[VarId]| -> Vec<EcoString> { ids.iter().map(|id| names.variables[*id].clone()).collect() };
         let [given, memory, shown] = [&sequence.given, &sequence.memory, &sequence.shown].map(|ids| all(ids));
-        let timers: FxHashSet<&str> = names.timers.iter().map(String::as_str).collect();
+        let timers: FxHashSet<&str> = names.timers.iter().map(EcoString::as_str).collect();
         let is_found = |name: &str| timers.contains(name) || given.iter().chain(&memory).any(|found| found == name);
 
         let mut inner = interface(program, &names, Vec::new());
@@ -80,10 +81,10 @@ impl Units {
             output.sections.push(("", markers));
         }
         let (mut inputs, published) = frame::wired(program, &names);
-        inputs.extend(given.iter().map(String::as_str));
+        inputs.extend(given.iter().map(EcoString::as_str));
         let mut spelt = names.clone();
         for id in &sequence.shown {
-            spelt.variables[*id] = format!("{instance}.{}", names.variables[*id]);
+            spelt.variables[*id] = eco_format!("{instance}.{}", names.variables[*id]);
         }
         let mut body = st::before(program, &spelt);
         body.blank();

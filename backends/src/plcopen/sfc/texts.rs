@@ -1,6 +1,7 @@
 //! What stands in the boxes: names, conditions, actions.
 
 use crate::st;
+use ecow::{EcoString, eco_format};
 use grafc_logic::scan::{Role, VarId};
 use grafc_logic::sequence::Sequence;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -8,12 +9,12 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// All texts of a chart.
 pub(super) struct Texts {
     /// The names of the steps, in order.
-    pub steps: Vec<String>,
+    pub steps: Vec<EcoString>,
     /// The conditions of the transitions, in order.
     pub conditions: Vec<String>,
     /// What each step does.
     pub actions: Vec<Vec<Action>>,
-    of_steps: FxHashSet<String>,
+    of_steps: FxHashSet<EcoString>,
 }
 
 /// A row of an action block.
@@ -24,7 +25,7 @@ pub(super) struct Action {
 
 pub(super) enum Content {
     /// A variable that is true while the step is active.
-    Variable(String),
+    Variable(EcoString),
     /// Statements.
     Statements(String),
 }
@@ -33,7 +34,8 @@ impl Content {
     /// What is read in the row.
     pub fn text(&self) -> &str {
         match self {
-            Content::Variable(text) | Content::Statements(text) => text,
+            Content::Variable(text) => text,
+            Content::Statements(text) => text,
         }
     }
 }
@@ -42,12 +44,12 @@ impl Texts {
     /// Spells a chart.
     pub fn new(sequence: &Sequence) -> Self {
         let names = st::names(&sequence.program);
-        let mut spelt: FxHashMap<VarId, String> = FxHashMap::default();
+        let mut spelt: FxHashMap<VarId, EcoString> = FxHashMap::default();
         let mut of_steps = FxHashSet::default();
         for step in &sequence.steps {
             let name = &names[step.active];
-            spelt.insert(step.active, format!("{name}.X"));
-            spelt.insert(step.duration, format!("{name}.T"));
+            spelt.insert(step.active, eco_format!("{name}.X"));
+            spelt.insert(step.duration, eco_format!("{name}.T"));
             of_steps.extend([name.clone(), names[step.duration].clone()]);
         }
         let conditions = sequence.transitions.iter().map(|transition| transition.condition);

@@ -13,6 +13,7 @@ use super::split::{About, Split, Table};
 use super::steps::list;
 use crate::comment::clean;
 use crate::writer::Writer;
+use ecow::{EcoString, eco_format};
 use grafc_formula::{Type, Value};
 use grafc_logic::scan::{Origin, Program, VarId};
 use std::cell::Cell;
@@ -110,10 +111,10 @@ impl RustStatements<'_> {
         if needs.values {
             let zero = |v: &VarId| {
                 let ty = self.program.variables[*v].ty;
-                let first = |state: &super::names::StateNames| format!("{}::{}", state.ty, state.variants[0].1);
-                (self.names.variables[*v].clone(), self.places.state(*v).map_or(zero(ty).to_owned(), first))
+                let first = |state: &super::names::StateNames| eco_format!("{}::{}", state.ty, state.variants[0].1);
+                (self.names.variables[*v].clone(), self.places.state(*v).map_or(zero(ty).into(), first))
             };
-            let values: Vec<(String, String)> = self.split.shared.iter().map(zero).collect();
+            let values: Vec<(EcoString, EcoString)> = self.split.shared.iter().map(zero).collect();
             fields(out, "let values = &mut Values", &values, ";");
         }
         self.function(out, code, needs);

@@ -5,6 +5,7 @@ use crate::comment::clean;
 use crate::rust::expressions::{SMALL, WIDTH};
 use crate::rust::literals::type_name;
 use crate::writer::Writer;
+use ecow::{EcoString, eco_format};
 use grafc_formula::{Arithmetic, Formula, FormulaId, Type};
 use grafc_logic::scan::{Arm, Division, Statement, TimerId, VarId, is_empty, origin_of, origin_of_end};
 
@@ -53,14 +54,14 @@ impl RustStatements<'_> {
     }
 
     /// The left side of an assignment, with its `let`.
-    fn target(&self, declares: Option<bool>, target: VarId, typed: bool) -> String {
+    fn target(&self, declares: Option<bool>, target: VarId, typed: bool) -> EcoString {
         let name = self.places.read(target);
-        let Some(written_again) = declares else { return name.to_owned() };
-        let name = if self.locals.is_unread(target) { "_" } else { name };
+        let Some(written_again) = declares else { return name.clone() };
+        let name = if self.locals.is_unread(target) { "_" } else { name.as_str() };
         let mutable = if written_again { "mut " } else { "" };
         let ty = self.program.variables[target].ty;
         let annotation = if typed { format!(": {}", type_name(ty)) } else { String::new() };
-        format!("let {mutable}{name}{annotation}")
+        eco_format!("let {mutable}{name}{annotation}")
     }
 
     fn assign(&self, out: &mut Writer, declares: Option<bool>, target: VarId, value: FormulaId) {
@@ -148,7 +149,7 @@ impl RustStatements<'_> {
     /// An arm a value, under what the value stands for; a single arm is an `if`.
     pub(super) fn arms(&self, out: &mut Writer, of: VarId, arms: &[&Arm], inside: impl Fn(&mut Writer, usize)) {
         let remark = |arm: &Arm| self.program.remark(arm.origin, arm.told).map(|text| clean(&text)).unwrap_or_default();
-        let label = |arm: &Arm| self.places.variant(of, arm.value).unwrap_or_else(|| arm.value.to_string());
+        let label = |arm: &Arm| self.places.variant(of, arm.value).unwrap_or_else(|| eco_format!("{}", arm.value));
         if let [arm] = arms {
             let outer = out.inner_origin(arm.origin);
             out.comment(&remark(arm));

@@ -3,6 +3,7 @@
 use super::tools::Tools;
 use crate::executors::jobs::{self, Job, flags, outputs};
 use crate::runs::caught;
+use ecow::EcoString;
 use grafc_backends::awl;
 use grafc_diagnostics::Code;
 use grafc_formula::{Comparison, Formula, FormulaId};
@@ -95,7 +96,7 @@ fn now(index: usize, t_ms: i64) -> i64 {
 /// Whether a step is active: a variable of its own, or the value of the one that holds several.
 fn step_read(
     program: &Program,
-    names: &index_vec::IndexVec<grafc_logic::scan::VarId, String>,
+    names: &index_vec::IndexVec<grafc_logic::scan::VarId, EcoString>,
     id: FormulaId,
 ) -> Result<Json, String> {
     let pool = &program.pool;

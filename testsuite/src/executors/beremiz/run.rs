@@ -4,6 +4,7 @@ use super::tools::Tools;
 use crate::executors::function_block::{FunctionBlock, named};
 use crate::executors::jobs::{self, Job};
 use crate::executors::matiec::{RUNTIME, Unit, build_and_play};
+use ecow::{EcoString, eco_format};
 use grafc_backends::{il, plcopen, st};
 use grafc_logic::scan::{Held, Program, Step, VarId};
 use grafc_logic::sequence::Sequence;
@@ -84,13 +85,13 @@ fn unit(source: &Source, index: usize, job: &Job, text: &str) -> Result<Unit, St
 }
 
 /// Where the rungs are a block of their own, it holds the situation.
-fn ladder_names(program: &Program) -> IndexVec<VarId, String> {
+fn ladder_names(program: &Program) -> IndexVec<VarId, EcoString> {
     let mut names = st::names(program);
     if let Some(instance) = plcopen::ld::instance(program) {
         for (id, variable) in program.variables.iter_enumerated() {
             use grafc_logic::scan::Role;
             match variable.role {
-                Role::Step | Role::State => names[id] = format!("{instance}.{}", names[id]),
+                Role::Step | Role::State => names[id] = eco_format!("{instance}.{}", names[id]),
                 Role::Input
                 | Role::Output
                 | Role::Internal
@@ -105,7 +106,7 @@ fn ladder_names(program: &Program) -> IndexVec<VarId, String> {
 }
 
 /// MATIEC numbers steps in the order in which they are declared.
-fn sequence_names(sequence: &Sequence, program: &Program, blocks: &str) -> Result<IndexVec<VarId, String>, String> {
+fn sequence_names(sequence: &Sequence, program: &Program, blocks: &str) -> Result<IndexVec<VarId, EcoString>, String> {
     let mut names = st::names(program);
     let declared = blocks.lines().filter_map(|line| {
         let line = line.trim();
@@ -118,7 +119,7 @@ fn sequence_names(sequence: &Sequence, program: &Program, blocks: &str) -> Resul
         let name = &names[step.active];
         let place = declared.iter().position(|known| known == name);
         let place = place.ok_or_else(|| format!("step {name} is not declared in\n{blocks}"))?;
-        names[step.active] = format!("{instance}__step_list[{place}].X");
+        names[step.active] = eco_format!("{instance}__step_list[{place}].X");
     }
     Ok(names)
 }

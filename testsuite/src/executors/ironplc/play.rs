@@ -99,7 +99,7 @@ fn kept(prefix: &str, slot: usize, word: usize) -> String {
 
 /// The values that come out of a scan, in the order of [`crate::executors::jobs`]: truths share the first words.
 fn columns(block: &FunctionBlock) -> Result<Vec<Column>, String> {
-    let name = |id: VarId| block.names[id].clone();
+    let name = |id: VarId| block.names[id].to_string();
     let mut values: Vec<(String, Type)> =
         outputs(&block.program).map(|(id, variable)| (name(id), variable.ty)).collect();
     values.extend(block.activities()?.into_iter().map(|activity| match activity {
@@ -161,7 +161,7 @@ fn text(
     let inputs = block.program.variables.iter_enumerated().filter(|(_, variable)| variable.role == Role::Input);
     for (place, (id, variable)) in inputs.enumerate() {
         let cells = stimuli.iter().map(|stimulus| literal(stimulus.inputs[place])).collect();
-        array(format!("in_{place}"), variable.ty, block.names[id].clone(), cells);
+        array(format!("in_{place}"), variable.ty, block.names[id].to_string(), cells);
     }
     // What is kept of a scan, and then whatever slot it has.
     let mut after = String::new();

@@ -11,6 +11,7 @@ use super::prepared::Units;
 use super::refusal;
 use super::texts::{Action, Content, Texts};
 use crate::plcopen::Options;
+use ecow::EcoString;
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::sequence::Sequence;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -39,7 +40,7 @@ pub(super) fn emit(
         .build()
         .map_err(|(step, why)| refusal(sequence, step, &format!("{why}; CODESYS draws only what is nested")))?;
     let taken = units.interface().iter().flat_map(|block| block.entries()).map(|entry| entry.name.as_str());
-    let mut fresh = Fresh::new(taken.chain(texts.steps.iter().map(String::as_str)));
+    let mut fresh = Fresh::new(taken.chain(texts.steps.iter().map(EcoString::as_str)));
     let mut actions: Vec<NamedAction> = Vec::new();
     let mut known: FxHashMap<&str, String> = FxHashMap::default();
     let mut does = Vec::new();
@@ -49,7 +50,7 @@ pub(super) fn emit(
         let mut step = Does::default();
         for row in rows.iter().filter(|row| row.qualifier == "N") {
             step.while_active.push(match &row.content {
-                Content::Variable(name) => name.clone(),
+                Content::Variable(name) => name.to_string(),
                 // Done once more after the step is left, so it needs no action on deactivation.
                 Content::Statements(text) => known
                     .entry(text)
