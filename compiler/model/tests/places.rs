@@ -56,6 +56,18 @@ fn types_and_values() {
 }
 
 #[test]
+fn the_innermost_part_that_has_no_value() {
+    check(
+        "
+        input n : int
+        initial step 1
+        transition 1 -> 1 : [n < 1 + (1 + (32767 + 1))]
+        //                                 ^^^^^^^^^ E0210
+        ",
+    );
+}
+
+#[test]
 fn structure() {
     check(
         "

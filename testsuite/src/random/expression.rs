@@ -12,6 +12,8 @@ pub(super) struct Scope {
     pub wires: Vec<String>,
     /// Variables and constants of every other type.
     pub numbers: Vec<(String, Type)>,
+    /// The constants among them.
+    pub constants: Vec<String>,
     /// Time constants, for delays.
     pub delays: Vec<String>,
     /// `X` + label, of steps, macro-steps and grafcets.
@@ -29,6 +31,22 @@ pub(super) struct Allowed {
     pub wires: usize,
     /// Inside brackets or on a right side, where `+` adds.
     pub arithmetic: bool,
+}
+
+/// An arithmetic expression, and whether it is made of constants alone.
+struct Number {
+    text: String,
+    constant: bool,
+}
+
+impl Number {
+    fn changing(text: String) -> Number {
+        Number { text, constant: false }
+    }
+
+    fn constant(text: String) -> Number {
+        Number { text, constant: true }
+    }
 }
 
 fn pick<'a, T>(rng: &mut Rng, of: &'a [T]) -> Option<&'a T> {
@@ -160,53 +178,75 @@ impl Scope {
 
     /// An arithmetic expression of a type.
     pub fn number(&self, rng: &mut Rng, ty: Type, depth: u32) -> String {
-        if depth > 0 && rng.f32() < 0.5 {
-            let left = self.number_operand(rng, ty, depth - 1);
-            if ty == Type::Time {
-                // Products of times are kept small: charts run for hours, not for years.
-                return match rng.u8(0..16) {
-                    0 => format!("{left} / {}", one_of(rng, &["2", "3", "0"])),
-                    1 => format!("{} * {}", one_of(rng, &["1s", "250ms", "7ms"]), one_of(rng, &["2", "3", "10"])),
-                    2..8 => format!("{left} - {}", one_of(rng, &["1s", "1ms", "500ms"])),
-                    _ => format!("{left} + {}", one_of(rng, &["1s", "1ms", "500ms"])),
-                };
-            }
-            let signs: &[&str] = match ty {
-                Type::Real | Type::Lreal => &["+", "-", "*", "/"],
-                Type::Int | Type::Dint | Type::Uint | Type::Udint => &["+", "+", "-", "*", "/", "mod"],
-                Type::Bool | Type::Time => &["+"],
-            };
-            let sign = one_of(rng, signs);
-            // A narrower variable beside one of the type itself: a conversion.
-            if rng.f32() < 0.2
-                && let (Some(wide), Some(narrow)) = (self.variable(rng, ty), self.narrower(rng, ty))
-            {
-                return if rng.bool() { format!("{wide} {sign} {narrow}") } else { format!("{narrow} {sign} {wide}") };
-            }
-            return format!("{left} {sign} {}", self.number_operand(rng, ty, depth - 1));
-        }
-        self.number_operand(rng, ty, depth)
+        self.arithmetic(rng, ty, depth).text
     }
 
-    fn number_operand(&self, rng: &mut Rng, ty: Type, depth: u32) -> String {
+    fn arithmetic(&self, rng: &mut Rng, ty: Type, depth: u32) -> Number {
+        if depth == 0 || rng.f32() >= 0.5 {
+            return self.number_operand(rng, ty, depth);
+        }
+        let left = self.number_operand(rng, ty, depth - 1);
+        if ty == Type::Time {
+            // Products of times are kept small: charts run for hours, not for years.
+            let left = left.text;
+            return Number::changing(match rng.u8(0..16) {
+                0 => format!("{left} / {}", one_of(rng, &["2", "3", "0"])),
+                1 => format!("{} * {}", one_of(rng, &["1s", "250ms", "7ms"]), one_of(rng, &["2", "3", "10"])),
+                2..8 => format!("{left} - {}", one_of(rng, &["1s", "1ms", "500ms"])),
+                _ => format!("{left} + {}", one_of(rng, &["1s", "1ms", "500ms"])),
+            });
+        }
+        // A constant that leaves its type is an error (E0210): one side changes.
+        let left = match self.changing(rng, ty) {
+            Some(name) if left.constant => name,
+            None if left.constant => return left,
+            _ => left.text,
+        };
+        let signs: &[&str] = match ty {
+            Type::Real | Type::Lreal => &["+", "-", "*", "/"],
+            Type::Int | Type::Dint | Type::Uint | Type::Udint => &["+", "+", "-", "*", "/", "mod"],
+            Type::Bool | Type::Time => &["+"],
+        };
+        let sign = one_of(rng, signs);
+        // A narrower variable beside one of the type itself: a conversion.
+        if rng.f32() < 0.2
+            && let (Some(wide), Some(narrow)) = (self.changing(rng, ty), self.narrower(rng, ty))
+        {
+            return Number::changing(match rng.bool() {
+                true => format!("{wide} {sign} {narrow}"),
+                false => format!("{narrow} {sign} {wide}"),
+            });
+        }
+        Number::changing(format!("{left} {sign} {}", self.number_operand(rng, ty, depth - 1).text))
+    }
+
+    fn number_operand(&self, rng: &mut Rng, ty: Type, depth: u32) -> Number {
         let signed = matches!(ty, Type::Int | Type::Dint | Type::Real | Type::Lreal);
         match rng.u8(0..10) {
-            0 if depth > 0 => format!("({})", self.number(rng, ty, depth - 1)),
-            1 if signed => match self.variable(rng, ty) {
-                Some(name) => format!("-{name}"),
-                None => self.literal(rng, ty),
+            0 if depth > 0 => {
+                let inner = self.arithmetic(rng, ty, depth - 1);
+                Number { text: format!("({})", inner.text), ..inner }
+            }
+            1 if signed => match self.changing(rng, ty) {
+                Some(name) => Number::changing(format!("-{name}")),
+                None => Number::constant(self.literal(rng, ty)),
             },
             2..4 if ty == Type::Time && !self.durations.is_empty() => {
-                self.durations[rng.usize(0..self.durations.len())].clone()
+                Number::changing(self.durations[rng.usize(0..self.durations.len())].clone())
             }
-            4..8 => self.variable(rng, ty).unwrap_or_else(|| self.literal(rng, ty)),
-            _ => self.literal(rng, ty),
+            4..8 => match self.variable_of(rng, |of| of == ty) {
+                Some(name) => Number { constant: self.constants.contains(&name), text: name },
+                None => Number::constant(self.literal(rng, ty)),
+            },
+            _ => Number::constant(self.literal(rng, ty)),
         }
     }
 
-    /// A variable of the type.
-    fn variable(&self, rng: &mut Rng, ty: Type) -> Option<String> {
-        self.variable_of(rng, |of| of == ty)
+    /// A variable of the type that is no constant.
+    fn changing(&self, rng: &mut Rng, ty: Type) -> Option<String> {
+        let of_type = self.numbers.iter().filter(|(name, of)| *of == ty && !self.constants.contains(name));
+        let names: Vec<&String> = of_type.map(|(name, _)| name).collect();
+        pick(rng, &names).map(|name| (*name).clone())
     }
 
     /// A variable of another type that widens to this one without loss.

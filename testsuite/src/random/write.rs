@@ -155,6 +155,7 @@ impl Writer<'_> {
             let (name, ty) = (self.fresh("k", index), TYPES[self.rng.usize(0..8)]);
             let value = self.scope.literal(self.rng, ty);
             self.declares("const", &name, ty, &format!(" := {value}"));
+            self.scope.constants.push(name.clone());
             match ty {
                 Type::Bool => self.scope.bools.push(name),
                 Type::Time => {

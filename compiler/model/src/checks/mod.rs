@@ -10,6 +10,7 @@ mod arc_crosses_frame;
 mod arcs;
 mod assigned_and_allocated;
 mod chart_without_steps;
+mod constant_out_of_range;
 mod cyclic_continuous_actions;
 mod cyclic_hierarchy;
 mod edge_in_continuous_action;
@@ -54,6 +55,7 @@ pub type Rule = fn(&Resolved, &mut Diagnostics);
 /// reported where they are resolved, cyclic hierarchies (E0313) by [`set_levels`].
 pub const ERRORS: &[Rule] = &[
     nothing_to_retain::check,
+    constant_out_of_range::check,
     step_named_twice::check,
     transition_without_steps::check,
     arc_crosses_frame::check,

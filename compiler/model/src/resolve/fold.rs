@@ -17,9 +17,7 @@ pub fn fold(
 ) -> Result<Option<Value>, Box<Diagnostic>> {
     let mut values: IndexVec<ExprId, Option<Value>> = IndexVec::with_capacity(pool.len());
     for expr in pool {
-        let get = |id: ExprId| values[id];
         let value = match expr.kind {
-            ExprKind::Literal(value) => Some(value),
             ExprKind::Variable(id) if is_constant(id) => constants[id],
             ExprKind::Variable(_)
             | ExprKind::StepActive(_)
@@ -31,28 +29,54 @@ pub fn fold(
             ExprKind::Rise(_) | ExprKind::Fall(_) | ExprKind::Delay { .. } => {
                 return Err(not_constant(expr, "an edge or a delay is not a constant"));
             }
-            ExprKind::Not(a) => get(a).map(|a| Value::Bool(!truth(a))),
-            ExprKind::And(a, b) => get(a).zip(get(b)).map(|(a, b)| Value::Bool(truth(a) && truth(b))),
-            ExprKind::Or(a, b) => get(a).zip(get(b)).map(|(a, b)| Value::Bool(truth(a) || truth(b))),
-            ExprKind::Xor(a, b) => get(a).zip(get(b)).map(|(a, b)| Value::Bool(truth(a) != truth(b))),
-            ExprKind::Compare(op, a, b) => get(a).zip(get(b)).map(|(a, b)| Value::Bool(compare(op, a, b))),
-            ExprKind::Arithmetic(op, a, b) => match get(a).zip(get(b)) {
-                Some((a, b)) => Some(arithmetic(expr, op, a, b)?),
-                None => None,
-            },
-            ExprKind::Negate(a) => match get(a) {
-                Some(Value::Real(a)) => Some(Value::Real(-a)),
-                Some(a) => Some(whole(expr, -i128::from(number(a)))?),
-                None => None,
-            },
-            ExprKind::Widen(a) => match get(a) {
-                Some(Value::Int(a)) if !types::is_whole(expr.ty) => Some(Value::Real(a as f64)),
-                same => same,
-            },
+            ExprKind::Literal(_)
+            | ExprKind::Not(_)
+            | ExprKind::And(..)
+            | ExprKind::Or(..)
+            | ExprKind::Xor(..)
+            | ExprKind::Compare(..)
+            | ExprKind::Arithmetic(..)
+            | ExprKind::Negate(_)
+            | ExprKind::Widen(_) => apply(expr, |operand| values[operand])?,
         };
         values.push(value);
     }
     Ok(values[root])
+}
+
+/// The value of one expression whose operands have these; none if one of them has none, or if it is not made of
+/// operands that have values: a variable, an edge, a delay.
+pub fn apply(expr: &Expr, value: impl Fn(ExprId) -> Option<Value>) -> Result<Option<Value>, Box<Diagnostic>> {
+    let both = |a, b| value(a).zip(value(b));
+    Ok(match expr.kind {
+        ExprKind::Literal(value) => Some(value),
+        ExprKind::Variable(_)
+        | ExprKind::StepActive(_)
+        | ExprKind::StepTime(_)
+        | ExprKind::MacroActive(_)
+        | ExprKind::GrafcetActive(_)
+        | ExprKind::Rise(_)
+        | ExprKind::Fall(_)
+        | ExprKind::Delay { .. } => None,
+        ExprKind::Not(a) => value(a).map(|a| Value::Bool(!truth(a))),
+        ExprKind::And(a, b) => both(a, b).map(|(a, b)| Value::Bool(truth(a) && truth(b))),
+        ExprKind::Or(a, b) => both(a, b).map(|(a, b)| Value::Bool(truth(a) || truth(b))),
+        ExprKind::Xor(a, b) => both(a, b).map(|(a, b)| Value::Bool(truth(a) != truth(b))),
+        ExprKind::Compare(op, a, b) => both(a, b).map(|(a, b)| Value::Bool(compare(op, a, b))),
+        ExprKind::Arithmetic(op, a, b) => match both(a, b) {
+            Some((a, b)) => Some(arithmetic(expr, op, a, b)?),
+            None => None,
+        },
+        ExprKind::Negate(a) => match value(a) {
+            Some(Value::Real(a)) => Some(Value::Real(-a)),
+            Some(a) => Some(whole(expr, -i128::from(number(a)))?),
+            None => None,
+        },
+        ExprKind::Widen(a) => match value(a) {
+            Some(Value::Int(a)) if !types::is_whole(expr.ty) => Some(Value::Real(a as f64)),
+            same => same,
+        },
+    })
 }
 
 fn arithmetic(expr: &Expr, op: Arithmetic, a: Value, b: Value) -> Result<Value, Box<Diagnostic>> {

@@ -8,7 +8,7 @@ mod addresses;
 mod declarations;
 mod definitions;
 mod expressions;
-mod fold;
+pub mod fold;
 pub mod parts;
 pub mod scope;
 mod structure;
