@@ -35,6 +35,25 @@ fn charts_are_correct() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
+/// Where charts are there to be copied, `grafc fmt` finds nothing to change.
+#[test]
+fn charts_to_copy_are_in_the_canonical_format() {
+    let mut charts = 0;
+    for (path, page) in book() {
+        let copied =
+            ["README.md", "introduction.md", "getting-started.md", "generated-code.md", "rust.md", "simulation.md"];
+        if !copied.iter().any(|name| path.ends_with(name)) && !path.starts_with(root().join("docs/cookbook")) {
+            continue;
+        }
+        for block in blocks(&page).iter().filter(|block| block.language == "gct" && !block.has("wrong")) {
+            charts += 1;
+            let (formatted, _) = grafc::format(FileId(0), &block.text);
+            assert_eq!(formatted.as_deref(), Some(block.text.as_str()), "{}:{}", path.display(), block.line);
+        }
+    }
+    assert!(charts >= 16, "only {charts} charts were found");
+}
+
 /// Runs the commands of a page in a folder, and counts them: each prints what the page shows.
 fn run_commands(path: &Path, blocks: &[FencedBlock], folder: &Path) -> usize {
     let mut commands = 0;
