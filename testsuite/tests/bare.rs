@@ -69,10 +69,10 @@ fn write(folder: &Path, runtime: Runtime, charts: &[(String, String)], extra: &s
         for encoding in Encoding::ALL {
             let module = format!("{name}_{}", encoding.name().replace('-', "_"));
             let product = rust::Options { runtime, module: Some(module), ..rust::Options::default() };
-            let options = grafc::Options {
-                lowering: Options { encoding, ..Options::default() },
-                product: grafc::Product::Code(Target::Rust(product)),
-            };
+            let options = grafc::Options::new(
+                Options { encoding, ..Options::default() },
+                grafc::Product::Code(Target::Rust(product)),
+            );
             let (code, said) = grafc::compile(FileId(0), text, name, &options);
             library.push_str(&code.unwrap_or_else(|| panic!("{name}: {said:#?}")).text);
         }

@@ -36,7 +36,7 @@ fn a_document_makes_what_a_compile_makes() {
             let lowering = Lowering { profile: case.profile, encoding, simplify: true };
             document.set_options(lowering);
             for target in &targets {
-                let options = Options { lowering, product: Product::Code(target.clone()) };
+                let options = Options::new(lowering, Product::Code(target.clone()));
                 let (expected, said) = compile(FileId(0), &case.text, &case.name, &options);
                 let mut found = document.diagnostics().clone();
                 found.append(document.warnings().clone());

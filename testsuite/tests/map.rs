@@ -18,7 +18,7 @@ impl Mapped {
     fn new(case: &Case, encoding: Encoding, target: Target) -> Self {
         let name = format!("{} {} {}", case.name, encoding.name(), target.about().name);
         let lowering = Lowering { profile: case.profile, encoding, simplify: true };
-        let options = Options { lowering, product: Product::Mapped(target) };
+        let options = Options::new(lowering, Product::Mapped(target));
         let (made, said) = grafc::compile(FileId::default(), &case.text, &case.name, &options);
         let made = made.unwrap_or_else(|| panic!("{name}: {said:?}"));
         Mapped { code: made.text, map: made.map.unwrap_or_else(|| panic!("{name}: no map")), name }

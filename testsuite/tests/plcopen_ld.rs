@@ -50,7 +50,7 @@ fn ladder(name: &str, text: &str, encoding: Encoding, evolution: Evolution) -> S
     let header = vec!["Made --by hand-- ]]> *) \u{2}".to_string()];
     let options = plcopen::Options { body: Body::Ld, header, ..plcopen::Options::default() };
     let lowering = Lowering { profile: Profile { evolution, ..Profile::default() }, encoding, simplify: true };
-    let options = Options { lowering, product: Product::Code(Target::Plcopen(options)) };
+    let options = Options::new(lowering, Product::Code(Target::Plcopen(options)));
     let (made, said) = grafc::compile(FileId::default(), text, "chart", &options);
     made.unwrap_or_else(|| panic!("{name}: {said:?}")).text
 }

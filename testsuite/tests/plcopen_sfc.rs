@@ -51,7 +51,7 @@ fn draw(text: &str, evolution: Evolution, dialect: Dialect) -> Result<String, Ve
     let profile = Profile { evolution, ..Profile::default() };
     let product =
         Product::Code(Target::Plcopen(plcopen::Options { body: Body::Sfc, dialect, ..plcopen::Options::default() }));
-    let options = Options { lowering: Lowering { profile, encoding: Encoding::default(), simplify: true }, product };
+    let options = Options::new(Lowering { profile, encoding: Encoding::default(), simplify: true }, product);
     let (made, said) = grafc::compile(FileId::default(), text, "chart", &options);
     made.map(|made| made.text).ok_or_else(|| said.iter().cloned().collect())
 }

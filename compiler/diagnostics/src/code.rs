@@ -45,6 +45,12 @@ macro_rules! codes {
                 Code::ALL.iter().copied().find(|c| c.as_str().eq_ignore_ascii_case(text))
             }
 
+            /// The code of this spelling or of this name, in any case.
+            pub fn find(asked: &str) -> Option<Code> {
+                let by_name = || Code::ALL.iter().copied().find(|code| code.slug().eq_ignore_ascii_case(asked));
+                Code::parse(asked).or_else(by_name)
+            }
+
             /// The page on it, in Markdown.
             pub fn page(self) -> &'static str {
                 match self { $(Code::$code => include_str!(concat!("../../../docs/errors/", stringify!($code), ".md")),)* }
@@ -79,6 +85,7 @@ codes! {
     E0212 "malformed-address" Error;
     E0213 "address-taken" Error;
     E0214 "nothing-to-retain" Error;
+    E0215 "not-a-warning" Error;
 
     E0301 "unknown-step" Error;
     E0302 "unknown-grafcet" Error;
@@ -165,6 +172,7 @@ impl Code {
                 | E0212
                 | E0213
                 | E0214
+                | E0215
                 | E0303
                 | E0307
                 | E0314

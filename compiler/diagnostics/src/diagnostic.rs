@@ -1,6 +1,6 @@
 //! One message, and the list a stage returns.
 
-use crate::{Code, Fix, Severity, Span};
+use crate::{Allowed, Code, Fix, Severity, Span};
 
 /// A place and what is to be said there.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -30,6 +30,8 @@ pub struct Diagnostic {
     pub help: Option<String>,
     /// The same as changes of the text, where it is one; each is a correction by itself.
     pub fixes: Vec<Fix>,
+    /// Whether it is a warning that is taken for an error.
+    pub is_denied: bool,
 }
 
 impl Diagnostic {
@@ -43,7 +45,13 @@ impl Diagnostic {
             notes: Vec::new(),
             help: None,
             fixes: Vec::new(),
+            is_denied: false,
         }
+    }
+
+    /// How bad it is: as its code says, if it has not been denied.
+    pub fn severity(&self) -> Severity {
+        if self.is_denied { Severity::Error } else { self.code.severity() }
     }
 
     /// Says something at the primary place.
@@ -78,9 +86,12 @@ impl Diagnostic {
 }
 
 /// The messages of a stage, in the order in which they were found.
+///
+/// Those that somebody has allowed are kept apart: only who asks for them sees them.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Diagnostics {
     list: Vec<Diagnostic>,
+    allowed: Vec<(Diagnostic, Allowed)>,
 }
 
 impl Diagnostics {
@@ -97,6 +108,7 @@ impl Diagnostics {
     /// Adds all messages of another stage.
     pub fn append(&mut self, mut other: Diagnostics) {
         self.list.append(&mut other.list);
+        self.allowed.append(&mut other.allowed);
     }
 
     /// Keeps the messages of which it is true.
@@ -104,9 +116,29 @@ impl Diagnostics {
         self.list.retain(keep);
     }
 
-    /// Whether one of the messages is an error.
+    /// Sets those messages aside that are allowed.
+    pub fn set_aside(&mut self, mut allowed: impl FnMut(&Diagnostic) -> Option<Allowed>) {
+        for diagnostic in std::mem::take(&mut self.list) {
+            match allowed(&diagnostic) {
+                Some(why) => self.allowed.push((diagnostic, why)),
+                None => self.list.push(diagnostic),
+            }
+        }
+    }
+
+    /// The messages that are allowed, and why.
+    pub fn allowed(&self) -> &[(Diagnostic, Allowed)] {
+        &self.allowed
+    }
+
+    /// The messages, to be changed in place.
+    pub fn iter_mut(&mut self) -> std::slice::IterMut<'_, Diagnostic> {
+        self.list.iter_mut()
+    }
+
+    /// Whether one of the messages is an error, or taken for one.
     pub fn has_errors(&self) -> bool {
-        self.list.iter().any(|d| d.code.severity() == Severity::Error)
+        self.list.iter().any(|d| d.severity() == Severity::Error)
     }
 
     /// Whether nothing was said.
@@ -122,6 +154,7 @@ impl Diagnostics {
     /// Orders the messages by place, so that a reader can follow them down the file.
     pub fn sort_by_place(&mut self) {
         self.list.sort_by_key(|d| d.primary.span);
+        self.allowed.sort_by_key(|(d, _)| d.primary.span);
     }
 }
 

@@ -43,6 +43,11 @@ impl Span {
         Span { start: self.end, ..self }
     }
 
+    /// Whether the other one lies in it.
+    pub fn holds(self, other: Span) -> bool {
+        self.file == other.file && self.start <= other.start && other.end <= self.end
+    }
+
     /// The byte range, for slicing the text.
     pub fn range(self) -> Range<usize> {
         self.start as usize..self.end as usize

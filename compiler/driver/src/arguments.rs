@@ -1,7 +1,8 @@
 //! Arguments that several commands have.
 
-use crate::report::{Format, Messages};
+use crate::report::{Failure, Format, Messages};
 use clap::{Args, ValueEnum};
+use grafc_diagnostics::{Code, Policy, Severity};
 use grafc_model::reaction::{Evolution, Profile};
 
 /// How messages are told.
@@ -12,12 +13,19 @@ pub struct MessageArguments {
     format: Format,
     #[command(flatten)]
     quiet: QuietArgument,
+    #[command(flatten)]
+    warnings: WarningArguments,
 }
 
 impl MessageArguments {
     /// The choices as a report takes them.
     pub fn messages(&self) -> Messages {
         self.quiet.messages(self.format)
+    }
+
+    /// What is done with warnings.
+    pub fn policy(&self) -> Result<Policy, Failure> {
+        self.warnings.policy()
     }
 }
 
@@ -77,6 +85,49 @@ enum EvolutionName {
 enum Switch {
     On,
     Off,
+}
+
+/// What is done with warnings.
+#[derive(Args, Debug)]
+struct WarningArguments {
+    /// Take a warning for an error: a code such as W0409, or `warnings` for all
+    #[arg(short = 'D', long, value_name = "CODE", value_delimiter = ',')]
+    deny: Vec<String>,
+    /// Do not tell a warning, and do not take it for an error
+    #[arg(long, value_name = "CODE", value_delimiter = ',')]
+    allow: Vec<String>,
+}
+
+impl WarningArguments {
+    fn policy(&self) -> Result<Policy, Failure> {
+        let mut policy = Policy::default();
+        for asked in &self.deny {
+            match asked.as_str() {
+                "warnings" => policy.deny_all = true,
+                asked => _ = policy.deny.insert(warning(asked)?),
+            }
+        }
+        for asked in &self.allow {
+            policy.allow.insert(warning(asked)?);
+        }
+        match policy.allow.intersection(&policy.deny).next() {
+            None => Ok(policy),
+            Some(code) => Err(Failure::WrongUse(
+                format!("`{}` is both denied and allowed", code.as_str()),
+                "leave one of the two out".to_string(),
+            )),
+        }
+    }
+}
+
+/// The warning of a code or name.
+fn warning(asked: &str) -> Result<Code, Failure> {
+    let what = match Code::find(asked.trim()) {
+        Some(code) if code.severity() == Severity::Warning => return Ok(code),
+        Some(code) => format!("`{}` is an error in any case", code.as_str()),
+        None => format!("no warning has the code `{asked}`"),
+    };
+    Err(Failure::WrongUse(what, "name a warning, as messages show it: `W0409`; `-D warnings` means all".to_string()))
 }
 
 /// A choice as it would be written on the command line.

@@ -4,7 +4,7 @@ use crate::Exit;
 use crate::stream::Stream;
 use clap::ValueEnum;
 use grafc::files::{Refusal, print};
-use grafc_diagnostics::{Diagnostics, FileId, Severity, SourceMap, render};
+use grafc_diagnostics::{Diagnostics, FileId, Policy, Severity, SourceMap, render};
 use std::fmt;
 use std::io::{IsTerminal, Write};
 
@@ -69,9 +69,16 @@ pub struct Report {
     pub sources: SourceMap,
     /// The messages, in any order.
     pub diagnostics: Diagnostics,
+    /// Which warnings are errors, and which are not wanted.
+    pub policy: Policy,
 }
 
 impl Report {
+    /// Nothing has been said yet.
+    pub fn new(policy: Policy) -> Self {
+        Report { policy, ..Report::default() }
+    }
+
     /// Reads a text; none if it is not UTF-8, which is an error at its first bad byte.
     pub fn load(&mut self, stream: &Stream) -> Result<Option<FileId>, Refusal> {
         let added = grafc::add(&mut self.sources, stream.input_name(), stream.read()?);
@@ -106,9 +113,10 @@ impl Report {
 
     /// All messages, for people with a last line that counts.
     pub fn render(&mut self, messages: Messages, colour: bool) -> String {
+        self.policy.apply(&mut self.diagnostics);
         self.diagnostics.sort_by_place();
         if messages.quiet {
-            self.diagnostics.retain(|diagnostic| diagnostic.code.severity() == Severity::Error);
+            self.diagnostics.retain(|diagnostic| diagnostic.severity() == Severity::Error);
         }
         match messages.format {
             Format::Human => {

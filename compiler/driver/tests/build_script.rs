@@ -6,7 +6,7 @@
 mod common;
 
 use common::{DUBIOUS, FAULTY, Folder, Run, VALVE};
-use grafc::{Build, Encoding, Evolution, Runtime};
+use grafc::{Build, Code, Encoding, Evolution, Runtime};
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -49,6 +49,20 @@ fn unwrapped(code: &str, module: &str) -> String {
     let inner = code.strip_prefix(&format!("pub mod {module} {{\n")).and_then(|code| code.strip_suffix("}\n"));
     let inner = inner.unwrap_or_else(|| panic!("no module {module}:\n{code}"));
     inner.lines().map(str::trim_start).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn warnings_can_be_denied_and_allowed() {
+    let folder = Folder::new(&[("valve.gct", DUBIOUS)]);
+    for deny in [Build::deny_warnings as fn(&mut Build) -> &mut Build, |build| build.deny(Code::W0403)] {
+        let mut build = build(&folder);
+        deny(&mut build);
+        let refused = build.try_compile().unwrap_err().to_string();
+        assert!(refused.contains("error[W0403]") && refused.ends_with("\n1 error\n"), "{refused}");
+        assert_eq!(folder.names(), ["valve.gct"]);
+    }
+    build(&folder).deny_warnings().allow(Code::W0403).try_compile().unwrap();
+    assert_eq!(folder.names(), ["valve.gct", "valve.rs"]);
 }
 
 #[test]

@@ -62,6 +62,59 @@ fn sarif_goes_to_standard_output_as_one_log() {
 }
 
 #[test]
+fn a_denied_warning_is_an_error() {
+    let folder = Folder::new(&[("b.gct", DUBIOUS), ("c.gct", VALVE)]);
+    for denied in [&["-D", "W0403"][..], &["-D", "warnings"], &["--deny", "W0401,W0403"], &["-D", "negated-edge"]] {
+        let run = folder.run(&[&["check", "b.gct"], denied].concat());
+        run.ends(1, "error[W0403]");
+        assert!(run.err.ends_with("\n1 error\n"), "{}", run.err);
+    }
+    folder.run(&["check", "b.gct", "-D", "W0401"]).ends(0, "warning[W0403]");
+    folder.run(&["check", "c.gct", "-D", "warnings"]).is_done();
+    let run = folder.run(&["check", "b.gct", "-D", "warnings", "--format", "json"]);
+    assert_eq!(serde_json::from_str::<Value>(&run.out).unwrap()["severity"], "error");
+    assert_eq!(run.code, 1);
+}
+
+#[test]
+fn an_allowed_warning_is_neither_shown_nor_denied() {
+    let allowed = DUBIOUS.replace("not rise a", "not rise a { allow W0403 \"once a scan is enough\" }");
+    let folder = Folder::new(&[("a.gct", &allowed), ("b.gct", DUBIOUS)]);
+    assert_eq!(folder.run(&["check", "a.gct", "-D", "warnings"]).is_done().err, "");
+    assert_eq!(folder.run(&["check", "b.gct", "-D", "warnings", "--allow", "W0403"]).is_done().err, "");
+    let run = folder.run(&["check", "a.gct", "b.gct", "--allow", "W0403", "--format", "sarif"]);
+    let log: Value = serde_json::from_str(&run.is_done().out).unwrap();
+    let suppressions = |at: usize| &log["runs"][0]["results"][at]["suppressions"][0];
+    assert_eq!(suppressions(0)["kind"], "inSource");
+    assert_eq!(suppressions(0)["justification"], "once a scan is enough");
+    assert_eq!(suppressions(1)["kind"], "external");
+}
+
+#[test]
+fn what_cannot_be_denied_or_allowed_is_wrong_use() {
+    let folder = Folder::new(&[("b.gct", DUBIOUS)]);
+    folder.run(&["check", "b.gct", "-D", "W9999"]).ends(2, "no warning has the code `W9999`");
+    folder.run(&["check", "b.gct", "--allow", "E0201"]).ends(2, "`E0201` is an error in any case");
+    folder.run(&["check", "b.gct", "-D", "W0403", "--allow", "W0403"]).ends(2, "both denied and allowed");
+}
+
+#[test]
+fn nothing_is_written_of_a_chart_with_a_denied_warning() {
+    let folder = Folder::new(&[("b.gct", DUBIOUS)]);
+    let st = ["b.gct", "--target", "st", "-o", "b.st"];
+    folder.run(&[&st[..], &["-D", "W0403"]].concat()).ends(1, "error[W0403]");
+    assert_eq!(folder.names(), ["b.gct"]);
+    folder.run(&[&st[..], &["-D", "warnings", "--allow", "W0403"]].concat()).is_done();
+    assert_eq!(folder.names(), ["b.gct", "b.st"]);
+    // That of an encoding, which no check knows of.
+    let deactivation = VALVE.replace("{ V }", "{ V := 1 on deactivation }");
+    let folder = Folder::new(&[("v.gct", &deactivation)]);
+    let overlap = ["v.gct", "--target", "st", "--encoding", "r-trigger", "-o", "v.st", "-D", "warnings"];
+    folder.run(&overlap).ends(1, "error[W0413]");
+    assert_eq!(folder.names(), ["v.gct"]);
+}
+
+#[test]
 fn one_chart_that_cannot_be_read_does_not_hide_the_others() {
     let folder = Folder::new(&[("a.gct", FAULTY)]);
     folder.run(&["check", "missing.gct", "a.gct"]).ends(3, "cannot read `missing.gct`").ends(3, "E0201");

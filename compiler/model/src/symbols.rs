@@ -82,6 +82,8 @@ pub enum Role {
     Enclosing,
     /// An `expansion` block expands the macro-step.
     Expanded,
+    /// A warning about it is allowed.
+    Allowed,
 }
 
 /// A name that refers to something.
@@ -112,6 +114,8 @@ pub enum Wanted {
     MacroStep,
     /// A grafcet.
     Grafcet,
+    /// Any declared variable.
+    Declaration,
 }
 
 impl Wanted {
@@ -119,7 +123,7 @@ impl Wanted {
     pub fn admits(self, entity: Entity) -> bool {
         match self {
             Wanted::Value => !matches!(entity, Entity::Chart | Entity::Transition(_)),
-            Wanted::Target => matches!(entity, Entity::Variable(_)),
+            Wanted::Target | Wanted::Declaration => matches!(entity, Entity::Variable(_)),
             Wanted::Step => matches!(entity, Entity::Step(_) | Entity::Macro(_)),
             Wanted::EnclosingStep => matches!(entity, Entity::Step(_)),
             Wanted::MacroStep => matches!(entity, Entity::Macro(_)),

@@ -50,6 +50,7 @@ fn check(text: &str) {
             Role::Forced => "forced",
             Role::Enclosing => "enclosing",
             Role::Expanded => "expanded",
+            Role::Allowed => "allowed",
         };
         found.push((found_use.span, format!("{form}{}, {role}", called(text, &symbols, found_use.entity))));
     }
@@ -141,6 +142,22 @@ fn labels() {
         //      ^^ activity of step 9, enclosing
         //         ^^ = grafcet
         //                             ^ = step
+        ",
+    );
+}
+
+#[test]
+fn allowances() {
+    check(
+        "
+        input a : bool
+        //    ^ = variable
+        allow W0401 a \"why\"
+        //          ^ variable a, allowed
+        allow W0401 b \"why\"
+        //          ^ no Declaration
+        initial step 1
+        //           ^ = step
         ",
     );
 }

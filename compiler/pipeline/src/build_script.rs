@@ -13,7 +13,7 @@ use crate::options::{Options, Product};
 use crate::sources;
 use grafc_backends::Target;
 use grafc_backends::rust::{self, Runtime};
-use grafc_diagnostics::{Diagnostics, SourceMap, render};
+use grafc_diagnostics::{Code, Diagnostics, Policy, SourceMap, render};
 use grafc_logic::Encoding;
 use grafc_model::reaction::Evolution;
 use std::fmt;
@@ -56,6 +56,7 @@ pub struct Build {
     out_dir: Option<PathBuf>,
     runtime: Runtime,
     lowering: grafc_logic::Options,
+    policy: Policy,
 }
 
 impl Build {
@@ -67,6 +68,7 @@ impl Build {
             out_dir: None,
             runtime: Runtime::default(),
             lowering: grafc_logic::Options::default(),
+            policy: Policy::default(),
         }
     }
 
@@ -138,6 +140,42 @@ impl Build {
         self
     }
 
+    /// Every warning is an error, as with `-D warnings`, unless the text or [`allow`](Self::allow) allows it. For a build
+    /// that nobody looks at:
+    ///
+    /// ```no_run
+    /// let mut build = grafc::Build::new("tank.gct");
+    /// if std::env::var_os("CI").is_some() {
+    ///     build.deny_warnings();
+    /// }
+    /// build.compile();
+    /// ```
+    pub fn deny_warnings(&mut self) -> &mut Self {
+        self.policy.deny_all = true;
+        self
+    }
+
+    /// A warning is an error, as with `-D W0409`.
+    ///
+    /// ```no_run
+    /// grafc::Build::new("tank.gct").deny(grafc::Code::W0409).compile();
+    /// ```
+    pub fn deny(&mut self, warning: Code) -> &mut Self {
+        self.policy.deny.insert(warning);
+        self
+    }
+
+    /// A warning is not shown, and no error either, as with `--allow W0409`. With its reason it stands in the text:
+    /// `allow W0409 "interlocked by hardware"`.
+    ///
+    /// ```no_run
+    /// grafc::Build::new("tank.gct").deny_warnings().allow(grafc::Code::W0401).compile();
+    /// ```
+    pub fn allow(&mut self, warning: Code) -> &mut Self {
+        self.policy.allow.insert(warning);
+        self
+    }
+
     /// Compiles the chart, and returns the file that was written.
     ///
     /// If that fails, this prints what [`try_compile`](Self::try_compile) would return and ends the process, with the
@@ -194,7 +232,7 @@ impl Build {
         let source = self.chart.file_name().unwrap_or(self.chart.as_os_str()).to_string_lossy();
         target.set_header(header(&source, &self.lowering, &target));
 
-        let options = Options { lowering: self.lowering, product: Product::Code(target) };
+        let options = Options { lowering: self.lowering, product: Product::Code(target), policy: self.policy.clone() };
         let made = report.compile(&self.chart, &name, &options)?;
         files::write(&path, &made)?;
         print(&report.warnings())?;

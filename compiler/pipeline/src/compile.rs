@@ -19,27 +19,29 @@ use grafc_logic::{Analysis, scan};
 use grafc_model::chart::Chart;
 use std::sync::Arc;
 
-/// As far as what is asked for. There is a text exactly if no message is an error; and none after a pass that is not run.
+/// As far as what is asked for. There is a text exactly if no message is an error, or taken for one; and none after a pass that is not run.
 pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) -> (Option<Output>, Diagnostics) {
     let mut said = Diagnostics::new();
     let made = make(file, text, default_name, options, &mut said);
+    options.policy.apply(&mut said);
     (made.filter(|_| !said.has_errors()), said)
 }
 
-/// As far as the checked chart. There is one exactly if no message is an error.
+/// As far as the checked chart. There is one exactly if no message is an error. Who takes warnings for errors applies a
+/// [`Policy`](grafc_diagnostics::Policy) to what is said.
 pub fn check(file: FileId, text: &str, default_name: &str) -> (Option<Chart>, Diagnostics) {
     let mut said = Diagnostics::new();
     let tree = parse(file, text, &mut said);
     let chart = resolve(&tree, default_name, &mut said);
     let net = chart.as_ref().and_then(|chart| flatten(chart, false, &mut said));
-    if let Some(net) = net {
-        warn(&Analysis::new(net), &mut said);
+    if let (Some(chart), Some(net)) = (&chart, net) {
+        warn(&Analysis::new(net), &chart.allowances, &mut said);
     }
     (chart.filter(|_| !said.has_errors()), said)
 }
 
 fn make(file: FileId, text: &str, default_name: &str, options: &Options, said: &mut Diagnostics) -> Option<Output> {
-    let Options { lowering, product } = options;
+    let Options { lowering, product, policy: _ } = options;
 
     let tree = parse(file, text, said);
     if let Product::Tree = product {
@@ -49,7 +51,7 @@ fn make(file: FileId, text: &str, default_name: &str, options: &Options, said: &
     drop(tree);
     let mut net = Arc::new(flatten(&chart, false, said)?);
     let mut analysis = Analysis::new(net.clone());
-    warn(&analysis, said);
+    warn(&analysis, &chart.allowances, said);
     if let Product::Chart = product {
         return Some(grafc_model::dump(&chart).into());
     }
@@ -61,6 +63,7 @@ fn make(file: FileId, text: &str, default_name: &str, options: &Options, said: &
         net = Arc::new(flatten(&chart, true, said)?);
         analysis = Analysis::new(net.clone());
     }
+    let allowances = chart.allowances.clone();
     drop(chart);
     if let Product::Net = product {
         return Some(grafc_net::dump(&net).into());
@@ -77,5 +80,6 @@ fn make(file: FileId, text: &str, default_name: &str, options: &Options, said: &
         Product::Tree | Product::Chart | Product::NetAfter(_) | Product::Net => return None,
     };
     said.append(last.said);
+    allowances.apply(said);
     made.map_err(|found| said.append(found)).ok()
 }

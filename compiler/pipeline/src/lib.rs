@@ -27,6 +27,7 @@ pub use document::{Document, chart_name};
 pub use format::format;
 pub use grafc_backends::rust::Runtime;
 pub use grafc_backends::{Element, Kind, Map, Output, Target};
+pub use grafc_diagnostics::{Code, Policy};
 pub use grafc_logic::{Encoding, Options as Lowering};
 pub use grafc_model::reaction::Evolution;
 pub use header::header;

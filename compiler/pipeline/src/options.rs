@@ -1,6 +1,7 @@
 //! What is asked of a compile.
 
 use grafc_backends::Target;
+use grafc_diagnostics::Policy;
 
 /// What is made, and what it is to mean.
 #[derive(Clone, Debug)]
@@ -9,6 +10,15 @@ pub struct Options {
     pub lowering: grafc_logic::Options,
     /// What comes out.
     pub product: Product,
+    /// Which warnings are errors, and which are not wanted.
+    pub policy: Policy,
+}
+
+impl Options {
+    /// Everything as usual: all warnings are shown, and none is an error.
+    pub fn new(lowering: grafc_logic::Options, product: Product) -> Self {
+        Options { lowering, product, policy: Policy::default() }
+    }
 }
 
 /// What comes out: code, or what lies between two stages.

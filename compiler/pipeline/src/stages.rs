@@ -1,7 +1,7 @@
 //! The stages, each as one function: it takes what the stage before gave, and adds what it has to say.
 
 use grafc_backends::Source;
-use grafc_diagnostics::{Diagnostics, FileId};
+use grafc_diagnostics::{Allowances, Diagnostics, FileId};
 use grafc_logic::scan::Program;
 use grafc_logic::sequence::Sequence;
 use grafc_logic::{Analysis, Options};
@@ -22,6 +22,9 @@ pub fn parse(file: FileId, text: &str, said: &mut Diagnostics) -> ast::Chart {
 pub fn check(tree: &ast::Chart, default_name: &str, said: &mut Diagnostics) -> Option<Chart> {
     let (chart, found) = grafc_model::check(tree, default_name);
     said.append(found);
+    if let Some(chart) = &chart {
+        chart.allowances.apply(said);
+    }
     // The author sees all faults at once, in the order of the text.
     said.sort_by_place();
     chart.filter(|_| !said.has_errors())
@@ -43,9 +46,10 @@ pub fn net_after(chart: &Chart, overlap: bool, pass: &str) -> Option<String> {
     found
 }
 
-/// What may not be meant, as far as only proofs can tell.
-pub fn warn(analysis: &Analysis, said: &mut Diagnostics) {
+/// What may not be meant, as far as only proofs can tell, and the text does not allow it.
+pub fn warn(analysis: &Analysis, allowances: &Allowances, said: &mut Diagnostics) {
     said.append(grafc_logic::warn(analysis));
+    allowances.apply(said);
     said.sort_by_place();
 }
 

@@ -87,6 +87,21 @@ pub enum Item {
     Step(Box<Step>),
     /// A transition.
     Transition(Box<Transition>),
+    /// `allow W0409 "reason"`.
+    Allow(Box<Allow>),
+}
+
+/// `allow W0409 V "interlocked by hardware"`: a warning that the author has looked at.
+#[derive(Clone, Debug)]
+pub struct Allow {
+    /// The code of the warning.
+    pub code: Name,
+    /// The declaration that it is about; none if it is meant wherever the item stands.
+    pub about: Option<Name>,
+    /// Why it is allowed.
+    pub reason: Text,
+    /// The whole item.
+    pub span: Span,
 }
 
 /// `input a "comment", b : bool := 0 at %IX0.0`, `retain var n : int`.
@@ -194,6 +209,8 @@ pub struct Step {
     pub comment: Option<Text>,
     /// The actions in its braces.
     pub actions: Vec<Action>,
+    /// The warnings that are allowed in its braces.
+    pub allows: Vec<Allow>,
     /// The whole item.
     pub span: Span,
 }
@@ -263,6 +280,8 @@ pub struct Transition {
     pub condition: ExprId,
     /// Assignments on clearing.
     pub actions: Vec<Assignment>,
+    /// The warnings that are allowed in its braces.
+    pub allows: Vec<Allow>,
     /// The whole item.
     pub span: Span,
 }

@@ -155,8 +155,9 @@ impl<'text> Builder<'text> {
         words: Vec<StepWord>,
         label: Name,
         comment: Option<Text>,
-        actions: Vec<Action>,
+        inside: (Vec<Action>, Vec<Allow>),
     ) -> Step {
+        let (actions, allows) = inside;
         let mut seen: Vec<StepWord> = Vec::with_capacity(words.len());
         let mut kind = StepKind::Plain;
         for word in words {
@@ -179,7 +180,16 @@ impl<'text> Builder<'text> {
             }
             kind = new_kind;
         }
-        Step { kind, words: seen, label, comment, actions, span: self.span(start, end) }
+        Step { kind, words: seen, label, comment, actions, allows, span: self.span(start, end) }
+    }
+
+    /// That nothing is said of the reason helps nobody.
+    pub(crate) fn allow(&mut self, start: u32, end: u32, code: Name, about: Option<Name>, reason: Text) -> Allow {
+        if reason.text.trim().is_empty() {
+            let fault = Diagnostic::new(Code::E0107, reason.span, "the reason is empty");
+            self.fault(fault.help("say why the warning may be there, for those who read the chart after you"));
+        }
+        Allow { code, about, reason, span: self.span(start, end) }
     }
 
     pub(crate) fn action(&self, start: u32, end: u32, kind: ActionKind) -> Option<Action> {

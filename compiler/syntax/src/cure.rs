@@ -45,6 +45,9 @@ pub(crate) fn of(slip: &Slip) -> Option<Cure> {
     let clearing = slip.item == Token::Transition && (has("}") || has(":="));
     let previous = slip.lexemes[slip.at - 1];
     let before = slip.span(previous);
+    if slip.item == Token::Allow && has("string") {
+        return Some(Cure::new("say why the warning may be there: `allow W0409 \"interlocked by hardware\"`"));
+    }
     let Some(&found) = slip.lexemes.get(slip.at).filter(|_| slip.is_found) else {
         let missing = slip.item == Token::Transition && has(":");
         return missing.then(|| {

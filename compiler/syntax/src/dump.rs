@@ -57,8 +57,14 @@ impl Dump<'_> {
                 }
                 Item::Step(step) => self.step(step),
                 Item::Transition(transition) => self.transition(transition),
+                Item::Allow(allow) => self.allow(allow),
             }
         }
+    }
+
+    fn allow(&mut self, allow: &Allow) {
+        let about = allow.about.as_ref().map(|about| format!(" {}", name(about)));
+        self.line(&format!("allow {}{} {:?}", name(&allow.code), about.unwrap_or_default(), allow.reason.text));
     }
 
     fn block(&mut self, items: &[Item]) {
@@ -125,6 +131,7 @@ impl Dump<'_> {
                 }
             }
         }
+        step.allows.iter().for_each(|allow| self.allow(allow));
         self.level -= 1;
     }
 
@@ -138,6 +145,7 @@ impl Dump<'_> {
         for assignment in &transition.actions {
             self.assignment(assignment);
         }
+        transition.allows.iter().for_each(|allow| self.allow(allow));
         self.level -= 1;
     }
 

@@ -5,6 +5,9 @@ use crate::token::Token;
 /// Puts the parser's list of terminals into words: "an operator, `{` or the next item".
 pub(crate) fn describe(previous: Token, expected: &[String]) -> String {
     let has = |terminal: &str| contains(expected, terminal);
+    if has("string") && expected.iter().all(|e| matches!(e.trim_matches('"'), "string" | "name")) {
+        return "a reason in quotation marks".to_owned();
+    }
     let mut words: Vec<&str> = Vec::new();
     let operand = has("(") && has("[");
     if has("not") {

@@ -97,11 +97,17 @@ fn action_starts(chart: &Chart) -> HashSet<u32> {
     while let Some(items) = lists.pop() {
         for item in items {
             match item {
-                Item::Declaration(_) => {}
+                Item::Declaration(_) | Item::Allow(_) => {}
                 Item::Grafcet(grafcet) => lists.push(&grafcet.items),
                 Item::Expansion(expansion) => lists.push(&expansion.items),
-                Item::Step(step) => starts.extend(step.actions.iter().map(|a| a.span.start)),
-                Item::Transition(transition) => starts.extend(transition.actions.iter().map(|a| a.span.start)),
+                Item::Step(step) => {
+                    starts.extend(step.actions.iter().map(|a| a.span.start));
+                    starts.extend(step.allows.iter().map(|a| a.span.start));
+                }
+                Item::Transition(transition) => {
+                    starts.extend(transition.actions.iter().map(|a| a.span.start));
+                    starts.extend(transition.allows.iter().map(|a| a.span.start));
+                }
             }
         }
     }

@@ -5,6 +5,7 @@
 //!
 //! The patterns need no look-ahead beyond a few bytes, so the time is linear whatever the text is.
 
+use crate::context;
 use crate::numeral;
 use crate::token::{Lexeme, Token, declares};
 use grafc_diagnostics::{Code, Diagnostic, FileId, Fix, Span};
@@ -106,6 +107,7 @@ pub(crate) fn lex(file: FileId, text: &str) -> Lexed {
         };
         out.lexemes.push(Lexeme { token, start, end });
     }
+    context::words(text, &mut out.lexemes);
     out
 }
 
@@ -119,7 +121,7 @@ fn mark_retain(text: &str, lexemes: &mut [Lexeme]) {
 }
 
 /// Whether an item, or the head of a block, may end with this token.
-fn may_end_item(token: Token) -> bool {
+pub(crate) fn may_end_item(token: Token) -> bool {
     use Token::*;
     match token {
         Name | String | Address | Whole | Integer | Real | Duration | Unreadable | True | False | CloseParen
@@ -128,7 +130,7 @@ fn may_end_item(token: Token) -> bool {
         | Enclosing | Macro | If | On | Force | And | Or | Xor | Not | Rise | Fall | Mod | Plus | Minus | Star
         | Slash | Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual | Assign | Colon | Comma | Arrow
         | OpenParen | OpenBracket | Numeral | LineComment | BlockComment | Activation | Deactivation | Event | At
-        | Retain | End => false,
+        | Retain | Allow | AllowInside | End => false,
     }
 }
 

@@ -7,6 +7,7 @@
 
 pub mod ast;
 mod builder;
+mod context;
 mod cure;
 pub mod dump;
 mod expected;

@@ -60,6 +60,7 @@ fn items(a: &[Item], b: &[Item]) -> bool {
                 && name(&a.label, &b.label)
                 && text(&a.comment, &b.comment)
                 && all(&a.actions, &b.actions, action)
+                && all(&a.allows, &b.allows, allow)
         }
         (Item::Transition(a), Item::Transition(b)) => {
             a.designation.as_ref().map(|n| (&n.text, n.quoted)) == b.designation.as_ref().map(|n| (&n.text, n.quoted))
@@ -68,12 +69,29 @@ fn items(a: &[Item], b: &[Item]) -> bool {
                 && names(&a.to, &b.to)
                 && a.condition == b.condition
                 && all(&a.actions, &b.actions, assignment)
+                && all(&a.allows, &b.allows, allow)
         }
+        (Item::Allow(a), Item::Allow(b)) => allow(a, b),
         (
-            Item::Declaration(_) | Item::Grafcet(_) | Item::Expansion(_) | Item::Step(_) | Item::Transition(_),
-            Item::Declaration(_) | Item::Grafcet(_) | Item::Expansion(_) | Item::Step(_) | Item::Transition(_),
+            Item::Declaration(_)
+            | Item::Grafcet(_)
+            | Item::Expansion(_)
+            | Item::Step(_)
+            | Item::Transition(_)
+            | Item::Allow(_),
+            Item::Declaration(_)
+            | Item::Grafcet(_)
+            | Item::Expansion(_)
+            | Item::Step(_)
+            | Item::Transition(_)
+            | Item::Allow(_),
         ) => false,
     })
+}
+
+fn allow(a: &Allow, b: &Allow) -> bool {
+    let about = |allow: &Allow| allow.about.as_ref().map(|n| (n.text.clone(), n.quoted));
+    name(&a.code, &b.code) && about(a) == about(b) && a.reason.text == b.reason.text
 }
 
 fn assignment(a: &Assignment, b: &Assignment) -> bool {

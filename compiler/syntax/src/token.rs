@@ -160,6 +160,10 @@ pub(crate) enum Token {
     At,
     /// `retain` before the keyword of a declaration
     Retain,
+    /// `allow`, as an item
+    Allow,
+    /// `allow` in the braces of a step or transition
+    AllowInside,
     /// The end of an item; the parser puts it there.
     End,
 }
@@ -224,7 +228,7 @@ pub(crate) fn is_prefix(token: Token) -> bool {
 }
 
 pub(crate) fn may_stand_in_block(token: Token) -> bool {
-    is_prefix(token) || matches!(token, Token::Step | Token::Transition | Token::Expansion)
+    is_prefix(token) || matches!(token, Token::Step | Token::Transition | Token::Expansion | Token::Allow)
 }
 
 fn is_top_level(token: Token) -> bool {

@@ -319,6 +319,32 @@ fn an_assignment_of_a_step_says_when() {
 }
 
 #[test]
+fn allowances() {
+    let (_, Item::Allow(allow)) = only("allow W0409 \"say \"\"go\"\"\"") else { panic!("an allowance was written") };
+    assert_eq!((allow.code.text.as_str(), allow.about.is_none()), ("W0409", true));
+    assert_eq!(allow.reason.text, "say \"go\"");
+    let (_, Item::Allow(allow)) = only("allow W0401 `V 1` \"r\"") else { panic!("an allowance was written") };
+    assert_eq!(allow.about.map(|name| name.text).as_deref(), Some("V 1"));
+    let (_, step) = step("step 1 { V allow W0409 \"r\" W if a allow W0410 \"s\" }");
+    assert_eq!((step.actions.len(), step.allows.len()), (2, 2));
+    let (_, transition) = transition("transition 1 -> 2 : a { C := C + 1 allow W0409 \"r\" }");
+    assert_eq!((transition.actions.len(), transition.allows.len()), (1, 1));
+    let beside = chart("input a : bool allow W0401 a \"r\" transition 1 -> 2 : a allow W0409 \"r\" step 1");
+    assert_eq!(beside.items.len(), 5);
+}
+
+#[test]
+fn allow_is_a_name_where_it_always_was() {
+    let text = "input allow, W1 : bool output V : bool initial step allow { V } step 2 { allow W1 } step 3
+        transition allow -> 2 : allow { W1 := allow  C := 2 } transition 2, allow -> 3 : not allow and a
+        transition 3 -> allow : 1s/allow + allow grafcet allow { step 4 { allow } }";
+    let chart = chart(text);
+    assert_eq!(chart.items.iter().filter(|item| matches!(item, Item::Allow(_))).count(), 0);
+    let (_, step) = step("step 2 { allow W1 allow W0409 \"r\" }");
+    assert_eq!((step.actions.len(), step.allows.len()), (2, 1));
+}
+
+#[test]
 fn every_construct_at_once() {
     let text = include_str!("samples/every_construct.gct");
     let chart = chart(text);

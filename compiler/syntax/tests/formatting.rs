@@ -67,6 +67,17 @@ fn actions_stay_on_the_line_or_on_their_own() {
 }
 
 #[test]
+fn allowances_are_items_and_stand_beside_actions() {
+    assert_eq!(format("allow   W0409\n\"r\" step 1"), "allow W0409 \"r\"\nstep 1\n");
+    assert_eq!(format("grafcet G { allow W0401   V \"r\" }"), "grafcet G {\n  allow W0401 V \"r\"\n}\n");
+    assert_eq!(format("step 1 { V  allow W0409\n\"r\" W }"), "step 1 { V   allow W0409 \"r\"   W }\n");
+    assert_eq!(
+        format("transition 1 -> 2 : a {\nallow W0409 \"r\" C := 1 }"),
+        "transition 1 -> 2 : a {\n  allow W0409 \"r\"\n  C := 1\n}\n"
+    );
+}
+
+#[test]
 fn words_before_step_have_an_order() {
     assert_eq!(format("enclosing activated initial step 1"), "initial activated enclosing step 1\n");
 }

@@ -13,6 +13,7 @@ fn outline(text: &str) -> String {
             Item::Declaration(d) => d.names.iter().map(|n| n.name.text.as_str()).collect::<Vec<_>>().join(","),
             Item::Grafcet(g) => format!("{}({})", g.name.text, write(&g.items)),
             Item::Expansion(e) => format!("{}({})", e.macro_step.text, write(&e.items)),
+            Item::Allow(a) => format!("allow {}", a.code.text),
             Item::Step(s) => format!("{}{}", s.label.text, "'".repeat(s.actions.len())),
             Item::Transition(t) => {
                 let list = |names: &[grafc_syntax::ast::Name]| {
@@ -197,6 +198,10 @@ fn what_was_expected_is_said_in_words() {
         ("var a : int = 3", "E0107 1:13 expected `:=`, `at` or the next item, found `=`"),
         ("var a : int := 3 at IX0", "E0107 1:18-19 expected an operator, `at` or the next item, found `at`"),
         ("transition 1 -> 2 : [a < b < c]", "E0107 1:28 expected an operator or `]`, found `<`"),
+        ("allow W0409", "E0107 1:^12 expected a reason in quotation marks, found the end of the text"),
+        ("allow W0409 step 1", "E0107 1:13-16 expected a reason in quotation marks, found `step`"),
+        ("allow W0409 \" \"", "E0107 1:13-15 the reason is empty"),
+        ("step 1 { allow W0409 \"\" }", "E0107 1:22-23 the reason is empty"),
         ("Step 1", "E0107 1:1-4 expected an item such as `input`, `step` or `transition`, found `Step`"),
     ] {
         assert_eq!(faults(text), [message], "{text}");

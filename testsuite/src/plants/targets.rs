@@ -58,7 +58,7 @@ pub fn targets(plant: &Plant, compilers: &Compilers) -> Result<Written, String> 
     for encoding in Encoding::ALL {
         for product in products() {
             let lowering = Options { profile: Profile::default(), encoding, simplify: true };
-            let options = grafc::Options { lowering, product };
+            let options = grafc::Options::new(lowering, product);
             let (made, said) = grafc::compile(FileId::default(), &plant.text, &plant.name, &options);
             let Some(made) = made else {
                 if is_drawing(&options.product) && said.iter().any(|message| message.code == Code::E0503) {

@@ -42,6 +42,30 @@ impl Ink {
         (rng.u8(0..12) == 0).then_some(rng)
     }
 
+    /// In one of twelve charts warnings are allowed: everywhere, of the first declaration, and in some braces.
+    pub fn allow(&self, mut text: String) -> String {
+        let mut rng = Rng::with_seed(self.seed ^ 0x616c_6c6f);
+        if rng.u8(0..12) != 0 {
+            return text;
+        }
+        for item in ["step ", "transition "] {
+            let begins = |line: &str| line.trim_start().starts_with(item) && line.trim_end().ends_with('}');
+            let lines = text.lines().filter(|line| begins(line)).map(str::to_owned).collect::<Vec<_>>();
+            if let Some(line) = lines.get(rng.usize(0..lines.len().max(1))) {
+                let inside = line.trim_end().strip_suffix('}').unwrap_or(line);
+                text = text.replacen(line.as_str(), &format!("{inside} allow W0412 \"the plant sees to it\" }}"), 1);
+            }
+        }
+        text.push_str("allow W0409 \"drawn at random\"\n");
+        let declared = text.lines().find_map(|line| {
+            let (keyword, rest) = line.split_once(' ')?;
+            let name = rest.split([' ', ',']).next()?;
+            (["input", "output", "var"].contains(&keyword) && !name.contains('`')).then(|| name.to_owned())
+        });
+        text.extend(declared.map(|name| format!("allow W0401 {name} \"it is meant\"\n")));
+        text
+    }
+
     /// True in this share of cases.
     pub fn chance(&mut self, share: f32) -> bool {
         self.rng.f32() < share

@@ -56,7 +56,8 @@ pub(super) fn chart(rng: &mut Rng, ink: &mut Ink, name: &str, frames: &[Frame]) 
     }
     nest(ink, frames, &mut blocks);
     out.extend(blocks);
-    ink.respell(&out)
+    let out = ink.respell(&out);
+    ink.allow(out)
 }
 
 /// Puts some expansions where their macro-steps are. They come after these.

@@ -71,7 +71,7 @@ fn prepare(sources: &SourceMap, diagnostic: &Diagnostic) -> (Excerpts, codespan:
         notes.push(format!("note: and {} more places", diagnostic.secondary.len() - OTHER_PLACES));
     }
     notes.extend(diagnostic.help.iter().map(|help| format!("help: {}", visible_lines(help))));
-    let message = codespan::Diagnostic::new(match diagnostic.code.severity() {
+    let message = codespan::Diagnostic::new(match diagnostic.severity() {
         Severity::Error => codespan::Severity::Error,
         Severity::Warning => codespan::Severity::Warning,
     })
@@ -84,7 +84,7 @@ fn prepare(sources: &SourceMap, diagnostic: &Diagnostic) -> (Excerpts, codespan:
 
 /// The word for a severity.
 pub fn severity(diagnostic: &Diagnostic) -> &'static str {
-    match diagnostic.code.severity() {
+    match diagnostic.severity() {
         Severity::Error => "error",
         Severity::Warning => "warning",
     }

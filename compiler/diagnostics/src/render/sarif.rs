@@ -1,20 +1,27 @@
 //! Messages for code-scanning tools: SARIF 2.1.0 (OASIS).
 //!
-//! One run. Its rules are the codes that occur, in order, each with its page; results are in the order given. No
-//! dates and no absolute paths other than those the user gave, so that equal runs give equal text.
+//! One run. Its rules are the codes that occur, in order, each with its page; results are in the order given, and behind
+//! them those that somebody has allowed, which are suppressed (3.35): in the source with its reason, or outside. No dates and no absolute paths other than those the user gave, so that equal runs give equal text.
 
-use crate::{Code, Diagnostic, Diagnostics, Edit, FileId, Fix, Label, Severity, SourceMap, Span};
+use crate::{Allowed, Code, Diagnostic, Diagnostics, Edit, FileId, Fix, Label, Severity, SourceMap, Span};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 
 /// A whole SARIF log; `version` is grafc's.
 pub fn sarif(sources: &SourceMap, diagnostics: &Diagnostics, version: &str) -> String {
-    let used: BTreeSet<Code> = diagnostics.iter().map(|d| d.code).collect();
+    let allowed = || diagnostics.allowed().iter();
+    let all = || diagnostics.iter().chain(allowed().map(|(d, _)| d));
+    let used: BTreeSet<Code> = all().map(|d| d.code).collect();
     let rules: Vec<Code> = Code::ALL.iter().copied().filter(|code| used.contains(code)).collect();
-    let spans = diagnostics.iter().flat_map(|d| std::iter::once(&d.primary).chain(&d.secondary)).map(|l| l.span);
+    let spans = all().flat_map(|d| std::iter::once(&d.primary).chain(&d.secondary)).map(|l| l.span);
     let files: Vec<FileId> = spans.map(|span| span.file).collect::<BTreeSet<_>>().into_iter().collect();
     let places = Places { sources, files: &files };
-    let results: Vec<Value> = diagnostics.iter().map(|d| result(d, &rules, &places)).collect();
+    let mut results: Vec<Value> = diagnostics.iter().map(|d| result(d, &rules, &places)).collect();
+    results.extend(allowed().map(|(diagnostic, why)| {
+        let mut result = result(diagnostic, &rules, &places);
+        result["suppressions"] = json!([suppression(why, &places)]);
+        result
+    }));
     let log = json!({
         "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
         "version": "2.1.0",
@@ -38,7 +45,7 @@ fn rule(code: Code) -> Value {
         "name": pascal_case(code.slug()),
         "shortDescription": { "text": code.slug().replace('-', " ") },
         "help": { "text": code.page(), "markdown": code.page() },
-        "defaultConfiguration": { "level": level(code) },
+        "defaultConfiguration": { "level": level(code.severity()) },
     })
 }
 
@@ -60,7 +67,7 @@ fn result(diagnostic: &Diagnostic, rules: &[Code], places: &Places) -> Value {
         diagnostic.secondary.iter().enumerate().map(|(id, label)| places.location(label, Some(id))).collect();
     let mut result = json!({
         "ruleId": diagnostic.code.as_str(),
-        "level": level(diagnostic.code),
+        "level": level(diagnostic.severity()),
         "message": { "text": text },
         "locations": [places.location(&diagnostic.primary, None)],
     });
@@ -74,6 +81,17 @@ fn result(diagnostic: &Diagnostic, rules: &[Code], places: &Places) -> Value {
         result["fixes"] = diagnostic.fixes.iter().map(|fix| places.fix(fix)).collect();
     }
     result
+}
+
+fn suppression(why: &Allowed, places: &Places) -> Value {
+    let mut suppression = json!({ "kind": if why.span.is_some() { "inSource" } else { "external" } });
+    if let Some(reason) = &why.reason {
+        suppression["justification"] = json!(reason);
+    }
+    if let Some(span) = why.span {
+        suppression["location"] = places.location(&Label { span, text: String::new() }, None);
+    }
+    suppression
 }
 
 struct Places<'a> {
@@ -142,8 +160,8 @@ impl Places<'_> {
     }
 }
 
-fn level(code: Code) -> &'static str {
-    match code.severity() {
+fn level(severity: Severity) -> &'static str {
+    match severity {
         Severity::Error => "error",
         Severity::Warning => "warning",
     }
@@ -182,6 +200,7 @@ fn uri(path: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Policy;
     use expect_test::expect;
 
     #[test]
@@ -382,6 +401,40 @@ mod tests {
             }],
         }]);
         assert_eq!(log["runs"][0]["results"][0]["fixes"], expected);
+    }
+
+    #[test]
+    fn what_is_allowed_is_suppressed_and_what_is_denied_an_error() {
+        let mut sources = SourceMap::new();
+        let file = sources.add("a.gct", "вход a\nb\n");
+        let mut diagnostics = Diagnostics::new();
+        for (code, at) in [(Code::W0401, 9), (Code::W0402, 9), (Code::W0403, 11)] {
+            diagnostics.push(Diagnostic::new(code, Span::new(file, at, at + 1), "m"));
+        }
+        let place = Span::new(file, 11, 12);
+        diagnostics.set_aside(|d| {
+            let of_text = Allowed { reason: Some("why".into()), span: Some(place) };
+            (d.code == Code::W0401).then_some(of_text)
+        });
+        let policy = Policy { deny_all: true, allow: [Code::W0402].into(), ..Policy::default() };
+        policy.apply(&mut diagnostics);
+        let log: Value = serde_json::from_str(&sarif(&sources, &diagnostics, "0")).unwrap();
+        let results = log["runs"][0]["results"].as_array().unwrap();
+        let told: Vec<(&str, &str)> =
+            results.iter().map(|r| (r["ruleId"].as_str().unwrap(), r["level"].as_str().unwrap())).collect();
+        assert_eq!(told, [("W0403", "error"), ("W0401", "warning"), ("W0402", "warning")]);
+        assert_eq!(results[0].get("suppressions"), None);
+        let region = json!({ "startLine": 2, "startColumn": 1, "endLine": 2, "endColumn": 2,
+                             "byteOffset": 11, "byteLength": 1 });
+        let location = json!({ "physicalLocation": {
+            "artifactLocation": { "uri": "a.gct", "index": 0 }, "region": region } });
+        let in_source = json!([{ "kind": "inSource", "justification": "why", "location": location }]);
+        assert_eq!(results[1]["suppressions"], in_source);
+        assert_eq!(results[2]["suppressions"], json!([{ "kind": "external" }]));
+        let json = crate::render::json(&sources, &diagnostics);
+        assert_eq!(json.lines().count(), 1, "scripts see what people see: {json}");
+        assert!(json.contains(r#""code":"W0403","slug":"negated-edge","severity":"error""#), "{json}");
+        assert_eq!(crate::render::summary(&diagnostics), "1 error\n");
     }
 
     #[test]

@@ -36,7 +36,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
 
 /// Checks every chart, also after one that cannot be read.
 fn check(args: &Arguments) -> Result<Exit, Failure> {
-    let mut report = Report::default();
+    let mut report = Report::new(args.messages.policy()?);
     let mut exit = Exit::Done;
     for stream in &args.charts {
         match report.load(stream) {

@@ -24,7 +24,7 @@ pub struct Arguments {
 /// Prints the page, or names codes that were perhaps meant.
 pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let asked = args.code.trim();
-    match find(asked) {
+    match Code::find(asked) {
         Some(code) => {
             print(code.page())?;
             Ok(Exit::Done)
@@ -45,11 +45,6 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
             Err(Failure::WrongUse(format!("no diagnostic has the code `{asked}`"), help))
         }
     }
-}
-
-fn find(asked: &str) -> Option<Code> {
-    let by_name = || Code::ALL.iter().copied().find(|code| code.slug().eq_ignore_ascii_case(asked));
-    Code::parse(asked).or_else(by_name)
 }
 
 /// At most three codes that differ by a slip or two, or whose name holds what was asked, the nearest first.
@@ -77,9 +72,9 @@ mod tests {
 
     #[test]
     fn a_code_is_found_in_any_case_and_by_name() {
-        assert_eq!(find("e0201"), Some(Code::E0201));
-        assert_eq!(find("Unknown-Name"), Some(Code::E0201));
-        assert_eq!(find("E201"), None);
+        assert_eq!(Code::find("e0201"), Some(Code::E0201));
+        assert_eq!(Code::find("Unknown-Name"), Some(Code::E0201));
+        assert_eq!(Code::find("E201"), None);
     }
 
     #[test]

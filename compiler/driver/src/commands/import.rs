@@ -36,7 +36,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let output = args.output.unwrap_or(Stream::Standard);
     refuse_output_over_input(&output, [&args.file])?;
 
-    let mut report = Report::default();
+    let mut report = Report::new(args.messages.policy()?);
     let mut result = None;
     if let Some(file) = report.load(&args.file)? {
         let options = grafc_import::Options { delays: args.delays };
@@ -45,7 +45,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         result = made;
     }
     let exit = report.tell(args.messages.messages());
-    if let Some(result) = result {
+    if let Some(result) = result.filter(|_| !report.has_errors()) {
         output.write(&result)?;
     }
     Ok(exit)

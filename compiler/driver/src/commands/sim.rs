@@ -49,7 +49,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         refuse_output_over_input(output, inputs())?;
     }
 
-    let mut report = Report::default();
+    let mut report = Report::new(args.messages.policy()?);
     let chart = report.load(&args.chart)?;
     let trace = report.load(&args.trace)?;
     let against = args.against.as_ref().map(|stream| report.load(stream)).transpose()?;

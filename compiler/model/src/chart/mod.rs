@@ -11,7 +11,7 @@ mod expression;
 
 use ecow::EcoString;
 pub use expression::{Arithmetic, Comparison, DelayTime, Expr, ExprKind};
-use grafc_diagnostics::Span;
+use grafc_diagnostics::{Allowances, Span};
 pub use grafc_syntax::ast::Type;
 use index_vec::{IndexVec, define_index_type};
 use std::ops::Deref;
@@ -113,6 +113,8 @@ pub struct Tables {
     pub orders: Vec<Order>,
     /// The pool of expressions.
     pub exprs: IndexVec<ExprId, Expr>,
+    /// The warnings that the text allows.
+    pub allowances: Allowances,
 }
 
 /// A declared variable.

@@ -5,6 +5,7 @@
 
 mod actions;
 mod addresses;
+mod allowances;
 mod declarations;
 mod definitions;
 mod expressions;
@@ -61,6 +62,7 @@ pub fn resolve<'a>(tree: &'a ast::Chart, default_name: &str, diagnostics: &mut D
     let expanded = structure::build(&mut parts, &scope, &mut chart, &mut symbols, diagnostics);
     let interpreted =
         actions::interpret(&tree.exprs, &parts, &scope, &values.constants, &mut chart, &mut symbols, diagnostics);
+    chart.allowances = allowances::read(&parts, &scope, &chart.variables, &mut symbols, diagnostics);
     Resolved { parts, scope, expanded, chart, complete: values.complete && interpreted, symbols }
 }
 

@@ -4,7 +4,7 @@
 //! here, in source order; whatever is wrong with an item, it keeps its id, so that the rest of it can still be checked.
 
 use crate::chart::{GrafcetId, MacroId, Node, StepId, TransitionId};
-use grafc_diagnostics::Span;
+use grafc_diagnostics::{Scope, Span};
 use grafc_syntax::ast;
 use index_vec::{IndexVec, define_index_type};
 
@@ -45,6 +45,8 @@ pub struct Parts<'a> {
     pub stray: Option<GrafcetId>,
     /// The bare steps and transitions in `stray`.
     pub bare: Vec<Span>,
+    /// What is allowed, each with the part of the text that it is allowed in.
+    pub allows: Vec<(&'a ast::Allow, Scope)>,
     /// The end of the text.
     pub end: Span,
 }
@@ -107,13 +109,14 @@ impl<'a> Parts<'a> {
             holders: Vec::new(),
             stray: None,
             bare: Vec::new(),
+            allows: Vec::new(),
             end: chart.span.behind(),
         };
         let has_blocks = chart.items.iter().any(|item| matches!(item, ast::Item::Grafcet(_)));
         let top = (!has_blocks).then(|| Frame::Grafcet(parts.grafcets.push(GrafcetPart { ast: None, span: start })));
-        let mut open = vec![(chart.items.iter(), top)];
-        while let Some((items, frame)) = open.last_mut() {
-            let frame = *frame;
+        let mut open = vec![(chart.items.iter(), top, chart.span)];
+        while let Some((items, frame, block)) = open.last_mut() {
+            let (frame, block) = (*frame, *block);
             let Some(item) = items.next() else {
                 open.pop();
                 continue;
@@ -122,11 +125,11 @@ impl<'a> Parts<'a> {
                 ast::Item::Declaration(declaration) => parts.declarations.push(declaration),
                 ast::Item::Grafcet(grafcet) => {
                     let id = parts.grafcets.push(GrafcetPart { ast: Some(grafcet), span: grafcet.name.span });
-                    open.push((grafcet.items.iter(), Some(Frame::Grafcet(id))));
+                    open.push((grafcet.items.iter(), Some(Frame::Grafcet(id)), grafcet.span));
                 }
                 ast::Item::Expansion(expansion) => {
                     let id = parts.expansions.push(ExpansionPart { ast: expansion, within: frame });
-                    open.push((expansion.items.iter(), Some(Frame::Expansion(id))));
+                    open.push((expansion.items.iter(), Some(Frame::Expansion(id)), expansion.span));
                 }
                 ast::Item::Step(step) => {
                     let frame = frame.unwrap_or_else(|| parts.bare_item(step.label.span));
@@ -136,13 +139,16 @@ impl<'a> Parts<'a> {
                         ast::StepKind::Macro => Node::Macro(parts.macro_places.push(place)),
                     };
                     parts.holders.push(Holder::Step(place));
+                    parts.allows.extend(step.allows.iter().map(|allow| (allow, Scope::Item(step.span))));
                     parts.steps.push(StepPart { ast: step, frame, node });
                 }
                 ast::Item::Transition(transition) => {
                     let frame = frame.unwrap_or_else(|| parts.bare_item(transition.span));
                     let id = parts.transitions.push(TransitionPart { ast: transition, frame });
                     parts.holders.push(Holder::Transition(id));
+                    parts.allows.extend(transition.allows.iter().map(|allow| (allow, Scope::Item(transition.span))));
                 }
+                ast::Item::Allow(allow) => parts.allows.push((allow, Scope::Block(block))),
             }
         }
         parts

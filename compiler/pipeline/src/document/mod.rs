@@ -198,6 +198,7 @@ impl Document {
         self.of_text.diagnostics.get_or_init(|| {
             let mut said = self.parsed().1.clone();
             said.append(self.checked().diagnostics.clone());
+            self.tables().allowances.apply(&mut said);
             said.sort_by_place();
             said
         })
@@ -209,7 +210,9 @@ impl Document {
             let analysis = self.analysis_of(false);
             #[cfg(test)]
             self.runs.count("warnings");
-            analysis.map(grafc_logic::warn).unwrap_or_default()
+            let mut said = analysis.map(grafc_logic::warn).unwrap_or_default();
+            self.tables().allowances.apply(&mut said);
+            said
         })
     }
 
@@ -263,7 +266,9 @@ impl Document {
             let analysis = self.analysis()?.clone();
             #[cfg(test)]
             self.runs.count("program");
-            Some(grafc_logic::compile(analysis, &self.options))
+            let (program, mut said) = grafc_logic::compile(analysis, &self.options);
+            self.tables().allowances.apply(&mut said);
+            Some((program, said))
         });
         lowered.as_ref()
     }

@@ -60,6 +60,21 @@ fn each_stage_is_run_once_and_only_when_it_is_asked_for() {
 }
 
 #[test]
+fn what_the_text_allows_is_set_aside() {
+    let allow = "{ allow W0409 \"why\" }";
+    let document = Document::new("valve.gct", VALVE.replace(": c\n", &format!(": c {allow}\n")));
+    assert!(document.warnings().is_empty());
+    assert_eq!(document.warnings().allowed().len(), 1);
+    // In the other one of two transitions it is the same warning, in one that has nothing to do with it it is not.
+    let document = Document::new("valve.gct", VALVE.replace(": a\n", &format!(": a {allow}\n")));
+    assert!(document.warnings().is_empty());
+    let document = Document::new("valve.gct", VALVE.replace("step 3\n", &format!("step 3 {allow}\n")));
+    assert_eq!(codes(document.warnings()), [Code::W0409]);
+    let document = Document::new("valve.gct", VALVE.replace("step 3\n", "step 3\nallow W0409 \"why\"\n"));
+    assert!(document.warnings().is_empty());
+}
+
+#[test]
 fn a_target_runs_no_stage_but_its_own() {
     let document = Document::new("valve.gct", VALVE);
     let drawing = plcopen::Options { body: plcopen::Body::Sfc, ..plcopen::Options::default() };

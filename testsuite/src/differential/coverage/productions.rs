@@ -16,6 +16,10 @@ pub const ALL: &[&str] = &[
     "comment (* nested *)",
     "heading",
     "no heading",
+    "allow",
+    "allow of a declaration",
+    "allow in a step",
+    "allow in a transition",
     "heading with comment",
     "input",
     "output",
@@ -184,6 +188,9 @@ impl FoundProductions<'_> {
                 }
                 Item::Step(step) => self.step(step),
                 Item::Transition(transition) => self.transition(transition),
+                Item::Allow(allow) => {
+                    self.see(true, if allow.about.is_some() { "allow of a declaration" } else { "allow" });
+                }
             }
         }
         let implied = self.chart.items.iter().any(|item| matches!(item, Item::Step(_)));
@@ -248,7 +255,8 @@ impl FoundProductions<'_> {
         self.see(true, if digits { "label of digits" } else { "label of letters" });
         self.see(step.comment.is_some(), "step with comment");
         let braces = self.text[step.span.range()].ends_with('}');
-        self.see(braces && step.actions.is_empty(), "empty braces");
+        self.see(braces && step.actions.is_empty() && step.allows.is_empty(), "empty braces");
+        self.see(!step.allows.is_empty(), "allow in a step");
         self.see(step.actions.len() > 1, "several actions");
         for action in &step.actions {
             self.action(action);
@@ -296,6 +304,7 @@ impl FoundProductions<'_> {
         self.see(transition.from.len() > 1, "n, m -> o");
         self.see(transition.to.len() > 1, "n -> m, o");
         self.expression(transition.condition, false);
+        self.see(!transition.allows.is_empty(), "allow in a transition");
         self.see(transition.actions.len() == 1, "assignment on clearing");
         self.see(transition.actions.len() > 1, "assignments on clearing");
         for assignment in &transition.actions {

@@ -56,6 +56,7 @@ pub(super) fn of(text: &str) -> Vec<Edit> {
                     Span::new(declaration.span.file, declaration.ty_span.end as usize, declaration.span.end as usize);
                 list.push((tail, String::new()));
             }
+            Item::Allow(allow) => list.push((allow.span, String::new())),
             Item::Grafcet(grafcet) => {
                 list.push((grafcet.span, String::new()));
                 open.extend(&grafcet.items);
@@ -171,7 +172,7 @@ fn pairs(text: &str, chart: &Chart) -> Vec<Edit> {
                 open.extend(&expansion.items);
             }
             Item::Transition(transition) => transitions.push(transition),
-            Item::Declaration(_) => {}
+            Item::Declaration(_) | Item::Allow(_) => {}
         }
     }
     let later = |transition: &Transition| {

@@ -11,7 +11,7 @@ use crate::stream::Stream;
 use crate::watch;
 use clap::builder::PossibleValuesParser;
 use clap::{ArgGroup, Args, ValueEnum};
-use grafc::Options;
+use grafc::{Options, Policy};
 use grafc_logic::Encoding;
 use grafc_net::passes;
 use job::Job;
@@ -125,23 +125,23 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let lowering = args.lowering();
     refuse_pass_not_run(&args)?;
     let jobs = plan::jobs(&args, &lowering)?;
-    let messages = args.messages.messages();
+    let (messages, policy) = (args.messages.messages(), args.messages.policy()?);
     if args.watch {
-        watch::run(&args.charts, messages, || Ok(compile(&jobs, &lowering, messages)))
+        watch::run(&args.charts, messages, || Ok(compile(&jobs, &lowering, &policy, messages)))
     } else {
-        Ok(compile(&jobs, &lowering, messages))
+        Ok(compile(&jobs, &lowering, &policy, messages))
     }
 }
 
 /// All errors of all charts; and for each chart without one what it asks for, in its place.
-fn compile(jobs: &[Job], lowering: &grafc_logic::Options, messages: Messages) -> Exit {
-    let mut report = Report::default();
+fn compile(jobs: &[Job], lowering: &grafc_logic::Options, policy: &Policy, messages: Messages) -> Exit {
+    let mut report = Report::new(policy.clone());
     let mut exit = Exit::Done;
     let mut made = Vec::new();
     for job in jobs {
         match report.load(job.chart) {
             Ok(Some(file)) => {
-                let options = Options { lowering: *lowering, product: job.product.clone() };
+                let options = Options { lowering: *lowering, product: job.product.clone(), policy: policy.clone() };
                 let text = &report.sources.file(file).text;
                 let (output, diagnostics) = grafc::compile(file, text, &job.chart.chart_name(), &options);
                 report.diagnostics.append(diagnostics);
