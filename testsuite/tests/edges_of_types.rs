@@ -235,7 +235,7 @@ fn no_text_holds_what_is_not_finite(text: &str) {
         for about in Target::ALL {
             let target = about.target(&Chosen::new()).expect("a target with what is usual");
             let lowering = Lowering { encoding, ..Lowering::default() };
-            let options = Options { lowering, product: Product::Code(target) };
+            let options = Options::new(lowering, Product::Code(target));
             // A target may refuse a type that its controllers lack.
             let (Some(output), _) = grafc::compile(FileId(0), text, "edges", &options) else { continue };
             for word in output.text.split(|c: char| !c.is_alphanumeric()) {
