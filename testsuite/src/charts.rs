@@ -67,14 +67,32 @@ pub fn cases(folder: &Path) -> Vec<Case> {
     names.into_iter().map(|name| case(folder, name)).collect()
 }
 
+/// The charts that restate what people of the trade asked, reported or were taught: a folder each, by name.
+///
+/// # Panics
+/// If a folder lacks one of its files.
+pub fn field_cases() -> Vec<Case> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases");
+    let mut names: Vec<String> = std::fs::read_dir(&folder)
+        .unwrap_or_else(|e| panic!("{}: {e}", folder.display()))
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .collect();
+    names.sort();
+    names.into_iter().map(|name| read(&folder.join(&name), name, ["chart.gct", "trace.csv", "expected.csv"])).collect()
+}
+
 fn case(folder: &Path, name: String) -> Case {
-    let read = |end: &str| {
-        let path = folder.join(format!("{name}{end}"));
+    let files = [".gct", ".trace.csv", ".expected.csv"].map(|end| format!("{name}{end}"));
+    read(folder, name, files)
+}
+
+fn read(folder: &Path, name: String, files: [impl AsRef<Path>; 3]) -> Case {
+    let [text, trace, expected] = files.map(|file| {
+        let path = folder.join(file);
         std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
-    };
-    let text = read(".gct");
+    });
     let (profile, overlapping) = asked_for(&text);
-    Case { text, trace: read(".trace.csv"), expected: read(".expected.csv"), profile, overlapping, name }
+    Case { text, trace, expected, profile, overlapping, name }
 }
 
 /// What the first line of a chart asks for: the profile, and whether all encodings are meant.
