@@ -1,5 +1,6 @@
 //! The book against the compiler: its charts are correct, its commands print what it shows, its links lead somewhere.
 
+use grafc::Target;
 use grafc_diagnostics::{Code, FileId};
 use grafc_testsuite::binary::{grafc, root};
 use grafc_testsuite::excerpts;
@@ -118,6 +119,23 @@ fn the_first_command_of_the_readme_compiles_a_chart() {
     assert_eq!(code, Some(0), "{printed}");
     assert!(printed.contains("\nFUNCTION_BLOCK "), "{printed}");
     assert!(readme.contains("\ncargo test --workspace\n"));
+}
+
+#[test]
+fn the_table_of_endings_is_that_of_the_targets() {
+    let page = std::fs::read_to_string(root().join("docs/commands.md")).expect("the page");
+    for about in Target::ALL {
+        let of_ending = Target::ALL.iter().filter(|other| other.extension == about.extension).count();
+        let found = page.lines().any(|line| {
+            line.starts_with(&format!("| `.{}` |", about.extension))
+                && if of_ending == 1 {
+                    line.ends_with(&format!("| `--target {}` |", about.name))
+                } else {
+                    line.contains(&format!("`{}`", about.name)) && line.contains("`--target` has to say which")
+                }
+        });
+        assert!(found, "docs/commands.md has no row for `.{}`, {}", about.extension, about.name);
+    }
 }
 
 fn run(folder: &Path, arguments: &str) -> (Option<i32>, String) {

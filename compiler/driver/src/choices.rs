@@ -102,6 +102,22 @@ pub fn sentence(targets: impl Iterator<Item = &'static About>, before: &str) -> 
     }
 }
 
+/// The endings that say which target is meant, and those that do not say it alone.
+pub fn endings() -> String {
+    let mut endings: Vec<(&str, usize)> = Vec::new();
+    for about in Target::ALL {
+        match endings.iter_mut().find(|(ending, _)| *ending == about.extension) {
+            Some((_, targets)) => *targets += 1,
+            None => endings.push((about.extension, 1)),
+        }
+    }
+    let (clear, open): (Vec<_>, Vec<_>) = endings.into_iter().partition(|(_, targets)| *targets == 1);
+    let listed = |endings: Vec<(&str, usize)>| {
+        endings.iter().map(|(ending, _)| format!(".{ending}")).collect::<Vec<_>>().join(", ")
+    };
+    if open.is_empty() { listed(clear) } else { format!("{}; not {} alone", listed(clear), listed(open)) }
+}
+
 /// A cycle time in milliseconds.
 fn interval(text: &str) -> Result<u32, &'static str> {
     const FORM: &str = "expected whole milliseconds or seconds, such as 20ms or 1s";
@@ -124,6 +140,15 @@ fn interval(text: &str) -> Result<u32, &'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn endings_are_told_apart() {
+        let endings = endings();
+        assert!(endings.starts_with(".st, .il, ") && endings.ends_with("; not .xml alone"), "{endings}");
+        for about in Target::ALL {
+            assert_eq!(endings.matches(&format!(".{}", about.extension)).count(), 1, "{endings}");
+        }
+    }
 
     #[test]
     fn intervals_are_whole_milliseconds_above_zero() {

@@ -1,5 +1,6 @@
 //! What can be asked of grafc.
 
+use crate::choices;
 use crate::commands::{check, compile, completions, explain, fmt, import, man, new, sim, stats};
 use crate::meant;
 use crate::stream::Stream;
@@ -7,19 +8,24 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
 
+/// Examples, endings, exit codes.
+fn after_help() -> String {
+    AFTER_HELP.replace("ENDINGS", &choices::endings())
+}
+
 const AFTER_HELP: &str = "\
 Example:
   grafc valve.gct -o valve.st
   grafc charts/*.gct -t rust -o src/ --watch
   grafc valve.gct --emit net
 
-The ending of FILE says what to make, unless `--target` does: .st, .il, .awl, .scl, .TcPOU, .rs; of .xml there are two.
+The ending of FILE says what to make, unless `--target` does: ENDINGS.
 Exit codes: 0 done, 1 a chart has errors, 2 wrong use, 3 a file cannot be read or written, 101 a fault of grafc.
 A chart that is named like a command is given as `./check`; `-` is standard input or output.";
 
-/// Compile GRAFCET charts (IEC 60848) to IEC 61131-3 code
+/// Compile GRAFCET charts (IEC 60848) to code for PLCs, or to Rust
 #[derive(Parser, Debug)]
-#[command(name = "grafc", version, after_help = AFTER_HELP)]
+#[command(name = "grafc", version, after_help = after_help())]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true, arg_required_else_help = true)]
 pub struct CommandLine {
     /// A command other than to compile.
@@ -59,12 +65,12 @@ impl CommandLine {
 /// The commands other than to compile.
 #[derive(Subcommand, Debug)]
 pub enum Command {
+    /// Begin a chart: a folder with a chart that works, a trace, and what to do with them
+    New(new::Arguments),
     /// Report all errors and warnings of charts
     Check(check::Arguments),
     /// Run a chart over a trace of its inputs with the reference simulator
     Sim(sim::Arguments),
-    /// Begin a chart: a folder with a chart that works, a trace, and what to do with them
-    New(new::Arguments),
     /// Measure what a chart takes in each encoding
     Stats(stats::Arguments),
     /// Bring charts into the canonical format

@@ -22,7 +22,7 @@ const README: &str = include_str!("../../templates/README.md");
 
 /// Arguments of `grafc new`.
 #[derive(Args, Debug)]
-#[command(after_help = AFTER_HELP)]
+#[command(after_help = AFTER_HELP, override_usage = "grafc new [OPTIONS] <NAME>")]
 pub struct Arguments {
     /// The name of the folder and of the chart in it
     #[arg(value_name = "NAME")]

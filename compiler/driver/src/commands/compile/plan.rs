@@ -123,15 +123,8 @@ fn by_ending(args: &Arguments) -> Result<&'static About, Failure> {
             Err(Failure::WrongUse(what, "say which of them is meant".to_string()))
         }
         (None, _) => {
-            let mut endings: Vec<String> = Vec::new();
-            for about in Target::ALL {
-                let ending = format!("`.{}`", about.extension);
-                if !endings.contains(&ending) {
-                    endings.push(ending);
-                }
-            }
             let what = format!("no target is known by the ending `.{ending}`");
-            Err(Failure::WrongUse(what, format!("add `--target`, or take one of {}", endings.join(", "))))
+            Err(Failure::WrongUse(what, format!("add `--target`, or take one of {}", choices::endings())))
         }
     }
 }
