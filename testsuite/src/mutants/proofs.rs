@@ -149,14 +149,14 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "transient-in-the-same-micro-step",
         at: COMPILER,
         breaks: "what a change causes in the next micro-step is taken to be in the same (R8)",
-        text: "time + u32::from(*edge.weight())",
-        instead: "time + 0 * u32::from(*edge.weight())",
+        text: "time + u32::from(effect.next)",
+        instead: "time + 0 * u32::from(effect.next)",
     },
     Fault {
         name: "transient-no-circles",
         at: COMPILER,
         breaks: "changes that cause each other endlessly are taken to end (R9)",
-        text: "cyclic && reached",
-        instead: "cyclic && !reached",
+        text: "circles.first()",
+        instead: "circles.get(circles.len())",
     },
 ];

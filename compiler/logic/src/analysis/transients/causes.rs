@@ -2,15 +2,15 @@
 
 use grafc_model::chart::{Event, ExprId, GrafcetId, MacroId, StepId, TransitionId, VariableId};
 use grafc_net::Net;
-use indexmap::IndexSet;
-use rustc_hash::FxBuildHasher;
+use grafc_net::net::Grafcet;
+use index_vec::IndexVec;
 
 /// Something that can happen in a micro-step k, said of k > 1; in the first micro-step anything counts that is so at
 /// all.
 ///
 /// Values of expressions, wires, macro-steps and grafcets are compared with those of the context before: what a
 /// micro-step does to a step or a stored variable shows in them in the next one.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Change {
     /// The transition clears and did not in the micro-step before; if it waits for an edge, just that it clears.
     Clears(TransitionId),
@@ -52,7 +52,7 @@ pub(super) enum Change {
 }
 
 /// Which way a value changes. Numbers that may change at all may change either way.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Way {
     Up,
     Down,
@@ -71,9 +71,9 @@ impl Way {
 
 /// Changes by number, and which can cause which.
 pub(super) struct Causes {
-    changes: IndexSet<Change, FxBuildHasher>,
+    numbers: Numbers,
     /// Cause, effect, and whether the effect comes in the next micro-step or in the same one.
-    pub(super) edges: Vec<(u32, u32, bool)>,
+    edges: Vec<(u32, u32, bool)>,
     /// Changes that need no cause in the first micro-step.
     pub(super) at_start: Vec<u32>,
 }
@@ -82,8 +82,7 @@ impl Causes {
     /// With room for what a net of this size usually has.
     pub(super) fn new(net: &Net) -> Causes {
         let size = 4 * (net.places.len() + net.transitions.len());
-        let changes = IndexSet::with_capacity_and_hasher(size, FxBuildHasher);
-        Causes { changes, edges: Vec::with_capacity(size), at_start: Vec::new() }
+        Causes { numbers: Numbers::new(net), edges: Vec::with_capacity(size), at_start: Vec::new() }
     }
 
     /// `cause` can cause `effect` in the same micro-step.
@@ -98,60 +97,178 @@ impl Causes {
 
     /// What is new at the start of the reaction can cause it in the first micro-step.
     pub(super) fn start(&mut self, change: Change) {
-        let number = self.number(change);
-        self.at_start.push(number);
+        self.at_start.push(self.number(change));
     }
 
     /// How many changes there are.
     pub(super) fn len(&self) -> usize {
-        self.changes.len()
+        self.numbers.all as usize
     }
 
-    /// The change of a number.
-    pub(super) fn change(&self, number: u32) -> Change {
-        self.changes[number as usize]
+    /// The number of a change.
+    pub(super) fn number(&self, change: Change) -> u32 {
+        self.numbers.of(change)
     }
 
-    /// The changes in the order of their numbers.
-    pub(super) fn changes(&self) -> impl Iterator<Item = Change> + '_ {
-        self.changes.iter().copied()
+    /// The transition that clears with the change of a number, whether it cleared before or not.
+    pub(super) fn transition(&self, net: &Net, number: u32) -> Option<TransitionId> {
+        let within = |begin: u32, size: usize| number.checked_sub(begin).map(|n| n as usize).filter(|n| *n < size);
+        if let Some(t) = within(self.numbers.clears, net.transitions.len()) {
+            return Some(TransitionId::from_usize(t));
+        }
+        match net.stored[within(self.numbers.differs, net.stored.len())?].event {
+            Event::Clearing(t) => Some(t),
+            Event::Event(..) | Event::Deactivation(_) | Event::Activation(_) => None,
+        }
+    }
+
+    /// The effects of each change.
+    pub(super) fn effects(&self) -> Effects {
+        Effects::new(self.len(), &self.edges)
     }
 
     fn edge(&mut self, cause: Change, effect: Change, next: bool) {
-        let (cause, effect) = (self.number(cause), self.number(effect));
-        self.edges.push((cause, effect, next));
-    }
-
-    fn number(&mut self, change: Change) -> u32 {
-        self.changes.insert_full(change).0 as u32
+        self.edges.push((self.number(cause), self.number(effect), next));
     }
 }
 
-impl Change {
-    /// The transition that clears, whether it cleared before or not.
-    pub(super) fn transition(self, net: &Net) -> Option<TransitionId> {
-        match self {
-            Change::Clears(t) => Some(t),
-            Change::Differs(action) => match net.stored[action].event {
-                Event::Clearing(t) => Some(t),
-                Event::Event(..) | Event::Deactivation(_) | Event::Activation(_) => None,
-            },
-            Change::Stops(_)
-            | Change::Activated(_)
-            | Change::Placed(_)
-            | Change::Deactivated(_)
-            | Change::Obeyed(..)
-            | Change::Overruled(..)
-            | Change::Forced(_)
-            | Change::Frozen(_)
-            | Change::Released(_)
-            | Change::Thawed(_)
-            | Change::Expr(..)
-            | Change::Variable(..)
-            | Change::Macro(..)
-            | Change::Grafcet(..)
-            | Change::Occurs(_)
-            | Change::Subsides(_) => None,
+/// What a change can cause.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Effect {
+    pub(super) change: u32,
+    /// Whether in the next micro-step or in the same one.
+    pub(super) next: bool,
+}
+
+/// The effects of all changes, one list behind the other.
+pub(super) struct Effects {
+    /// Where the list of each change begins, and at the end where the last one ends.
+    begins: Vec<u32>,
+    all: Vec<Effect>,
+}
+
+impl Effects {
+    /// Each change by number, and causes with an effect in the next micro-step.
+    #[cfg(test)]
+    pub(super) fn by_hand(changes: usize, edges: &[(u32, u32)]) -> Effects {
+        Effects::new(changes, &edges.iter().map(|(cause, effect)| (*cause, *effect, true)).collect::<Vec<_>>())
+    }
+
+    fn new(changes: usize, edges: &[(u32, u32, bool)]) -> Effects {
+        let mut begins = vec![0_u32; changes + 1];
+        edges.iter().for_each(|(cause, ..)| begins[*cause as usize + 1] += 1);
+        for change in 0..changes {
+            begins[change + 1] += begins[change];
         }
+        let mut free = begins.clone();
+        let mut all = vec![Effect { change: 0, next: false }; edges.len()];
+        for (cause, change, next) in edges {
+            let place = &mut free[*cause as usize];
+            all[*place as usize] = Effect { change: *change, next: *next };
+            *place += 1;
+        }
+        Effects { begins, all }
+    }
+
+    /// How many there are.
+    pub(super) fn len(&self) -> usize {
+        self.all.len()
+    }
+
+    /// Those of a change.
+    pub(super) fn of(&self, change: u32) -> &[Effect] {
+        let change = change as usize;
+        &self.all[self.begins[change] as usize..self.begins[change + 1] as usize]
+    }
+}
+
+/// Where the numbers of the changes of each kind begin. Whatever can be thought of has a number, whether or not anything
+/// causes it.
+struct Numbers {
+    clears: u32,
+    stops: u32,
+    activated: u32,
+    placed: u32,
+    deactivated: u32,
+    obeyed: u32,
+    overruled: u32,
+    forced: u32,
+    frozen: u32,
+    released: u32,
+    thawed: u32,
+    expr: u32,
+    variable: u32,
+    macro_step: u32,
+    grafcet: u32,
+    occurs: u32,
+    differs: u32,
+    subsides: u32,
+    all: u32,
+    /// How many orders there are on the grafcets before each.
+    orders_before: IndexVec<GrafcetId, u32>,
+}
+
+impl Numbers {
+    fn new(net: &Net) -> Numbers {
+        let mut all = 0;
+        let mut some = |size: usize| {
+            let begin = all;
+            all += size as u32;
+            begin
+        };
+        let (steps, transitions, grafcets) = (net.places.len(), net.transitions.len(), net.grafcets.len());
+        let before = |sum: &mut u32, g: &Grafcet| Some(std::mem::replace(sum, *sum + g.orders.len() as u32));
+        let orders_before = net.grafcets.iter().scan(0, before).collect();
+        let orders: usize = net.grafcets.iter().map(|g| g.orders.len()).sum();
+        let mut numbers = Numbers {
+            clears: some(transitions),
+            stops: some(transitions),
+            activated: some(steps),
+            placed: some(steps),
+            deactivated: some(steps),
+            obeyed: some(orders),
+            // Ranks up to the one after the last order.
+            overruled: some(orders + grafcets),
+            forced: some(grafcets),
+            frozen: some(grafcets),
+            released: some(grafcets),
+            thawed: some(grafcets),
+            expr: some(2 * net.exprs.len()),
+            variable: some(2 * net.variables.len()),
+            macro_step: some(2 * net.macro_steps.len()),
+            grafcet: some(2 * grafcets),
+            occurs: some(net.stored.len()),
+            differs: some(net.stored.len()),
+            subsides: some(net.variables.len()),
+            all: 0,
+            orders_before,
+        };
+        numbers.all = all;
+        numbers
+    }
+
+    fn of(&self, change: Change) -> u32 {
+        let both = |place: usize, way: Way| 2 * place + usize::from(way == Way::Down);
+        let (begin, place) = match change {
+            Change::Clears(t) => (self.clears, t.index()),
+            Change::Stops(t) => (self.stops, t.index()),
+            Change::Activated(s) => (self.activated, s.index()),
+            Change::Placed(s) => (self.placed, s.index()),
+            Change::Deactivated(s) => (self.deactivated, s.index()),
+            Change::Obeyed(g, rank) => (self.obeyed, self.orders_before[g] as usize + rank),
+            Change::Overruled(g, rank) => (self.overruled, self.orders_before[g] as usize + g.index() + rank),
+            Change::Forced(g) => (self.forced, g.index()),
+            Change::Frozen(g) => (self.frozen, g.index()),
+            Change::Released(g) => (self.released, g.index()),
+            Change::Thawed(g) => (self.thawed, g.index()),
+            Change::Expr(e, way) => (self.expr, both(e.index(), way)),
+            Change::Variable(v, way) => (self.variable, both(v.index(), way)),
+            Change::Macro(m, way) => (self.macro_step, both(m.index(), way)),
+            Change::Grafcet(g, way) => (self.grafcet, both(g.index(), way)),
+            Change::Occurs(action) => (self.occurs, action),
+            Change::Differs(action) => (self.differs, action),
+            Change::Subsides(v) => (self.subsides, v.index()),
+        };
+        begin + place as u32
     }
 }

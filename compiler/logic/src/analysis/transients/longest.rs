@@ -1,75 +1,64 @@
 //! The longest path through the graph of causes.
 
-use super::causes::{Causes, Change};
+use super::causes::{Causes, Effects};
+use super::parts::Parts;
 use grafc_model::chart::TransitionId;
-use petgraph::algo::kosaraju_scc;
-use petgraph::graph::{DiGraph, NodeIndex};
-use petgraph::visit::EdgeRef;
+use grafc_net::Net;
 use rustc_hash::FxHashMap;
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeSet, VecDeque};
 
-/// The last micro-step in which each change can happen, by number, with the cause that comes last; none if it never
-/// can.
+/// The last micro-step in which each change can happen, by number, with the cause that comes last, of several the first
+/// by number; none if it never can.
 pub(super) struct Times {
     last: Vec<Option<(u32, Option<u32>)>>,
 }
 
-/// A part of the graph in which changes can cause each other endlessly.
+/// Where changes can cause each other endlessly.
 pub(super) struct Endless {
-    /// Transitions that clear in it, in order.
+    /// Transitions that clear in such a circle, in order.
     pub(super) transitions: BTreeSet<TransitionId>,
     /// Those of one way round, as far as transitions take part in it.
     pub(super) cycle: Vec<TransitionId>,
 }
 
 impl Times {
-    /// Finds them, or that there is no last one. Changes of which `never` is true do not happen.
+    /// Finds them, or that there is no last one. Transitions of which `never` is true do not clear.
     pub(super) fn find(
+        net: &Net,
         causes: &Causes,
-        transition_of: &dyn Fn(Change) -> Option<TransitionId>,
-        never: &dyn Fn(Change) -> bool,
+        effects: &Effects,
+        never: &dyn Fn(TransitionId) -> bool,
     ) -> Result<Times, Endless> {
-        let never: Vec<bool> = causes.changes().map(never).collect();
-        let possible = |change: u32| !never[change as usize];
-        let mut graph: DiGraph<(), bool> = DiGraph::with_capacity(causes.len(), causes.edges.len());
-        (0..causes.len()).for_each(|_| _ = graph.add_node(()));
-        for (cause, effect, next) in causes.edges.iter().filter(|(c, e, _)| possible(*c) && possible(*e)) {
-            graph.add_edge(NodeIndex::new(*cause as usize), NodeIndex::new(*effect as usize), *next);
-        }
+        let possible = |change: u32| !causes.transition(net, change).is_some_and(never);
+        let parts = Parts::of(causes.len(), effects, &causes.at_start, possible);
         let mut last: Vec<Option<(u32, Option<u32>)>> = vec![None; causes.len()];
-        for start in causes.at_start.iter().filter(|s| possible(**s)) {
+        for start in causes.at_start.iter().filter(|start| possible(**start)) {
             last[*start as usize] = Some((1, None));
         }
-        let mut endless: Option<Endless> = None;
-        // Causes before effects.
-        for part in kosaraju_scc(&graph).iter().rev() {
-            let cyclic = part.len() > 1 || part.iter().any(|n| graph.contains_edge(*n, *n));
-            let reached = part.iter().any(|n| last[n.index()].is_some());
-            if cyclic && reached {
-                let found = endless.get_or_insert_with(|| Endless {
-                    transitions: BTreeSet::new(),
-                    cycle: cycle(causes, &graph, part, transition_of),
-                });
-                found.transitions.extend(part.iter().filter_map(|n| transition_of(causes.change(n.index() as u32))));
-                // What follows can be reached as well; when, is not asked any more.
-                part.iter().for_each(|n| last[n.index()] = Some((1, None)));
-            }
-            for node in part {
-                let Some((time, _)) = last[node.index()] else { continue };
-                for edge in graph.edges(*node) {
-                    let reached = time + u32::from(*edge.weight());
-                    let known = &mut last[edge.target().index()];
-                    if known.is_none_or(|(t, _)| t < reached) {
-                        *known = Some((reached, Some(node.index() as u32)));
-                    }
+        let is_circle = |part: &[u32]| part.len() > 1 || effects.of(part[0]).iter().any(|e| e.change == part[0]);
+        let circles: Vec<&[u32]> = parts.in_order().filter(|part| is_circle(part)).collect();
+        if let Some(first) = circles.first() {
+            let all = circles.iter().copied().flatten();
+            return Err(Endless {
+                transitions: all.filter_map(|change| causes.transition(net, *change)).collect(),
+                cycle: cycle(net, causes, effects, first),
+            });
+        }
+        for change in parts.in_order().flatten() {
+            let Some((time, _)) = last[*change as usize] else { continue };
+            for effect in effects.of(*change).iter().filter(|effect| possible(effect.change)) {
+                let reached = time + u32::from(effect.next);
+                let known = &mut last[effect.change as usize];
+                let is_later = |(time, cause): (u32, Option<u32>)| {
+                    time < reached || time == reached && cause.is_some_and(|cause| *change < cause)
+                };
+                if known.is_none_or(is_later) {
+                    *known = Some((reached, Some(*change)));
                 }
             }
         }
-        match endless {
-            None => Ok(Times { last }),
-            Some(endless) => Err(endless),
-        }
+        Ok(Times { last })
     }
 
     /// The last micro-step in which a change can happen.
@@ -84,32 +73,27 @@ impl Times {
 }
 
 /// The shortest way round within a part from its first transition back to itself.
-fn cycle(
-    causes: &Causes,
-    graph: &DiGraph<(), bool>,
-    part: &[NodeIndex],
-    transition_of: &dyn Fn(Change) -> Option<TransitionId>,
-) -> Vec<TransitionId> {
-    let transition = |n: NodeIndex| transition_of(causes.change(n.index() as u32));
-    let Some(first) = part.iter().copied().filter(|n| transition(*n).is_some()).min_by_key(|n| (transition(*n), *n))
+fn cycle(net: &Net, causes: &Causes, effects: &Effects, part: &[u32]) -> Vec<TransitionId> {
+    let transition = |change: u32| causes.transition(net, change);
+    let Some(first) = part.iter().copied().filter(|c| transition(*c).is_some()).min_by_key(|c| (transition(*c), *c))
     else {
         return Vec::new();
     };
-    let mut member = vec![false; graph.node_count()];
-    part.iter().for_each(|n| member[n.index()] = true);
-    let mut from: FxHashMap<NodeIndex, NodeIndex> = FxHashMap::default();
+    let mut member = vec![false; causes.len()];
+    part.iter().for_each(|change| member[*change as usize] = true);
+    let mut from: FxHashMap<u32, u32> = FxHashMap::default();
     let mut open = VecDeque::from([first]);
-    while let Some(node) = open.pop_front().filter(|_| !from.contains_key(&first)) {
-        for next in graph.neighbors(node).filter(|n| member[n.index()]) {
+    while let Some(change) = open.pop_front().filter(|_| !from.contains_key(&first)) {
+        for next in effects.of(change).iter().map(|effect| effect.change).filter(|next| member[*next as usize]) {
             if let Entry::Vacant(entry) = from.entry(next) {
-                entry.insert(node);
+                entry.insert(change);
                 open.push_back(next);
             }
         }
     }
     let mut cycle: Vec<TransitionId> = transition(first).into_iter().collect();
     let mut at = first;
-    while let Some(before) = from.get(&at).copied().filter(|n| *n != first) {
+    while let Some(before) = from.get(&at).copied().filter(|change| *change != first) {
         cycle.extend(transition(before));
         at = before;
     }

@@ -7,7 +7,7 @@
 //! is the graph of all changes that are possible at all with an edge from each cause to its effects; it is made in
 //! `values` (expressions), `situation` (clearings, enclosures, orders) and `stored` (stored actions), which say why
 //! each list of causes is complete. A change in micro-step k is the end of a path that begins with a change in
-//! micro-step 1 and along which k - 1 edges lead into the next micro-step. So the longest path (`longest`) gives the
+//! micro-step 1 and along which k - 1 edges lead into the next micro-step. So the longest path (`longest`, `parts`) gives the
 //! last micro-step in which something changes, the one after it finds nothing, and where changes cause each other in a
 //! circle no bound is known.
 //!
@@ -23,6 +23,7 @@ mod cases;
 mod causes;
 mod conditions;
 mod longest;
+mod parts;
 mod situation;
 mod stable;
 mod stored;
@@ -32,8 +33,8 @@ mod values;
 
 use crate::analysis::Analysis;
 use crate::scan::{Role, VarId};
-use causes::{Causes, Change};
-use grafc_model::chart::{Arithmetic, ExprId, ExprKind, TransitionId};
+use causes::{Causes, Change, Way};
+use grafc_model::chart::{Arithmetic, ExprId, ExprKind, Mode, TransitionId};
 use grafc_net::Net;
 use index_vec::IndexVec;
 use longest::Times;
@@ -134,39 +135,30 @@ impl Watched {
             }
         }
         let mut watched = Watched { repeat: Vec::new(), needed: Vec::new(), delays: Vec::new() };
-        for (number, change) in (0..).zip(causes.changes()) {
-            let (repeat, needed) = match change {
-                Change::Activated(_) | Change::Deactivated(_) => (true, true),
-                Change::Variable(v, _) => {
-                    let stored = net.variables[v].mode == grafc_model::chart::Mode::Stored;
-                    (stored, stored)
-                }
-                Change::Expr(e, _) => {
-                    if operand_of_delay[e] {
-                        watched.delays.push(number);
-                    }
-                    // A divisor because of DIV0.
-                    (operand_of_edge[e], operand_of_edge[e] || divisor[e])
-                }
-                // Without a change of the situation or of a variable a clearing or an event may still tell a conflict.
-                Change::Clears(_) | Change::Occurs(_) | Change::Differs(_) => (false, true),
-                Change::Stops(_)
-                | Change::Placed(_)
-                | Change::Obeyed(..)
-                | Change::Overruled(..)
-                | Change::Forced(_)
-                | Change::Frozen(_)
-                | Change::Released(_)
-                | Change::Thawed(_)
-                | Change::Macro(..)
-                | Change::Grafcet(..)
-                | Change::Subsides(_) => (false, false),
-            };
-            if repeat {
-                watched.repeat.push(number);
+        let mut watch = |change: Change, repeat: bool, needed: bool, delays: bool| {
+            let number = causes.number(change);
+            watched.repeat.extend(repeat.then_some(number));
+            watched.needed.extend(needed.then_some(number));
+            watched.delays.extend(delays.then_some(number));
+        };
+        for s in net.places.indices() {
+            watch(Change::Activated(s), true, true, false);
+            watch(Change::Deactivated(s), true, true, false);
+        }
+        // Without a change of the situation or of a variable a clearing or an event may still tell a conflict.
+        net.transitions.indices().for_each(|t| watch(Change::Clears(t), false, true, false));
+        for action in 0..net.stored.len() {
+            watch(Change::Occurs(action), false, true, false);
+            watch(Change::Differs(action), false, true, false);
+        }
+        for way in Way::BOTH {
+            for (v, _) in net.variables.iter_enumerated().filter(|(_, variable)| variable.mode == Mode::Stored) {
+                watch(Change::Variable(v, way), true, true, false);
             }
-            if needed {
-                watched.needed.push(number);
+            // A divisor because of DIV0.
+            for e in net.exprs.indices() {
+                let of_edge = operand_of_edge[e];
+                watch(Change::Expr(e, way), of_edge, of_edge || divisor[e], operand_of_delay[e]);
             }
         }
         watched
@@ -186,7 +178,7 @@ impl Watched {
             && result.longest.is_some_and(|longest| longest < time + 1)
         {
             result.longest = Some(time + 1);
-            result.chain = times.back_from(change).filter_map(|c| causes.change(c).transition(net)).collect();
+            result.chain = times.back_from(change).filter_map(|c| causes.transition(net, c)).collect();
             result.chain.dedup();
             result.chain.reverse();
         }
