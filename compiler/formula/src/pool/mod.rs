@@ -12,6 +12,7 @@ use index_vec::define_index_type;
 use indexmap::{Equivalent, IndexSet};
 use rustc_hash::{FxBuildHasher, FxHashSet};
 use std::hash::{Hash, Hasher};
+use std::{array, slice};
 
 define_index_type! {
     /// A variable of a program.
@@ -114,6 +115,39 @@ impl Hash for TypedFormula {
     }
 }
 
+/// The operands of a formula.
+enum Operands<'p> {
+    List(slice::Iter<'p, FormulaId>),
+    Pair(array::IntoIter<FormulaId, 2>),
+}
+
+impl Iterator for Operands<'_> {
+    type Item = FormulaId;
+
+    fn next(&mut self) -> Option<FormulaId> {
+        match self {
+            Operands::List(list) => list.next().copied(),
+            Operands::Pair(pair) => pair.next(),
+        }
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        match self {
+            Operands::List(list) => list.size_hint(),
+            Operands::Pair(pair) => pair.size_hint(),
+        }
+    }
+}
+
+impl DoubleEndedIterator for Operands<'_> {
+    fn next_back(&mut self) -> Option<FormulaId> {
+        match self {
+            Operands::List(list) => list.next_back().copied(),
+            Operands::Pair(pair) => pair.next_back(),
+        }
+    }
+}
+
 /// A conjunction or disjunction to look for: the node of it, without a list of its own.
 struct Junction<'l> {
     conjunction: bool,
@@ -151,6 +185,12 @@ impl Equivalent<TypedFormula> for Junction<'_> {
 }
 
 impl Pool {
+    /// No formula, and room for so many.
+    fn with_capacity(formulas: usize) -> Pool {
+        let nodes = IndexSet::with_capacity_and_hasher(formulas, FxBuildHasher);
+        Pool { nodes, depths: Vec::with_capacity(formulas), operands: Vec::new() }
+    }
+
     /// The formula of an id.
     pub fn get(&self, id: FormulaId) -> &Formula {
         &self.nodes[id.index()].formula
@@ -178,7 +218,7 @@ impl Pool {
 
     /// The factors of a conjunction; of any other formula itself.
     pub fn factors<'a>(&'a self, id: &'a FormulaId) -> &'a [FormulaId] {
-        if let Formula::And(list) = self.get(*id) { list } else { std::slice::from_ref(id) }
+        if let Formula::And(list) = self.get(*id) { list } else { slice::from_ref(id) }
     }
 
     /// All ids, operands before operators.
@@ -188,17 +228,16 @@ impl Pool {
 
     /// The operands of a formula, from left to right.
     pub fn operands(&self, id: FormulaId) -> impl DoubleEndedIterator<Item = FormulaId> + '_ {
-        let (pair, list): ([Option<FormulaId>; 2], &[FormulaId]) = match self.get(id) {
+        match self.get(id) {
             Formula::Constant(_) | Formula::Variable(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) => {
-                ([None, None], &[])
+                Operands::List([].iter())
             }
-            Formula::Not(a) | Formula::Negate(a) | Formula::Widen(a) => ([Some(*a), None], &[]),
+            Formula::Not(a) | Formula::Negate(a) | Formula::Widen(a) => Operands::List(slice::from_ref(a).iter()),
             Formula::Xor(a, b) | Formula::Compare(_, a, b) | Formula::Arithmetic(_, a, b) => {
-                ([Some(*a), Some(*b)], &[])
+                Operands::Pair([*a, *b].into_iter())
             }
-            Formula::And(list) | Formula::Or(list) => ([None, None], list),
-        };
-        pair.into_iter().flatten().chain(list.iter().copied())
+            Formula::And(list) | Formula::Or(list) => Operands::List(list.iter()),
+        }
     }
 
     fn add(&mut self, formula: Formula, ty: Type) -> FormulaId {

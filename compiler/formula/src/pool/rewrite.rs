@@ -59,7 +59,7 @@ impl Pool {
                 open.extend(self.operands(id));
             }
         }
-        let mut pool = Pool::default();
+        let mut pool = Pool::with_capacity(kept.iter().filter(|kept| **kept).count());
         let mut new: IndexVec<FormulaId, FormulaId> = self.ids().collect();
         for id in self.ids().filter(|id| kept[id.index()]) {
             let TypedFormula { formula, ty } = self.nodes[id.index()].clone();

@@ -29,6 +29,9 @@ pub(crate) fn cut(program: &mut Program) {
     if !concerned.contains(&true) {
         return;
     }
+    // Tables that are full would else grow to twice their size for a few pieces.
+    let pieces = program.pool.ids().filter_map(|id| operands(program, id)).map(|list| list.len() / LONGEST).sum();
+    program.variables.raw.reserve_exact(pieces);
     let sections = [&mut program.first, &mut program.before, &mut program.micro_step, &mut program.after];
     let sections = sections.map(std::mem::take);
     let mut cutter = Cutter { program, concerned, origin: Origin::Chart };

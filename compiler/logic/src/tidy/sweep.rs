@@ -107,67 +107,83 @@ impl Needed {
     /// From the end of statements to their start; the last time, assignments that nobody needs are taken out. Recurses as
     /// deep as statements are nested, which the encodings bound.
     fn go_back(&mut self, pool: &mut Pool, statements: &mut Vec<Statement>, take_out: bool) {
-        let mut kept: Vec<Statement> = Vec::with_capacity(statements.len());
-        for mut statement in std::mem::take(statements).into_iter().rev() {
-            match &mut statement {
-                Statement::Heading(_) => {
-                    // A heading over nothing goes too: what follows it is another one, or the end.
-                    if take_out && kept.last().is_none_or(|next| matches!(next, Statement::Heading(_))) {
-                        continue;
+        // The places of what goes, the last first, and whether a heading here would be over nothing: what follows it is
+        // another one, or the end.
+        let (mut gone, mut over_nothing) = (Vec::new(), true);
+        for (place, statement) in statements.iter_mut().enumerate().rev() {
+            let is_needed = match statement {
+                Statement::Heading(_) => !over_nothing,
+                _ => self.pass(pool, statement, take_out),
+            };
+            if is_needed {
+                over_nothing = matches!(statement, Statement::Heading(_));
+            } else if take_out {
+                gone.push(place);
+            }
+        }
+        if gone.is_empty() {
+            return;
+        }
+        let mut places = 0..;
+        statements.retain(|_| {
+            let goes = gone.last().copied() == places.next();
+            if goes {
+                gone.pop();
+            }
+            !goes
+        });
+    }
+
+    /// From the end of a statement to its start; whether it is needed.
+    fn pass(&mut self, pool: &mut Pool, statement: &mut Statement, take_out: bool) -> bool {
+        match statement {
+            Statement::Heading(_) => {}
+            Statement::Assign { target, value, .. } => {
+                if self.temporary[*target] {
+                    if !self.is[*target] {
+                        return false;
                     }
-                }
-                Statement::Assign { target, value, .. } => {
-                    if self.temporary[*target] {
-                        if !self.is[*target] {
-                            if !take_out {
-                                kept.push(statement);
-                            }
-                            continue;
-                        }
-                        self.set(*target, false);
-                    }
-                    self.reads(pool, *value);
-                }
-                // It may raise a flag, so it stays.
-                Statement::Divide(Division { target, dividend, divisor, .. }) => {
                     self.set(*target, false);
-                    self.reads(pool, *dividend);
-                    self.reads(pool, *divisor);
                 }
-                Statement::CallTimer { input, .. } => self.reads(pool, *input),
-                Statement::Case { of, arms } => {
-                    let nothing = &mut Vec::new();
-                    let bodies = arms.iter_mut().map(|arm| &mut arm.body).chain([nothing]);
-                    self.branches(pool, bodies, take_out);
-                    if take_out {
-                        arms.retain(|arm| !arm.body.is_empty());
-                        if arms.is_empty() {
-                            continue;
-                        }
-                    }
-                    if self.temporary[*of] {
-                        self.set(*of, true);
+                self.reads(pool, *value);
+            }
+            // It may raise a flag, so it stays.
+            Statement::Divide(Division { target, dividend, divisor, .. }) => {
+                self.set(*target, false);
+                self.reads(pool, *dividend);
+                self.reads(pool, *divisor);
+            }
+            Statement::CallTimer { input, .. } => self.reads(pool, *input),
+            Statement::Case { of, arms } => {
+                let nothing = &mut Vec::new();
+                let bodies = arms.iter_mut().map(|arm| &mut arm.body).chain([nothing]);
+                self.branches(pool, bodies, take_out);
+                if take_out {
+                    arms.retain(|arm| !arm.body.is_empty());
+                    if arms.is_empty() {
+                        return false;
                     }
                 }
-                Statement::If { branches, otherwise } => {
-                    let bodies = branches.iter_mut().map(|(_, body)| body).chain([&mut *otherwise]);
-                    self.branches(pool, bodies, take_out);
-                    if take_out {
-                        let (branches, otherwise) = (std::mem::take(branches), std::mem::take(otherwise));
-                        match without_empty_branches(pool, branches, otherwise) {
-                            Some(rest) => statement = rest,
-                            None => continue,
-                        }
-                    }
-                    if let Statement::If { branches, .. } = &statement {
-                        branches.iter().for_each(|(when, _)| self.reads(pool, *when));
-                    }
+                if self.temporary[*of] {
+                    self.set(*of, true);
                 }
             }
-            kept.push(statement);
+            Statement::If { branches, otherwise } => {
+                let bodies = branches.iter_mut().map(|(_, body)| body).chain([&mut *otherwise]);
+                self.branches(pool, bodies, take_out);
+                if take_out {
+                    let (branches, otherwise) = (std::mem::take(branches), std::mem::take(otherwise));
+                    match without_empty_branches(pool, branches, otherwise) {
+                        Some(rest) => *statement = rest,
+                        None => return false,
+                    }
+                }
+                if let Statement::If { branches, .. } = statement {
+                    branches.iter().for_each(|(when, _)| self.reads(pool, *when));
+                }
+            }
         }
-        kept.reverse();
-        *statements = kept;
+        true
     }
 
     /// Several ways to one end: needed before them is what is needed on any.
