@@ -7,7 +7,7 @@ use grafc_logic::scan::Program;
 use grafc_logic::sequence::Sequence;
 
 /// What a target may ask for. Each is the result of a stage with messages of its own, so a target asks for what it
-/// writes and for nothing else.
+/// writes and for nothing else; whoever writes both asks for the sequence first.
 ///
 /// The error is what the stage said, if one of its messages is an error.
 pub trait Source {

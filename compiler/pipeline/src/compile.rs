@@ -17,7 +17,6 @@ use grafc_backends::{Output, Source};
 use grafc_diagnostics::{Diagnostics, FileId};
 use grafc_logic::{Analysis, scan};
 use grafc_model::chart::Chart;
-use std::sync::Arc;
 
 /// As far as what is asked for. There is a text exactly if no message is an error, or taken for one; and none after a pass that is not run.
 pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) -> (Option<Output>, Diagnostics) {
@@ -49,8 +48,7 @@ fn make(file: FileId, text: &str, default_name: &str, options: &Options, said: &
     }
     let chart = resolve(&tree, default_name, said)?;
     drop(tree);
-    let mut net = Arc::new(flatten(&chart, false, said)?);
-    let mut analysis = Analysis::new(net.clone());
+    let mut analysis = Analysis::new(flatten(&chart, false, said)?);
     warn(&analysis, &chart.allowances, said);
     if let Product::Chart = product {
         return Some(grafc_model::dump(&chart).into());
@@ -60,15 +58,14 @@ fn make(file: FileId, text: &str, default_name: &str, options: &Options, said: &
     }
     if lowering.encoding.overlaps() {
         // It was warned of the net that does what the rules say; this one is drawn for the encoding.
-        net = Arc::new(flatten(&chart, true, said)?);
-        analysis = Analysis::new(net.clone());
+        analysis = Analysis::new(flatten(&chart, true, said)?);
     }
     let allowances = chart.allowances.clone();
     drop(chart);
     if let Product::Net = product {
-        return Some(grafc_net::dump(&net).into());
+        return Some(grafc_net::dump(analysis.net()).into());
     }
-    let mut last = Last::new(net, analysis, lowering);
+    let mut last = Last::new(analysis, lowering);
     let made = match product {
         Product::Code(target) => target.emit(&mut last),
         Product::Mapped(target) => {

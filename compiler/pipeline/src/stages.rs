@@ -1,7 +1,7 @@
 //! The stages, each as one function: it takes what the stage before gave, and adds what it has to say.
 
 use grafc_backends::Source;
-use grafc_diagnostics::{Allowances, Diagnostics, FileId};
+use grafc_diagnostics::{Allowances, Code, Diagnostic, Diagnostics, FileId, Span};
 use grafc_logic::scan::Program;
 use grafc_logic::sequence::Sequence;
 use grafc_logic::{Analysis, Options};
@@ -9,7 +9,6 @@ use grafc_model::chart::Chart;
 use grafc_net::Net;
 use grafc_net::passes::{self, Pass};
 use grafc_syntax::ast;
-use std::sync::Arc;
 
 /// Text to syntax tree. There is always one: what cannot be read is left out.
 pub fn parse(file: FileId, text: &str, said: &mut Diagnostics) -> ast::Chart {
@@ -55,8 +54,7 @@ pub fn warn(analysis: &Analysis, allowances: &Allowances, said: &mut Diagnostics
 
 /// The last stages, of which each thing that is made asks for the one that it is made of.
 pub struct Last<'o> {
-    net: Arc<Net>,
-    /// Used up by the program.
+    /// Used up by the program: the net and what is proved of it would take more room than that does.
     analysis: Option<Analysis>,
     options: &'o Options,
     program: Option<Program>,
@@ -69,9 +67,9 @@ pub struct Last<'o> {
 
 impl<'o> Last<'o> {
     /// None has been run.
-    pub fn new(net: Arc<Net>, analysis: Analysis, options: &'o Options) -> Self {
+    pub fn new(analysis: Analysis, options: &'o Options) -> Self {
         let (program, sequence, said) = (None, None, Diagnostics::new());
-        Last { net, analysis: Some(analysis), options, program, sequence, wants_map: false, said }
+        Last { analysis: Some(analysis), options, program, sequence, wants_map: false, said }
     }
 }
 
@@ -80,7 +78,7 @@ impl Source for Last<'_> {
         let program = match self.program.take() {
             Some(program) => program,
             None => {
-                let analysis = self.analysis.take().unwrap_or_else(|| Analysis::new(self.net.clone()));
+                let analysis = self.analysis.take().ok_or_else(used_up)?;
                 let (program, found) = grafc_logic::compile(analysis, self.options);
                 if found.has_errors() {
                     return Err(found);
@@ -96,7 +94,7 @@ impl Source for Last<'_> {
         let sequence = match self.sequence.take() {
             Some(sequence) => sequence,
             None => {
-                let analysis = self.analysis.get_or_insert_with(|| Analysis::new(self.net.clone()));
+                let analysis = self.analysis.as_ref().ok_or_else(used_up)?;
                 grafc_logic::sequence::sequence(analysis, self.options.profile)?
             }
         };
@@ -106,4 +104,11 @@ impl Source for Last<'_> {
     fn wants_map(&self) -> bool {
         self.wants_map
     }
+}
+
+/// A target asks for things in the wrong order.
+fn used_up() -> Diagnostics {
+    let mut fault = Diagnostics::new();
+    fault.push(Diagnostic::new(Code::E0901, Span::default(), "internal error: the program has been made already"));
+    fault
 }
