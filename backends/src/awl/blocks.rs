@@ -76,7 +76,8 @@ fn interface(out: &mut Writer, program: &Program, names: &AwlNames, parts: &[Loc
         program.variables.iter_enumerated().map(|(id, v)| (names.variables[id].as_str(), v)).collect();
     let origins = out.is_traced().then(|| program.origins());
     let given = Names::new(program, Family::StatementList);
-    let mut blocks = declarations::interface_from(program, &given, origins.as_ref(), Vec::new());
+    let blocks = declarations::interface_from(program, &given, origins.as_ref(), Vec::new());
+    let mut blocks: Vec<declarations::VarBlock> = blocks.collect();
     blocks.sort_by_key(|block| match block.kind {
         VarKind::Input => 0,
         VarKind::Output => 1,

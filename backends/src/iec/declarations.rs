@@ -8,6 +8,7 @@ use ecow::EcoString;
 use grafc_formula::Type;
 use grafc_logic::scan::{Origin, Origins, Program, Role, State, VarId, Variable};
 use rustc_hash::FxHashMap;
+use std::borrow::Borrow;
 
 /// Comments of neighbouring declarations start in one column, unless a declaration is longer than this.
 const FURTHEST_COLUMN: usize = 48;
@@ -126,50 +127,60 @@ impl Entry {
 
 /// All declarations of the function block; `more` are further values that live within one call.
 pub(crate) fn interface(program: &Program, names: &Names, more: Vec<Entry>) -> Vec<VarBlock> {
-    interface_from(program, names, None, more)
+    interface_from(program, names, None, more).collect()
 }
 
-/// The same; with `origins` it is noted where variables come from.
-pub(crate) fn interface_from(
-    program: &Program,
-    names: &Names,
-    origins: Option<&Origins>,
-    more: Vec<Entry>,
-) -> Vec<VarBlock> {
-    let of_variable = |id: VarId| origins.map_or(Origin::Chart, |origins| origins.variables[id]);
-    let entries = |wanted: fn(&Variable) -> bool| -> Vec<Entry> {
+/// The same, each block made when it is asked for; with `origins` it is noted where variables come from.
+pub(crate) fn interface_from<'p>(
+    program: &'p Program,
+    names: &'p Names,
+    origins: Option<&'p Origins>,
+    mut more: Vec<Entry>,
+) -> impl Iterator<Item = VarBlock> + use<'p> {
+    let of_variable = move |id: VarId| origins.map_or(Origin::Chart, |origins| origins.variables[id]);
+    let entries = move |wanted: fn(&Variable) -> bool| -> Vec<Entry> {
         let all = || program.variables.iter_enumerated().filter(|(_, variable)| wanted(variable));
         // Without a list that grows there is no room that is never used.
         let mut entries = Vec::with_capacity(all().count());
         entries.extend(all().map(|(id, variable)| Entry { origin: of_variable(id), ..entry(id, variable, names) }));
         entries
     };
-    let timers = program.timers.iter_enumerated().map(|(id, timer)| Entry {
-        name: names.timers[id].clone(),
-        address: None,
-        ty: EntryType::Timer,
-        initial: None,
-        comment: timer.comment.as_deref().map(clean).filter(|text| !text.is_empty()),
-        origin: origins.map_or(Origin::Chart, |origins| origins.timers[id]),
-    });
-    let mut within = entries(|v| v.role == Role::Temporary);
-    within.extend(more);
-    let mut published = entries(|v| v.role == Role::Output);
-    published.extend(entries(|v| v.role == Role::Internal && v.is_published()));
-    published.extend(entries(|v| matches!(v.role, Role::Flag(_))));
-    let local = vec![
-        ("internal variables", entries(|v| v.role == Role::Internal && !v.is_published())),
-        ("steps", steps(program, names, of_variable)),
-        ("timers", timers.collect()),
-        ("memory from call to call", entries(|v| v.role == Role::Memory)),
-        ("values within one call", within),
-    ];
-    vec![
-        VarBlock::new(VarKind::Input, vec![("", entries(|v| v.role == Role::Input))]),
-        VarBlock::new(VarKind::Output, vec![("", published)]),
-        VarBlock::new(VarKind::Constant, vec![("", entries(|v| v.role == Role::Constant))]),
-        VarBlock::new(VarKind::Local, local),
-    ]
+    let timers = move || {
+        let timers = program.timers.iter_enumerated().map(|(id, timer)| Entry {
+            name: names.timers[id].clone(),
+            address: None,
+            ty: EntryType::Timer,
+            initial: None,
+            comment: timer.comment.as_deref().map(clean).filter(|text| !text.is_empty()),
+            origin: origins.map_or(Origin::Chart, |origins| origins.timers[id]),
+        });
+        timers.collect()
+    };
+    let kinds = [VarKind::Input, VarKind::Output, VarKind::Constant, VarKind::Local];
+    kinds.into_iter().map(move |kind| {
+        let sections = match kind {
+            VarKind::Input => vec![("", entries(|v| v.role == Role::Input))],
+            VarKind::Output => {
+                let mut published = entries(|v| v.role == Role::Output);
+                published.extend(entries(|v| v.role == Role::Internal && v.is_published()));
+                published.extend(entries(|v| matches!(v.role, Role::Flag(_))));
+                vec![("", published)]
+            }
+            VarKind::Constant => vec![("", entries(|v| v.role == Role::Constant))],
+            VarKind::Local => {
+                let mut within = entries(|v| v.role == Role::Temporary);
+                within.append(&mut more);
+                vec![
+                    ("internal variables", entries(|v| v.role == Role::Internal && !v.is_published())),
+                    ("steps", steps(program, names, of_variable)),
+                    ("timers", timers()),
+                    ("memory from call to call", entries(|v| v.role == Role::Memory)),
+                    ("values within one call", within),
+                ]
+            }
+        };
+        VarBlock::new(kind, sections)
+    })
 }
 
 /// The declaration of a variable.
@@ -228,8 +239,12 @@ pub(super) fn local(entries: Vec<Entry>) -> VarBlock {
 }
 
 /// Writes blocks, each section under its heading; nothing of what is empty.
-pub(crate) fn write(out: &mut Writer, blocks: &[VarBlock]) {
-    for block in blocks.iter().filter(|block| block.entries().next().is_some()) {
+pub(crate) fn write(out: &mut Writer, blocks: impl IntoIterator<Item = impl Borrow<VarBlock>>) {
+    for block in blocks {
+        let block: &VarBlock = block.borrow();
+        if block.entries().next().is_none() {
+            continue;
+        }
         out.blank();
         out.open(block.kind.keyword());
         for (heading, entries) in block.sections.iter().filter(|(_, entries)| !entries.is_empty()) {

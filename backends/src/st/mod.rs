@@ -80,7 +80,7 @@ pub(crate) fn parts(program: &Program, style: Style) -> Result<PouParts, Diagnos
     let (body, lines) = body.finish_traced();
     let call = self::call(program, &names);
     let origins = style.traced.then(|| program.origins());
-    let interface = declarations::interface_from(program, &names, origins.as_ref(), Vec::new());
+    let interface = declarations::interface_from(program, &names, origins.as_ref(), Vec::new()).collect();
     Ok(PouParts { interface, lines, ..PouParts::new(program, names, Language::St, Vec::new(), body, call) })
 }
 
@@ -132,7 +132,7 @@ fn function_block(out: &mut Writer, program: &Program, names: &Names, expression
     out.line(&format!("FUNCTION_BLOCK {}", names.block));
     out.blank();
     let origins = out.is_traced().then(|| program.origins());
-    declarations::write(out, &declarations::interface_from(program, names, origins.as_ref(), Vec::new()));
+    declarations::write(out, declarations::interface_from(program, names, origins.as_ref(), Vec::new()));
     statements::write(out, program, names, expressions);
     out.blank();
     out.line("END_FUNCTION_BLOCK");
