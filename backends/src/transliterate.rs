@@ -39,8 +39,12 @@ fn spelled(text: &str, limit: usize) -> String {
 
 /// Whether a text is easily seen to be an identifier, as most names are.
 fn is_plain(text: &str, limit: usize) -> bool {
-    let word = |word: &str| !word.is_empty() && word.bytes().all(|b| b.is_ascii_alphanumeric());
-    text.len() <= limit && text.starts_with(|c: char| c.is_ascii_alphabetic()) && text.split('_').all(word)
+    let bytes = text.as_bytes();
+    bytes.len() <= limit
+        && bytes.first().is_some_and(u8::is_ascii_alphabetic)
+        && bytes.last().is_some_and(u8::is_ascii_alphanumeric)
+        && bytes.iter().all(|b| b.is_ascii_alphanumeric() || *b == b'_')
+        && bytes.windows(2).all(|pair| pair != b"__")
 }
 
 /// The text with every character that is not ASCII spelt in ASCII; `?` for what has no spelling here.

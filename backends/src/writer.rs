@@ -130,7 +130,16 @@ impl Writer {
     /// Starts a line; the text follows by [`Writer::text`].
     pub fn start(&mut self) {
         self.blank_line();
-        self.out.extend(std::iter::repeat_n(' ', self.indent));
+        self.blanks(self.indent);
+    }
+
+    fn blanks(&mut self, mut count: usize) {
+        const BLANKS: &str = "                                ";
+        while count > 0 {
+            let some = count.min(BLANKS.len());
+            self.out.push_str(&BLANKS[..some]);
+            count -= some;
+        }
     }
 
     /// Text within a line.
@@ -209,7 +218,9 @@ impl Writer {
 
     /// A comment on lines of its own; nothing if the text, which is clean, is empty.
     pub fn comment(&mut self, text: &str) {
-        self.block_comment([text.to_owned()]);
+        if !text.is_empty() {
+            self.block_comment([text.to_owned()]);
+        }
     }
 
     /// One comment of several clean texts, each on lines of its own.
@@ -231,7 +242,7 @@ impl Writer {
 
     /// A comment at the end of a line whose text takes `length` columns, at `column` or further right.
     pub fn trailing_comment(&mut self, length: usize, column: usize, text: &str) {
-        self.out.extend(std::iter::repeat_n(' ', column.max(length).saturating_sub(length) + 2));
+        self.blanks(column.max(length).saturating_sub(length) + 2);
         self.text(self.comments.first);
         self.text(text);
         self.text(self.comments.end);

@@ -54,25 +54,30 @@ impl<'p> Expressions<'p> {
     /// Writes `head = formula;`, broken as rustfmt breaks it: before its operators, or behind the sign, if it then has room
     /// in one line or at least takes fewer.
     pub fn statement(&self, out: &mut Writer, head: &str, id: FormulaId) {
-        let flat = (out.indent() + head.len() + 4).saturating_add(self.width(id)) <= WIDTH;
+        if (out.indent() + head.len() + 4).saturating_add(self.width(id)) <= WIDTH {
+            out.start();
+            out.text(head);
+            out.text(" = ");
+            self.flat(out, id);
+            out.text(";");
+            return out.end();
+        }
         let mut beside = out.apart();
         self.broken(&mut beside, id, head.len() + 3, 1, true);
         let beside = beside.finish();
-        if !flat {
-            out.enter();
-            let mut below = out.apart();
-            self.broken(&mut below, id, 0, 1, true);
-            let below = below.finish();
-            out.leave();
-            let lines = |text: &str| text.bytes().filter(|byte| *byte == b'\n').count();
-            if lines(&below) == 0 || lines(&beside) > lines(&below) + 1 {
-                out.open(&format!("{head} ="));
-                out.start();
-                out.text(&below);
-                out.text(";");
-                out.end();
-                return out.leave();
-            }
+        out.enter();
+        let mut below = out.apart();
+        self.broken(&mut below, id, 0, 1, true);
+        let below = below.finish();
+        out.leave();
+        let lines = |text: &str| text.bytes().filter(|byte| *byte == b'\n').count();
+        if lines(&below) == 0 || lines(&beside) > lines(&below) + 1 {
+            out.open(&format!("{head} ="));
+            out.start();
+            out.text(&below);
+            out.text(";");
+            out.end();
+            return out.leave();
         }
         out.start();
         out.text(&format!("{head} = {beside};"));

@@ -100,16 +100,19 @@ fn document(out: &mut Writer, name: &str, variable: &Variable) {
 
 /// Writes a struct expression, on one line where rustfmt would, with `tail` behind it.
 pub(super) fn fields(out: &mut Writer, head: &str, values: &[(EcoString, EcoString)], tail: &str) {
-    let flat = values.iter().map(|(name, value)| format!("{name}: {value}")).collect::<Vec<_>>().join(", ");
     if values.is_empty() {
         return out.line(&format!("{head} {{}}{tail}"));
     }
-    if flat.len() <= LONGEST_FLAT_STRUCT {
+    let length: usize = values.iter().map(|(name, value)| name.len() + value.len() + ": , ".len()).sum();
+    if length - ", ".len() <= LONGEST_FLAT_STRUCT {
+        let flat = values.iter().map(|(name, value)| format!("{name}: {value}")).collect::<Vec<_>>().join(", ");
         return out.line(&format!("{head} {{ {flat} }}{tail}"));
     }
     out.open(&format!("{head} {{"));
     for (name, value) in values {
-        out.line(&format!("{name}: {value},"));
+        out.start();
+        [name, ": ", value, ","].into_iter().for_each(|text| out.text(text));
+        out.end();
     }
     out.close(&format!("}}{tail}"));
 }

@@ -2,23 +2,31 @@
 
 use super::expressions::WIDTH;
 use crate::writer::Writer;
+use std::borrow::Cow;
 
 /// A comment that documents what follows, on one line: a break might begin what Markdown takes for a list. The text is
 /// clean.
 pub(super) fn doc(out: &mut Writer, text: &str) {
-    out.line(&format!("/// {}", escaped(text)));
+    out.start();
+    out.text("/// ");
+    out.text(&escaped(text));
+    out.end();
 }
 
 /// A text in which Markdown finds neither links nor tags.
-pub(super) fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> Cow<'_, str> {
+    const SPECIAL: [char; 5] = ['[', ']', '<', '>', '\\'];
+    if !text.contains(SPECIAL) {
+        return text.into();
+    }
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
-        if matches!(c, '[' | ']' | '<' | '>' | '\\') {
+        if SPECIAL.contains(&c) {
             out.push('\\');
         }
         out.push(c);
     }
-    out
+    out.into()
 }
 
 /// Writes a function of few lines.

@@ -8,7 +8,7 @@
 use super::code::Code;
 use grafc_formula::{Formula, FormulaId};
 use grafc_logic::scan::{Division, Program, Role, Statement, VarId};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The block of the whole function.
 pub(super) const ROOT: usize = 0;
@@ -21,7 +21,7 @@ pub(super) struct Locals {
     /// Assignments that declare their target, and whether it is written again.
     with: FxHashMap<(VarId, usize, usize), bool>,
     /// Quotients that nothing reads: they may raise a flag.
-    unread: FxHashMap<VarId, bool>,
+    unread: FxHashSet<VarId>,
 }
 
 impl Locals {
@@ -50,7 +50,7 @@ impl Locals {
 
     /// Whether nothing reads a variable.
     pub fn is_unread(&self, target: VarId) -> bool {
-        self.unread.get(&target).copied().unwrap_or_default()
+        self.unread.contains(&target)
     }
 }
 
@@ -157,21 +157,18 @@ impl Finder<'_> {
     }
 
     fn formula(&mut self, block: usize, place: usize, id: FormulaId) {
-        let read = match self.read.remove(&id) {
-            Some(known) => known,
-            None => {
-                let pool = &self.program.pool;
-                let variables = pool.below(id).into_iter().filter_map(|f| match pool.get(f) {
-                    Formula::Variable(v) => Some(*v),
-                    _ => None,
-                });
-                variables.filter(|v| self.program.variables[*v].role == Role::Temporary).collect()
-            }
-        };
-        for v in &read {
-            self.uses(block, place, *v, false);
+        let Finder { program, uses, read, .. } = self;
+        let pool = &program.pool;
+        let read = read.entry(id).or_insert_with(|| {
+            let variables = pool.below(id).into_iter().filter_map(|f| match pool.get(f) {
+                Formula::Variable(v) => Some(*v),
+                _ => None,
+            });
+            variables.filter(|v| program.variables[*v].role == Role::Temporary).collect()
+        });
+        for v in read {
+            uses.entry(*v).or_default().push(Use { block, place, assigned: false });
         }
-        self.read.insert(id, read);
     }
 
     fn uses(&mut self, block: usize, place: usize, v: VarId, assigned: bool) {
@@ -185,7 +182,9 @@ impl Finder<'_> {
         let mut all: Vec<(VarId, Vec<Use>)> = std::mem::take(&mut self.uses).into_iter().collect();
         all.sort_unstable_by_key(|(v, _)| *v);
         for (v, uses) in all {
-            locals.unread.insert(v, uses.iter().all(|u| u.assigned));
+            if uses.iter().all(|u| u.assigned) {
+                locals.unread.insert(v);
+            }
             let mut declarations = Vec::new();
             if self.declare(ROOT, &uses, &mut declarations) {
                 locals.with.extend(declarations.into_iter().map(|(u, again)| ((v, u.block, u.place), again)));

@@ -136,7 +136,10 @@ pub(super) fn list(out: &mut Writer, head: &str, open: &str, items: &[String]) {
     }
     out.open(&format!("{head} {open}"));
     for item in items {
-        out.line(&format!("{item},"));
+        out.start();
+        out.text(item);
+        out.text(",");
+        out.end();
     }
     out.close("];");
 }
@@ -162,10 +165,10 @@ fn filled(out: &mut Writer, head: &str, items: &[String]) {
 
 /// Writes a list that fits on one line; whether it does.
 fn flat(out: &mut Writer, head: &str, open: &str, items: &[String]) -> bool {
-    let flat = items.join(", ");
-    if flat.len() > SMALL {
+    if items.iter().map(|item| item.len() + ", ".len()).sum::<usize>() > SMALL + ", ".len() {
         return false;
     }
+    let flat = items.join(", ");
     let line = format!("{head} {open}{flat}];");
     if out.indent() + line.len() <= WIDTH {
         out.line(&line);

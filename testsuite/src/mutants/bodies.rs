@@ -268,7 +268,7 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "sfc-found-but-not-given",
         at: SFC,
         breaks: "edges and delays are found and the chart is not given them (X4, X5)",
-        text: "inputs.extend(given.iter().map(String::as_str));",
+        text: "inputs.extend(given.iter().map(EcoString::as_str));",
         instead: "",
     },
     Fault {
