@@ -33,5 +33,5 @@ pub use analysis::Analysis;
 pub use analysis::transients::Transients;
 pub use compile::compile;
 pub use options::{Encoding, Options};
-pub use report::{arrow, bits};
+pub use report::{Method, arrow, bits, exclusion};
 pub use warn::warn;

@@ -10,6 +10,31 @@ pub fn bits(analysis: &Analysis) -> impl Iterator<Item = (StepId, String)> + '_ 
     analysis.reasons.iter().map(|(s, reason)| (*s, because(analysis.net(), *reason)))
 }
 
+/// How it was found which steps exclude each other.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Method {
+    /// One token goes through all steps that transitions connect: none is ever active together with another.
+    OneToken,
+    /// All situations that these steps can come to were found, so that nothing is left to be proved.
+    AllSituations,
+    /// Tokens were followed as far as that led: what was not found may be so all the same.
+    Search,
+}
+
+/// Of how many steps of the chart each method has told.
+pub fn exclusion(analysis: &Analysis) -> impl Iterator<Item = (Method, usize)> + '_ {
+    let own = analysis.net.places.iter_enumerated().filter(|(_, place)| !place.auxiliary);
+    let methods: Vec<Method> = own
+        .map(|(s, _)| match analysis.reachable.part(s) {
+            Some(_) => Method::AllSituations,
+            None if analysis.one_token.contains(&s) => Method::OneToken,
+            None => Method::Search,
+        })
+        .collect();
+    let count = move |method| methods.iter().filter(|m| **m == method).count();
+    [Method::OneToken, Method::AllSituations, Method::Search].into_iter().map(move |method| (method, count(method)))
+}
+
 /// Of more steps on one side of a transition, only the first ones are named.
 const STEPS_NAMED: usize = 6;
 
@@ -31,6 +56,7 @@ fn because(net: &Net, reason: Reason) -> String {
         Reason::Together(a, b) => format!("`{}` and `{}` may clear together", t(a), t(b)),
         Reason::Many(count) => format!("{count} transitions leave it, too many to compare"),
         Reason::Source(a) => format!("the source transition `{}` leads to it", t(a)),
+        Reason::Entered(a) => format!("`{}` may clear while it is active", t(a)),
         Reason::From(a) => format!("`{}` leads to it from steps that are bits", t(a)),
         Reason::Origin(a) => format!("`{}` leads to it from steps that it cannot share a state with", t(a)),
         Reason::Before(a, x, y) => format!("its state would also hold {} and {}, both before `{}`", s(x), s(y), t(a)),

@@ -145,6 +145,15 @@ impl Graph {
         Ok(graph)
     }
 
+    /// Whether what leads from a box to several sides is a bar below it. Below a step that a synchronisation leaves among
+    /// others there is none: the wires come from the step itself, since no bar of a selection may lead to a bar of a
+    /// synchronisation.
+    pub fn has_bar_below(&self, node: usize) -> bool {
+        let leaving = &self.leaving[node];
+        let joins = |path: &usize| self.paths[*path].last().is_some_and(|to| self.entering[*to].len() > 1);
+        leaving.len() > 1 && !(matches!(self.nodes[node].kind, VertexKind::Step { .. }) && leaving.iter().any(joins))
+    }
+
     /// Each two neighbours on a path, the upper one first.
     pub fn links(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         self.paths.iter().flat_map(|path| path.windows(2).map(|pair| (pair[0], pair[1])))

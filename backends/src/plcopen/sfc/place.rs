@@ -61,7 +61,7 @@ pub(super) fn place(graph: &Graph) -> Placed {
 /// The bar below a node, from left to right, if it has one: over where its paths go on.
 pub(super) fn bar_below(graph: &Graph, x: &[i64], node: usize) -> Option<(i64, i64)> {
     let leaving = &graph.leaving[node];
-    (leaving.len() > 1).then(|| span(leaving.iter().map(|path| x[graph.paths[*path][1]]), x[node]))
+    graph.has_bar_below(node).then(|| span(leaving.iter().map(|path| x[graph.paths[*path][1]]), x[node]))
 }
 
 /// The bar above a node, from left to right, if it has one: over where its paths arrive.
@@ -167,7 +167,7 @@ fn turning(graph: &Graph, x: &[i64]) -> Vec<Vec<Piece>> {
     let mut turning = vec![Vec::new(); graph.layers.len()];
     for (path, nodes) in graph.paths.iter().enumerate() {
         for (place, pair) in nodes.windows(2).enumerate() {
-            let from_bar = place == 0 && graph.leaving[pair[0]].len() > 1;
+            let from_bar = place == 0 && graph.has_bar_below(pair[0]);
             let to_bar = place + 2 == nodes.len() && graph.entering[pair[1]].len() > 1;
             let (from, to) = (x[pair[0]], x[pair[1]]);
             if from != to && !from_bar && !to_bar {

@@ -53,7 +53,7 @@ impl<'g> Sheet<'g> {
                 VertexKind::Step { .. } | VertexKind::Transition(_) | VertexKind::Jump(_) => [
                     fresh(usize::from(graph.entering[node].len() > 1)),
                     fresh(1),
-                    fresh(usize::from(graph.leaving[node].len() > 1)),
+                    fresh(usize::from(graph.has_bar_below(node))),
                 ],
             };
             if let VertexKind::Step { step, .. } = graph.nodes[node].kind {
@@ -85,7 +85,6 @@ impl<'g> Sheet<'g> {
 
     fn node(&self, xml: &mut Xml, node: usize) {
         let entering = &self.graph.entering[node];
-        let leaving = &self.graph.leaving[node];
         if entering.len() > 1 {
             self.bar_above(xml, node);
         }
@@ -95,7 +94,7 @@ impl<'g> Sheet<'g> {
             VertexKind::Jump(to) => self.jump(xml, node, to),
             VertexKind::Joint => {}
         }
-        if leaving.len() > 1 {
+        if self.graph.has_bar_below(node) {
             self.bar_below(xml, node);
         }
         if let VertexKind::Step { step, .. } = self.graph.nodes[node].kind {
@@ -168,7 +167,7 @@ impl<'g> Sheet<'g> {
     fn wire(&self, path: usize) -> (Pin, Vec<Point>) {
         let nodes = &self.graph.paths[path];
         let from = nodes[0];
-        let pin = if self.graph.leaving[from].len() > 1 {
+        let pin = if self.graph.has_bar_below(from) {
             let bottom = self.placed.below[from] + self.bar_height(from, false);
             Pin { object: self.ids[from][2], at: (self.x(nodes[1]), bottom) }
         } else {

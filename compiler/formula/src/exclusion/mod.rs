@@ -1,7 +1,8 @@
 //! Conditions that exclude each other.
 //!
-//! Two conditions of one micro-step exclude each other if their conjunction has no model. Most pairs are decided by a
-//! look at their factors; the others by a binary decision diagram, of bounded size, over
+//! Two conditions of one micro-step exclude each other if their conjunction has no model. Most pairs are decided by their
+//! factors: one contradicts another, or cannot hold where the plain ones do. The others are decided by binary decision
+//! diagrams, of bounded size, one for those factors that have to do with each other, over
 //!
 //! | atom | what is known of it |
 //! | --- | --- |
@@ -15,22 +16,25 @@
 //! other atoms counts twice, once for either micro-step.
 
 mod edges;
+mod factors;
 mod proof;
 mod scale;
 
 pub use edges::{EdgeFacts, EdgeOperand};
 
-use crate::{Comparison, Formula, FormulaId, Pool, Value, VarId};
-use proof::{Proof, below};
+use crate::{Formula, FormulaId, Pool, VarId};
+use proof::Proof;
 use rustc_hash::FxHashSet;
-
-/// More factors than this are not compared one by one.
-const FACTORS: usize = 32;
 
 impl EdgeFacts {
     /// Whether two conditions are never true in one micro-step.
     pub fn exclude(&self, pool: &Pool, a: FormulaId, b: FormulaId) -> bool {
-        self.in_plain_sight(pool, a, b) || self.share(pool, a, b) && Proof::new(self, pool, None).refuted(a, b)
+        self.exclude_plainly(pool, a, b) || self.share(pool, a, b) && self.groups_refuted(pool, &[a, b])
+    }
+
+    /// Whether that is seen without a decision diagram: conditions of any length are compared.
+    pub fn exclude_plainly(&self, pool: &Pool, a: FormulaId, b: FormulaId) -> bool {
+        factors::contradict(self, pool, a, b)
     }
 
     /// Whether `a`, true in some micro-step, and `b`, true in a later one of the same reaction, exclude each other, where
@@ -39,78 +43,41 @@ impl EdgeFacts {
         Proof::new(self, pool, Some(stable)).refuted(a, b)
     }
 
-    /// Whether a factor of one condition contradicts a factor of the other.
-    fn in_plain_sight(&self, pool: &Pool, a: FormulaId, b: FormulaId) -> bool {
-        if [a, b].iter().any(|c| pool.as_truth(*c) == Some(false)) {
-            return true;
+    /// For which values of the `kept` variables conditions of one micro-step can all hold, as a list of cases; an empty
+    /// one if they never do. None if that takes too much work.
+    pub fn cases(&self, pool: &Pool, conditions: &[FormulaId], kept: &dyn Fn(VarId) -> bool) -> Option<Vec<Case>> {
+        let mut asked = Vec::new();
+        for group in factors::groups(self, pool, conditions) {
+            if group.factors.iter().any(|factor| self.variables(pool, *factor).any(kept)) {
+                asked.extend(group.factors);
+            } else if conditions.len() > 1 && Proof::new(self, pool, None).all_refuted(&group.factors) {
+                return Some(Vec::new());
+            }
         }
-        let (a, b) = (self.literals(pool, &a), self.literals(pool, &b));
-        a.iter().any(|x| b.iter().any(|y| contradict(pool, *x, *y)))
+        Proof::new(self, pool, None).cases(&asked, kept)
     }
 
-    /// The first factors of a condition, each with whether it is asserted or denied, and what its edges imply.
-    fn literals(&self, pool: &Pool, condition: &FormulaId) -> Vec<(FormulaId, bool)> {
-        let mut literals = Vec::new();
-        for factor in pool.factors(condition).iter().copied().take(FACTORS) {
-            if let Formula::Not(inner) = pool.get(factor) {
-                literals.push((*inner, false));
-                continue;
-            }
-            literals.push((factor, true));
-            if let Formula::Variable(v) = pool.get(factor) {
-                literals.extend(self.edge(*v).map(|edge| (edge.now, edge.rising)));
-            }
-        }
-        literals
+    /// The variables that a condition reads, itself or as operands of edges.
+    pub fn variables<'p>(&'p self, pool: &'p Pool, condition: FormulaId) -> impl Iterator<Item = VarId> + 'p {
+        factors::read(self, pool, condition).filter_map(|f| match pool.get(f) {
+            Formula::Variable(v) => Some(*v),
+            _ => None,
+        })
+    }
+
+    /// Whether factors that have to do with each other contradict each other.
+    fn groups_refuted(&self, pool: &Pool, conditions: &[FormulaId]) -> bool {
+        let groups = factors::groups(self, pool, conditions);
+        groups.iter().any(|group| Proof::new(self, pool, None).all_refuted(&group.factors))
     }
 
     /// Whether some variable or timer has a say in both conditions. Conditions without a common one are true together
-    /// if each can be true. Too large a condition counts as sharing none: nothing will be proved of it.
+    /// if each can be true.
     fn share(&self, pool: &Pool, a: FormulaId, b: FormulaId) -> bool {
-        let (Some(a), Some(b)) = (below(pool, a), below(pool, b)) else { return false };
-        let leaf = |f: FormulaId| match pool.get(f) {
-            Formula::Variable(v) => Some(self.edge(*v).map_or(f, |edge| edge.now)),
-            _ => (pool.is_leaf(f) && pool.as_constant(f).is_none()).then_some(f),
-        };
-        let read: FxHashSet<FormulaId> = a.into_iter().filter_map(leaf).collect();
-        b.into_iter().filter_map(leaf).any(|f| read.contains(&f))
+        let read: FxHashSet<FormulaId> = factors::read(self, pool, a).collect();
+        factors::read(self, pool, b).any(|f| read.contains(&f))
     }
 }
 
-fn contradict(pool: &Pool, (a, asserted_a): (FormulaId, bool), (b, asserted_b): (FormulaId, bool)) -> bool {
-    if a == b {
-        return asserted_a != asserted_b;
-    }
-    match (pool.get(a), pool.get(b)) {
-        (Formula::Compare(p, a1, a2), Formula::Compare(q, b1, b2)) => {
-            asserted_a
-                && asserted_b
-                && (disjoint_values(pool, (*p, *a1, *a2), (*q, *b1, *b2)) || (a1, a2) == (b1, b2) && disjoint(*p, *q))
-        }
-        _ => false,
-    }
-}
-
-/// `C = 3` and `C = 4`.
-fn disjoint_values(
-    pool: &Pool,
-    (p, a1, a2): (Comparison, FormulaId, FormulaId),
-    (q, b1, b2): (Comparison, FormulaId, FormulaId),
-) -> bool {
-    let literal = |f| matches!(pool.get(f), Formula::Constant(Value::Int(_) | Value::Time(_)));
-    (p, q) == (Comparison::Equal, Comparison::Equal) && a1 == b1 && a2 != b2 && literal(a2) && literal(b2)
-}
-
-/// Whether two comparisons of the same operands cannot both hold. A real that is no number satisfies none but `<>`.
-fn disjoint(p: Comparison, q: Comparison) -> bool {
-    use Comparison::*;
-    matches!(
-        (p, q),
-        (Equal, NotEqual | Less | Greater)
-            | (NotEqual | Less | Greater, Equal)
-            | (Less, Greater | GreaterEqual)
-            | (Greater, Less | LessEqual)
-            | (LessEqual, Greater)
-            | (GreaterEqual, Less)
-    )
-}
+/// Values of variables.
+pub type Case = Vec<(VarId, bool)>;

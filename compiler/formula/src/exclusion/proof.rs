@@ -1,5 +1,6 @@
 //! The decision diagram of a pair of conditions.
 
+use super::Case;
 use super::edges::EdgeFacts;
 use super::scale::{Cut, Measured, Quantity};
 use crate::{Formula, FormulaId, Pool, Type, Value, VarId};
@@ -12,6 +13,9 @@ const SIZE: usize = 256;
 
 /// A pair with more atoms than this is not examined.
 const ATOMS: u16 = 48;
+
+/// Longer lists of cases are not made.
+const CASES: usize = 16;
 
 /// Larger diagrams are given up.
 const NODES: usize = 4_096;
@@ -62,21 +66,63 @@ impl<'p> Proof<'p> {
         self.refutes(a, b).unwrap_or(false)
     }
 
+    /// Whether conditions of one micro-step are never all true. False if that takes too much work.
+    pub(super) fn all_refuted(mut self, conditions: &[FormulaId]) -> bool {
+        let conditions: Vec<(When, FormulaId)> = conditions.iter().map(|c| (When::Always, *c)).collect();
+        self.conjunction(&conditions).is_some_and(|all| all.is_false())
+    }
+
+    /// For which values of the `kept` variables conditions of one micro-step can all hold; see `EdgeFacts::cases`.
+    pub(super) fn cases(mut self, conditions: &[FormulaId], kept: &dyn Fn(VarId) -> bool) -> Option<Vec<Case>> {
+        let conditions: Vec<(When, FormulaId)> = conditions.iter().map(|c| (When::Always, *c)).collect();
+        let all = self.conjunction(&conditions)?;
+        let mut variables: FxHashMap<BddVariable, VarId> = FxHashMap::default();
+        let mut others = Vec::new();
+        for (atom, variable) in &self.atoms {
+            let kept = match atom {
+                Atom::Formula(f, _) => match self.pool.get(*f) {
+                    Formula::Variable(v) => Some(*v).filter(|v| kept(*v)),
+                    _ => None,
+                },
+                Atom::Old(..) | Atom::Number(..) | Atom::Below(..) => None,
+            };
+            match kept {
+                Some(v) => drop(variables.insert(*variable, v)),
+                None => others.push(*variable),
+            }
+        }
+        others.sort_unstable();
+        let projected = all.exists(&others);
+        let clauses: Vec<Case> = projected
+            .sat_clauses()
+            .take(CASES + 1)
+            .map(|clause| clause.to_values().into_iter().map(|(x, value)| (variables[&x], value)).collect())
+            .collect();
+        (clauses.len() <= CASES).then_some(clauses)
+    }
+
     fn refutes(&mut self, a: FormulaId, b: FormulaId) -> Option<bool> {
-        let conditions = [(When::Earlier, a, below(self.pool, a)?), (When::Later, b, below(self.pool, b)?)];
+        Some(self.conjunction(&[(When::Earlier, a), (When::Later, b)])?.is_false())
+    }
+
+    fn conjunction(&mut self, conditions: &[(When, FormulaId)]) -> Option<Bdd> {
+        let mut all_below = Vec::with_capacity(conditions.len());
+        for (_, condition) in conditions {
+            all_below.push(below(self.pool, *condition)?);
+        }
         let mut order = Vec::new();
-        for (when, _, below) in &conditions {
+        for ((when, _), below) in conditions.iter().zip(&all_below) {
             self.cut(*when, below, &mut order);
         }
         let mut all = self.scales(&order)?;
-        for (when, root, below) in &conditions {
+        for ((when, root), below) in conditions.iter().zip(&all_below) {
             let diagram = self.diagram(*when, *root, below)?;
             all = and(&all, &diagram)?;
             if all.is_false() {
-                return Some(true);
+                break;
             }
         }
-        Some(false)
+        Some(all)
     }
 
     /// Collects the cuts of all quantities, and the quantities in the order in which they come.

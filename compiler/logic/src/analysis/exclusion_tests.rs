@@ -133,6 +133,56 @@ fn large_conditions_are_compared_by_their_factors_only() {
     assert!(exclude(&format!("({large}) and b"), "not b"), "still in plain sight");
 }
 
+/// What each of many exits of one step waits for: its own input, and that none of those before has come.
+fn chain(count: usize, own: impl Fn(usize) -> String) -> Vec<String> {
+    let denied = |i: usize| (0..i).map(|j| format!(" and not ({})", own(j))).collect::<String>();
+    (0..count).map(|i| format!("({}){}", own(i), denied(i))).collect()
+}
+
+/// The first pair of exits that is not proved to exclude each other.
+fn not_exclusive(exits: &[String]) -> Option<(usize, usize)> {
+    let count = exits.len();
+    let inputs: Vec<String> = (0..count).flat_map(|i| [format!("a{i}"), format!("b{i}")]).collect();
+    let mut text = format!("input {}, m : bool  input n : dint\ninitial step 0\n", inputs.join(", "));
+    for (i, exit) in exits.iter().enumerate() {
+        text += &format!("step {}\ntransition 0 -> {} : {exit}\n", i + 1, i + 1);
+    }
+    let (tree, said) = grafc_syntax::parse(FileId::default(), &text);
+    assert!(!said.has_errors(), "{text}\n{said:?}");
+    let (chart, said) = grafc_model::check(&tree, "chart");
+    let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{text}\n{said:?}")));
+    grafc_net::passes::run(&mut net, false, &mut Diagnostics::new());
+    let analysis = Analysis::new(net);
+    let clash = analysis.together().clearings.first()?.pairs.first()?;
+    Some((clash.first.index(), clash.second.index()))
+}
+
+#[test]
+fn chains_of_priorities_are_exclusive_however_long_they_are() {
+    for count in [2, 17, 46, 64, 65, 128, 129, 200] {
+        assert_eq!(not_exclusive(&chain(count, |i| format!("a{i}"))), None, "{count} inputs");
+        assert_eq!(not_exclusive(&chain(count, |i| format!("a{i} or b{i}"))), None, "{count} disjunctions");
+        assert_eq!(not_exclusive(&chain(count, |i| format!("m and a{i}"))), None, "{count} with a common factor");
+        assert_eq!(not_exclusive(&chain(count, |i| format!("a{i} and not b{i}"))), None, "{count} conjunctions");
+        assert_eq!(not_exclusive(&chain(count, |i| format!("↑a{i}"))), None, "{count} edges");
+        let intervals: Vec<String> = (0..count).map(|i| format!("[n >= {}] and [n < {}]", 3 * i, 3 * i + 3)).collect();
+        assert_eq!(not_exclusive(&intervals), None, "{count} intervals");
+    }
+    // The last has been forgotten to wait for the first.
+    let mut forgotten = chain(60, |i| format!("a{i}"));
+    forgotten[59] = forgotten[59].replace(" and not (a0)", "");
+    assert_eq!(not_exclusive(&forgotten), Some((0, 59)));
+}
+
+#[test]
+fn factors_that_have_nothing_to_do_with_each_other_are_proved_apart() {
+    // Together they have more atoms than a decision diagram may.
+    let pairs: Vec<String> = (0..40).map(|i| format!("([n = {i}] xor [m > {i}])")).collect();
+    let many = |name: &str| format!("({}) and ({name} xor a)", pairs.join(" and "));
+    assert!(exclude(&many("b"), "not (b xor a) and d"));
+    assert!(!exclude(&many("b"), "(b xor a) and d"), "b, not a");
+}
+
 #[test]
 fn what_holds_later_in_the_reaction() {
     assert!(exclude_later("a", "not a"), "inputs do not change");

@@ -2,7 +2,7 @@
 
 use super::Analysis;
 use grafc_formula::FormulaId;
-use grafc_model::chart::StepId;
+use grafc_model::chart::{StepId, TransitionId};
 use grafc_net::net::Forced;
 
 /// No more enclosing steps than this are looked at for one step, nor more orders for one grafcet.
@@ -14,8 +14,9 @@ impl Analysis {
         self.facts.exclude(&self.conditions.lowering.pool, a, b)
     }
 
-    /// Whether no situation holds both steps: one token serves both or what encloses them, or one forces the other away.
-    pub(crate) fn never_together(&self, a: StepId, b: StepId) -> bool {
+    /// Whether it is proved that no situation holds both steps: one token serves both or what encloses them, or one forces
+    /// the other away.
+    pub fn never_together(&self, a: StepId, b: StepId) -> bool {
         a != b
             && (self.around(a).any(|a| self.around(b).any(|b| a != b && self.share_a_token(a, b)))
                 || self.forces_away(a, b)
@@ -23,8 +24,18 @@ impl Analysis {
     }
 
     fn share_a_token(&self, a: StepId, b: StepId) -> bool {
-        let others = self.components.of(b);
-        self.components.of(a).iter().any(|component| others.contains(component))
+        self.reachable.together(a, b).map_or_else(|| self.components.share(a, b), |together| !together)
+    }
+
+    /// Whether it is known that no situation holds all of these steps.
+    pub(crate) fn never_all(&self, steps: &[StepId]) -> bool {
+        !self.reachable.all_active(steps)
+    }
+
+    /// Whether it is known that two transitions after one step never clear together, whatever their conditions are.
+    pub(crate) fn never_clear_together(&self, a: TransitionId, b: TransitionId) -> bool {
+        let part = self.net.transitions[a].pre.first().and_then(|s| self.reachable.part(*s));
+        part.is_some_and(|part| !part.meet(a, b))
     }
 
     /// A step and the steps around it, which are active whenever it is (I1).

@@ -3,15 +3,21 @@
 //!
 //! | room | what |
 //! | --- | --- |
+//! | `canonical` | the net in an order that the text does not decide |
+//! | `rivals` | transitions after one step that conditions do not prove to exclude each other |
+//! | `reachable/` | all situations of a part of the net, where there are not too many |
 //! | `components/` | sets of steps of which at most one is active at any time, and which of them share a variable |
 //! | `exclusive` | steps that are never active together, conditions that never hold together |
 //! | `together/` | transitions, assignments and orders that are not proved never to meet |
 //! | `transients/` | how many micro-steps a reaction can need |
 
+mod canonical;
 pub(crate) mod components;
 #[cfg(test)]
 mod exclusion_tests;
 mod exclusive;
+mod reachable;
+mod rivals;
 pub(crate) mod together;
 pub(crate) mod transients;
 
@@ -24,7 +30,9 @@ use grafc_formula::exclusion::EdgeFacts;
 use grafc_model::chart::{Event, StepId, TransitionId};
 use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
-use rustc_hash::FxHashMap;
+use reachable::Reachable;
+use rivals::Rivals;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::sync::{Arc, OnceLock};
 use together::Together;
 use transients::Transients;
@@ -44,6 +52,10 @@ pub struct Analysis {
     pub(crate) cover: Cover,
     /// Why each step that the cover leaves out stays a bit.
     pub(crate) reasons: Vec<(StepId, Reason)>,
+    pub(crate) reachable: Reachable,
+    pub(crate) rivals: Arc<Rivals>,
+    /// Steps of parts of which one component holds every step.
+    pub(crate) one_token: FxHashSet<StepId>,
     transients: OnceLock<Transients>,
     together: OnceLock<Together>,
 }
@@ -55,10 +67,23 @@ impl Analysis {
         let arcs = Arcs::of(&net, |_| true);
         let conditions = Conditions::new(Lowering::new(net.clone(), None));
         let facts = EdgeFacts::new(&conditions.lowering.edges);
-        let FoundComponents { components, cover, reasons } =
-            components::find(&net, &arcs, &facts, &conditions.lowering.pool, &conditions.of_transition);
+        let FoundComponents { components, cover, reasons, reachable, rivals, one_token } =
+            components::find(&net, &arcs, &facts, &conditions);
         let (transients, together) = (OnceLock::new(), OnceLock::new());
-        Analysis { net, arcs, conditions, facts, components, cover, reasons, transients, together }
+        Analysis {
+            net,
+            arcs,
+            conditions,
+            facts,
+            components,
+            cover,
+            reasons,
+            reachable,
+            rivals: Arc::new(rivals),
+            one_token,
+            transients,
+            together,
+        }
     }
 
     /// The net.

@@ -6,9 +6,6 @@ use crate::analysis::together::reentry::may_reenter;
 use grafc_model::reaction::Profile;
 use grafc_net::Net;
 
-/// Of more transitions after one step the conditions are not all compared.
-const MOST_BRANCHES: usize = 16;
-
 pub(super) fn check(analysis: &Analysis, profile: Profile, reasons: &mut Reasons) {
     let net = analysis.net();
     hierarchy(net, reasons);
@@ -60,14 +57,8 @@ fn selections(analysis: &Analysis, reasons: &mut Reasons) {
     for meeting in together.races.iter().chain(&together.conflicts) {
         reasons.add(net.stored[meeting.second].span, "may happen together with another action on it");
     }
-    for s in net.places.indices() {
-        let after = analysis.arcs.leaving(s);
-        if after.len() > MOST_BRANCHES {
-            reasons.add(net.places[s].span, "has too many transitions after it to know that only one clears");
-        }
-        for t in after.iter().filter(|t| after.len() > 1 && net.transitions[**t].pre.len() > 1) {
-            reasons.add(net.transitions[*t].span, "joins a step that another transition leaves, too");
-        }
+    for s in net.places.indices().filter(|s| analysis.rivals.many(*s)) {
+        reasons.add(net.places[s].span, "has too many transitions after it to know that only one clears");
     }
 }
 

@@ -5,8 +5,9 @@
 //! 1. evolution goes on until it is stable, so that the overlap is over by then;
 //! 2. no condition depends on activities, or on variables that stored actions write: what is true when a token moves
 //!    stays true while it overlaps. Edges of inputs are over by then, so they may not decide between two ways;
-//! 3. for each transition, every step before it and every step after it lie in one component: an active successor then
-//!    means that the token has come from here, never that another one was there already;
+//! 3. for each transition, no step before it is ever active together with one after it: an active successor then means
+//!    that the token has come from here, never that another one was there already; and the conditions of transitions
+//!    that share a step exclude each other, so that none clears while the step overlaps;
 //! 4. no enclosing step and no forcing step is among those that overlap.
 //!
 //! Stored actions on deactivation or clearing see the overlap even then: they are done later, or more than once. So do
@@ -33,7 +34,7 @@ pub(crate) fn check(analysis: &Analysis, options: &Options) -> Option<Diagnostic
 }
 
 fn seen(analysis: &Analysis, options: &Options) -> Option<(Span, String)> {
-    let (net, components) = (analysis.net(), &analysis.components);
+    let net = analysis.net();
     let start = net.places.first().map(|p| p.span)?;
     if options.profile.evolution == Evolution::Scan {
         return Some((start, "with `--evolution scan` it is there at the end of a call".to_owned()));
@@ -61,14 +62,15 @@ fn seen(analysis: &Analysis, options: &Options) -> Option<(Span, String)> {
             return Some((place, why.to_owned()));
         }
     }
-    for transition in &net.transitions {
+    for (t, transition) in net.transitions.iter_enumerated() {
         let several = transition.pre.iter().any(|s| analysis.arcs.leaving(*s).len() > 1);
         if let Some((place, why)) = read(net, transition.condition, several, None) {
             return Some((place, why.to_owned()));
         }
         for before in &transition.pre {
             for after in transition.post.iter().filter(|after| *after != before) {
-                if !components.of(*before).iter().any(|c| components.of(*after).contains(c)) {
+                // Where steps overlap, only conditions keep a transition from clearing after another one has.
+                if !analysis.never_together(*before, *after) || !analysis.rivals.of(t).is_empty() {
                     let (a, b) = (&net.places[*before].label, &net.places[*after].label);
                     let why = format!("it is not proved that step {b} is active only after step {a} has been left");
                     return Some((transition.span, why));

@@ -4,7 +4,7 @@ use grafc::Document;
 use grafc_backends::{awl, il, rust};
 use grafc_diagnostics::{Diagnostics, Severity};
 use grafc_logic::scan::{Measure, Program, State, measure};
-use grafc_logic::{Analysis, Encoding, Options, arrow, bits};
+use grafc_logic::{Analysis, Encoding, Method, Options, arrow, bits, exclusion};
 use grafc_model::chart::{StepId, TransitionId};
 use grafc_model::reaction::{Evolution, Profile};
 use serde::Serialize;
@@ -18,7 +18,15 @@ pub struct Figures {
     pub evolution: &'static str,
     pub transients: Transients,
     pub encodings: Vec<EncodingFigures>,
+    pub exclusion: Vec<Exclusion>,
     pub switch: Decomposition,
+}
+
+/// Of how many steps a method has told which others they exclude.
+#[derive(Serialize)]
+pub struct Exclusion {
+    pub method: &'static str,
+    pub steps: usize,
 }
 
 /// How many micro-steps a reaction to stability can need; by arrows as the chart draws them.
@@ -103,6 +111,7 @@ pub fn figures(document: &mut Document, profile: Profile) -> (Option<Figures>, D
         },
         transients: Transients::new(analysis),
         encodings: Vec::new(),
+        exclusion: exclusion(analysis).filter(|(_, steps)| *steps > 0).map(Exclusion::new).collect(),
         switch: Decomposition::default(),
     };
     for encoding in Encoding::ALL {
@@ -139,6 +148,17 @@ impl Transients {
             chain: arrows(&proved.chain),
             cycle: arrows(&proved.cycle),
         }
+    }
+}
+
+impl Exclusion {
+    fn new((method, steps): (Method, usize)) -> Exclusion {
+        let method = match method {
+            Method::OneToken => "one-token",
+            Method::AllSituations => "all-situations",
+            Method::Search => "search",
+        };
+        Exclusion { method, steps }
     }
 }
 

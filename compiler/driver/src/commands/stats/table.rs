@@ -51,6 +51,12 @@ impl Figures {
         out.push_str(&format!("\nin AWL\n  {}\n", by_encoding(&awl)));
         out.push_str(&format!("\nbytes in Rust\n  {}\n", by_encoding(&|row| row.rust_bytes.to_string())));
         self.transients.list(&mut out);
+        let by_method: Vec<String> = self
+            .exclusion
+            .iter()
+            .map(|found| format!("{} of {}", found.method, counted(found.steps, "step")))
+            .collect();
+        out.push_str(&format!("\nwhich steps exclude each other, by\n  {}\n", by_method.join(", ")));
         self.switch.list(&mut out);
         out
     }

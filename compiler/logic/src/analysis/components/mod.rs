@@ -20,10 +20,24 @@
 //! token moves along transitions. A link and an order bring one from nowhere, and an order also from any step to any
 //! step that it forces.
 //!
+//! Two transitions that are only alternatives to each other count as one for 3: they lead from the same steps to the same
+//! steps. And conditions need not exclude each other where steps before the transitions do, which lie in a component that
+//! has been found already: what is proved of that one is proved without this one.
+//!
 //! The search is greedy and its work is bounded by the size of the net: what it does not find stays unproved, and the
-//! formulas stay longer.
+//! formulas stay longer. It goes by labels, not by the order of the text (see `canonical`).
+//!
+//! Where all situations of a part are known (see `reachable`) a set may hold any steps of which no two are ever active
+//! together, and only the following has to be said of each of them:
+//! - no source transition leads to it, and no other one clears while the step is active, unless it leaves it;
+//! - of the transitions that leave it at most one clears in a micro-step, or alternatives to it.
+//!
+//! Then what was said of components holds of such a set as well. A clearing brings a token into the set only where the
+//! set is empty or loses the token by the same clearing: if another step of the set stayed active, or were left by another
+//! clearing, the first clearing alone would make two steps of the set active, which is among the situations looked at.
 
 mod cover;
+mod exact;
 mod family;
 mod reason;
 mod search;
@@ -32,19 +46,20 @@ mod tests;
 
 pub(crate) use reason::Reason;
 
-use crate::lower::cover::Cover;
-
+use super::Conditions;
+use super::canonical::Canonical;
+use super::reachable::Reachable;
+use super::reachable::parts::{self, Part};
+use super::rivals::Rivals;
+use crate::lower::cover::{Cover, CoverSet};
 use cover::Arranged;
 use grafc_formula::exclusion::EdgeFacts;
-use grafc_formula::{FormulaId, Pool};
 use grafc_model::chart::{StepId, TransitionId};
 use grafc_net::net::{Forced, Grafcet};
 use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
+use rustc_hash::FxHashSet;
 use search::Search;
-
-/// More transitions than this out of one step are not compared pair by pair.
-const COMPARED: usize = 12;
 
 /// No more components than this are remembered for one step.
 const REMEMBERED: usize = 8;
@@ -52,6 +67,12 @@ const REMEMBERED: usize = 8;
 /// Components are written out for the steps that they share with others until this many steps for each step of the net
 /// have been looked at.
 const WRITTEN: usize = 32;
+
+/// How often the search begins again because components show that more transitions exclude each other.
+const ROUNDS: usize = 3;
+
+/// Of more steps before a transition not each is compared with those before another.
+const LOOKED_AT: usize = 8;
 
 /// The components that were found.
 #[derive(Clone)]
@@ -74,6 +95,11 @@ impl Components {
     pub(crate) fn covers(&self, step: StepId) -> bool {
         !self.of_step[step].is_empty()
     }
+
+    /// Whether some component holds both steps.
+    pub(crate) fn share(&self, a: StepId, b: StepId) -> bool {
+        self.of(a).iter().any(|component| self.of(b).contains(component))
+    }
 }
 
 /// What has been found.
@@ -82,54 +108,132 @@ pub(crate) struct FoundComponents {
     pub(crate) cover: Cover,
     /// Why each step that the cover leaves out stays a bit.
     pub(crate) reasons: Vec<(StepId, Reason)>,
+    pub(crate) reachable: Reachable,
+    pub(crate) rivals: Rivals,
+    /// Steps of parts that one component holds as a whole: there is nothing more to be found of these.
+    pub(crate) one_token: FxHashSet<StepId>,
+}
+
+/// A set of the cover, and the other steps of its component, as far as they are written out.
+struct Written {
+    set: CoverSet,
+    others: Vec<StepId>,
 }
 
 /// Finds components that cover as many steps as possible.
-pub(crate) fn find(
-    net: &Net,
-    arcs: &Arcs,
-    facts: &EdgeFacts,
-    pool: &Pool,
-    conditions: &IndexVec<TransitionId, FormulaId>,
-) -> FoundComponents {
-    let arranged = search(net, arcs, facts, pool, conditions);
-    let mut components = Components { of_step: net.places.iter().map(|_| Vec::new()).collect() };
-    for (number, set) in arranged.cover.sets.iter().enumerate() {
-        set.steps.iter().for_each(|s| components.of_step[*s].push(number));
+pub(crate) fn find(net: &Net, arcs: &Arcs, facts: &EdgeFacts, conditions: &Conditions) -> FoundComponents {
+    let canonical = Canonical::new(net);
+    let rivals = Rivals::new(net, arcs, conditions, facts);
+    let parts = parts::parts(&canonical);
+    let to_write = WRITTEN * net.places.len();
+    let mut apart = FxHashSet::default();
+    let mut arranged = search(&canonical, &rivals, &apart);
+    let one_token = |part: &Part, arranged: &Arranged| {
+        let set = part.steps.first().and_then(|s| arranged.cover.of_step[*s]);
+        set.is_some_and(|set| arranged.cover.sets[set].steps.len() == part.steps.len())
+    };
+    let wanted = |part: &Part| !one_token(part, &arranged);
+    let reachable = Reachable::find(&canonical, &parts, conditions, facts, &rivals, wanted);
+    for _ in 0..ROUNDS {
+        let before = apart.len();
+        let known = components(net, written(&canonical, &arranged, to_write)).0;
+        let unknown = |t: TransitionId| net.transitions[t].pre.first().is_none_or(|s| reachable.part(*s).is_none());
+        let pairs = rivals.pairs().filter(|(a, b)| unknown(*a) && !apart.contains(&(*a, *b)));
+        let found: Vec<_> = pairs.filter(|(a, b)| known_apart(&canonical, &known, *a, *b)).collect();
+        apart.extend(found);
+        if apart.len() == before {
+            break;
+        }
+        arranged = search(&canonical, &rivals, &apart);
     }
-    let mut work = WRITTEN * net.places.len();
-    for number in 0..arranged.cover.sets.len() {
-        arranged.rest(number, &mut work, |s| {
-            let list = &mut components.of_step[s];
-            if list.len() < REMEMBERED {
-                list.push(number);
-            }
-        });
+    let whole = parts.iter().filter(|part| one_token(part, &arranged)).flat_map(|part| &part.steps);
+    let one_token = whole.map(|s| canonical.step[*s]).collect();
+    let mut reasons: Vec<(StepId, Reason)> = Vec::with_capacity(arranged.reasons.len());
+    for (s, reason) in &arranged.reasons {
+        reasons.push((canonical.step[*s], reason.named(|s| canonical.step[s], |t| canonical.transition[t])));
     }
-    FoundComponents { components, cover: arranged.cover, reasons: arranged.reasons }
+    let mut all = written(&canonical, &arranged, to_write);
+    exact::refine(net, arcs, &rivals, &reachable, &mut all, &mut reasons);
+    reasons.sort_unstable_by_key(|(s, _)| *s);
+    let (components, cover) = components(net, all);
+    FoundComponents { components, cover, reasons, reachable, rivals, one_token }
 }
 
-fn search(
-    net: &Net,
-    arcs: &Arcs,
-    facts: &EdgeFacts,
-    pool: &Pool,
-    conditions: &IndexVec<TransitionId, FormulaId>,
-) -> Arranged {
+/// What the search finds, by canonical ids. Of rivals that are known to be `apart` at most one clears.
+fn search(canonical: &Canonical, rivals: &Rivals, apart: &FxHashSet<(TransitionId, TransitionId)>) -> Arranged {
+    let (net, arcs) = (&canonical.net, &canonical.arcs);
     let around = Surroundings::new(net, arcs);
     let undecided = net.places.indices().map(|s| {
         let leaving = arcs.leaving(s);
-        if leaving.len() > COMPARED {
+        if rivals.many(canonical.step[s]) {
             return Some(Reason::Many(leaving.len()));
         }
-        let mut pairs = leaving.iter().enumerate().flat_map(|(i, a)| leaving[i + 1..].iter().map(move |b| (*a, *b)));
-        let together = pairs.find(|(a, b)| !facts.exclude(pool, conditions[*a], conditions[*b]));
-        together.map(|(a, b)| Reason::Together(a, b))
+        leaving.iter().find_map(|t| {
+            let a = canonical.transition[*t];
+            let together = |b: &TransitionId| {
+                let rank = canonical.transition_rank[*b];
+                let shares = net.transitions[rank].pre.binary_search(&s).is_ok();
+                (shares && !apart.contains(&(a.min(*b), a.max(*b)))).then_some(rank)
+            };
+            let first = rivals.of(a).iter().filter_map(together).min();
+            first.map(|b| Reason::Together(*t.min(&b), *t.max(&b)))
+        })
     });
     let undecided = undecided.collect();
     let mut search = Search::new(net, &around, undecided);
     search.run();
     cover::arrange(net, &around, search)
+}
+
+/// Whether steps before two transitions lie in one component.
+fn known_apart(canonical: &Canonical, known: &Components, a: TransitionId, b: TransitionId) -> bool {
+    let before = |t: TransitionId| {
+        let pre = &canonical.net.transitions[canonical.transition_rank[t]].pre;
+        pre.iter().take(LOOKED_AT).map(|s| canonical.step[*s])
+    };
+    before(a).any(|x| before(b).any(|y| x != y && known.share(x, y)))
+}
+
+/// The sets of an arrangement by the ids of the net, in canonical order; their components as far as there is `work` left.
+fn written(canonical: &Canonical, arranged: &Arranged, mut work: usize) -> Vec<Written> {
+    let mut all = Vec::with_capacity(arranged.cover.sets.len());
+    for (number, set) in arranged.cover.sets.iter().enumerate() {
+        let mut steps: Vec<StepId> = set.steps.iter().map(|s| canonical.step[*s]).collect();
+        steps.sort_unstable();
+        let mut others = Vec::new();
+        arranged.rest(number, &mut work, |s| others.push(canonical.step[s]));
+        all.push(Written { set: CoverSet { steps, always_marked: set.always_marked }, others });
+    }
+    all
+}
+
+/// Components and cover of these sets; the sets of the cover in the order of the text.
+fn components(net: &Net, all: Vec<Written>) -> (Components, Cover) {
+    let mut order: Vec<usize> = (0..all.len()).collect();
+    order.sort_unstable_by_key(|index| all[*index].set.steps.first().copied());
+    let mut number = vec![0; all.len()];
+    for (place, index) in order.iter().enumerate() {
+        number[*index] = place;
+    }
+    let mut components = Components::none(net);
+    let mut of_step: IndexVec<StepId, Option<usize>> = net.places.iter().map(|_| None).collect();
+    for (index, written) in all.iter().enumerate() {
+        for s in &written.set.steps {
+            components.of_step[*s].push(number[index]);
+            of_step[*s] = Some(number[index]);
+        }
+    }
+    for (index, written) in all.iter().enumerate() {
+        for s in &written.others {
+            let list = &mut components.of_step[*s];
+            if list.len() < REMEMBERED {
+                list.push(number[index]);
+            }
+        }
+    }
+    let mut sets: Vec<Option<CoverSet>> = all.into_iter().map(|written| Some(written.set)).collect();
+    let sets = order.into_iter().filter_map(|index| sets[index].take()).collect();
+    (components, Cover { sets, of_step })
 }
 
 /// What lies around each step.

@@ -11,6 +11,8 @@ pub(crate) enum Reason {
     Many(usize),
     /// A source transition leads to it.
     Source(TransitionId),
+    /// A transition may clear while it is active, and leads to it.
+    Entered(TransitionId),
     /// A transition leads to it only from steps that stay bits.
     From(TransitionId),
     /// A transition leads to it from steps of which none goes together with it.
@@ -27,4 +29,27 @@ pub(crate) enum Reason {
     Forced(StepId, StepId),
     /// The search has taken too much work.
     GivenUp,
+}
+
+impl Reason {
+    /// The same by other ids.
+    pub(super) fn named(self, s: impl Fn(StepId) -> StepId, t: impl Fn(TransitionId) -> TransitionId) -> Reason {
+        match self {
+            Reason::Together(a, b) => {
+                let (a, b) = (t(a), t(b));
+                Reason::Together(a.min(b), a.max(b))
+            }
+            Reason::Many(count) => Reason::Many(count),
+            Reason::Source(a) => Reason::Source(t(a)),
+            Reason::Entered(a) => Reason::Entered(t(a)),
+            Reason::From(a) => Reason::From(t(a)),
+            Reason::Origin(a) => Reason::Origin(t(a)),
+            Reason::Before(a, x, y) => Reason::Before(t(a), s(x), s(y)),
+            Reason::After(a, x, y) => Reason::After(t(a), s(x), s(y)),
+            Reason::Initial(x, y) => Reason::Initial(s(x), s(y)),
+            Reason::Links(x, y) => Reason::Links(s(x), s(y)),
+            Reason::Forced(x, y) => Reason::Forced(s(x), s(y)),
+            Reason::GivenUp => Reason::GivenUp,
+        }
+    }
 }

@@ -1,14 +1,17 @@
 //! Covers of charts whose components are known, and the rules for each component that is found in charts drawn at
 //! random.
 
-use super::cover::Arranged;
-use super::{Cover, Reason, forced, search};
+use super::{Cover, Reason, forced, search, written};
 use crate::analysis::Conditions;
+use crate::analysis::canonical::Canonical;
+use crate::analysis::rivals::Rivals;
 use crate::lower::Lowering;
 use grafc_diagnostics::{Diagnostics, FileId};
 use grafc_formula::exclusion::EdgeFacts;
 use grafc_model::chart::{StepId, TransitionId};
 use grafc_net::{Arcs, Net};
+use rustc_hash::FxHashSet;
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::sync::Arc;
 
@@ -21,12 +24,43 @@ fn net(text: &str) -> Net {
     net
 }
 
+/// What the search alone finds, by the ids of the net.
+struct Arranged {
+    cover: Cover,
+    reasons: Vec<(StepId, Reason)>,
+    /// The component of each set.
+    components: Vec<Vec<StepId>>,
+}
+
+fn search_alone(net: &Net) -> Arranged {
+    let conditions = Conditions::new(Lowering::new(Arc::new(net.clone()), None));
+    let facts = EdgeFacts::new(&conditions.lowering.edges);
+    let canonical = Canonical::new(net);
+    let rivals = Rivals::new(net, &Arcs::of(net, |_| true), &conditions, &facts);
+    let arranged = search(&canonical, &rivals, &FxHashSet::default());
+    let all = written(&canonical, &arranged, usize::MAX);
+    let mut components: Vec<Vec<StepId>> =
+        all.iter().map(|written| [written.set.steps.as_slice(), &written.others].concat()).collect();
+    components.sort_by_key(|component| component[0]);
+    let cover = super::components(net, all).1;
+    let named = |reason: &Reason| reason.named(|s| canonical.step[s], |t| canonical.transition[t]);
+    let mut reasons: Vec<_> = arranged.reasons.iter().map(|(s, reason)| (canonical.step[*s], named(reason))).collect();
+    reasons.sort_by_key(|(s, _)| *s);
+    Arranged { cover, reasons, components }
+}
+
 fn arranged(net: &Net) -> Arranged {
     let conditions = Conditions::new(Lowering::new(Arc::new(net.clone()), None));
     let (pool, of) = (&conditions.lowering.pool, &conditions.of_transition);
     let facts = EdgeFacts::new(&conditions.lowering.edges);
-    let found = search(net, &Arcs::of(net, |_| true), &facts, pool, of);
-    check(net, &found, |a, b| facts.exclude(pool, of[a], of[b]));
+    let found = search_alone(net);
+    check(net, &found, |a, b| {
+        let around = |t: TransitionId| {
+            let sorted = |steps: &[StepId]| steps.iter().copied().collect::<BTreeSet<_>>();
+            (sorted(&net.transitions[t].pre), sorted(&net.transitions[t].post))
+        };
+        facts.exclude(pool, of[a], of[b]) || around(a) == around(b)
+    });
     found
 }
 
@@ -34,9 +68,8 @@ fn arranged(net: &Net) -> Arranged {
 fn check(net: &Net, found: &Arranged, exclude: impl Fn(TransitionId, TransitionId) -> bool) {
     let cover = &found.cover;
     for (number, set) in cover.sets.iter().enumerate() {
-        let mut component = set.steps.clone();
-        let mut work = usize::MAX;
-        found.rest(number, &mut work, |s| component.push(s));
+        let component = &found.components[number];
+        assert!(component.starts_with(&set.steps));
         let labels: Vec<&str> = component.iter().map(|s| net.places[*s].label.as_str()).collect();
         let members = |steps: &[StepId]| steps.iter().filter(|s| component.contains(s)).count();
         let grafcet = net.places[component[0]].grafcet;
@@ -432,10 +465,7 @@ fn wide_and_long_charts_are_covered() {
     }
     let _ = writeln!(wide, "transition 1 -> {} : a  transition {} -> 1 : a", list("b"), list("e"));
     let net = net(&wide);
-    let conditions = Conditions::new(Lowering::new(Arc::new(net.clone()), None));
-    let facts = EdgeFacts::new(&conditions.lowering.edges);
-    let (pool, of) = (&conditions.lowering.pool, &conditions.of_transition);
-    let found = search(&net, &Arcs::of(&net, |_| true), &facts, pool, of);
+    let found = search_alone(&net);
     assert_eq!(found.reasons, []);
     assert_eq!(found.cover.sets.len(), 20_000);
     assert_eq!(found.cover.sets[0].steps.len(), 3);

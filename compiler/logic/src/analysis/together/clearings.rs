@@ -2,11 +2,15 @@
 
 use super::questions::Questions;
 use super::witness::{self, Case, SearchResult};
+use crate::analysis::Analysis;
 use grafc_model::chart::{StepId, TransitionId};
 use rustc_hash::FxHashSet;
 
-/// A transition is compared with this many that follow it after the same step.
+/// Where very many transitions follow a step, one is compared with this many that come after it in the text.
 const NEAR: usize = 16;
+
+/// More pairs after one step are not looked at: of the others it is not known whether they are cleared together.
+const LOOKED_AT_PAIRS: usize = 128;
 
 /// More pairs after one step are not looked for.
 const LISTED: usize = 4;
@@ -35,13 +39,17 @@ pub(super) fn find(asked: &mut Questions) -> Vec<Clashes> {
     // Pairs that share several steps are looked at once.
     let mut seen = FxHashSet::default();
     for step in analysis.net.places.indices() {
-        let after = analysis.arcs.leaving(step);
         let mut pairs: Vec<Clash> = Vec::new();
-        for (i, &first) in after.iter().enumerate() {
-            for &second in after[i + 1..].iter().take(NEAR) {
-                if pairs.len() < LISTED && seen.insert((first, second)) {
-                    pairs.extend(clash(asked, first, second));
-                }
+        for (number, (first, second)) in rivals(analysis, step).into_iter().enumerate() {
+            if pairs.len() >= LISTED {
+                break;
+            }
+            if seen.insert((first, second)) {
+                pairs.extend(if number < LOOKED_AT_PAIRS {
+                    clash(asked, first, second)
+                } else {
+                    Some(Clash { first, second, case: None })
+                });
             }
         }
         if !pairs.is_empty() {
@@ -51,15 +59,35 @@ pub(super) fn find(asked: &mut Questions) -> Vec<Clashes> {
     found
 }
 
-/// None if they are never cleared in one micro-step, or if it makes no difference.
+/// The pairs after a step that conditions do not exclude, in the order of the text.
+fn rivals(analysis: &Analysis, step: StepId) -> Vec<(TransitionId, TransitionId)> {
+    let after = analysis.arcs.leaving(step);
+    let mut pairs = Vec::new();
+    for (i, &first) in after.iter().enumerate() {
+        if analysis.rivals.many(step) {
+            let conditions = &analysis.conditions.of_transition;
+            let near = after[i + 1..].iter().take(NEAR);
+            let open = near.filter(|second| !analysis.exclude(conditions[first], conditions[**second]));
+            pairs.extend(open.map(|second| (first, *second)));
+            continue;
+        }
+        let rivals = analysis.rivals.of(first).iter();
+        let mut others: Vec<TransitionId> =
+            rivals.copied().filter(|second| *second > first && after.binary_search(second).is_ok()).collect();
+        others.sort_unstable();
+        pairs.extend(others.into_iter().map(|second| (first, second)));
+    }
+    pairs
+}
+
+/// None if two rivals are never cleared in one micro-step, or if it makes no difference.
 fn clash(asked: &mut Questions, first: TransitionId, second: TransitionId) -> Option<Clash> {
     let analysis = asked.analysis;
-    let conditions = &analysis.conditions.of_transition;
-    if analysis.exclude(conditions[first], conditions[second]) {
-        return None;
-    }
     let [a, b] = [first, second].map(|t| &analysis.net.transitions[t]);
     if sorted(&a.pre) == sorted(&b.pre) && sorted(&a.post) == sorted(&b.post) {
+        return None;
+    }
+    if analysis.never_clear_together(first, second) {
         return None;
     }
     let [before_a, before_b] = [a, b].map(|t| &t.pre[..t.pre.len().min(LOOKED_AT)]);

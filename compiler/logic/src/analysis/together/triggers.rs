@@ -86,5 +86,6 @@ fn apart(analysis: &Analysis, a: &Way, b: &Way) -> bool {
         || b.activated.is_some_and(|s| a.before.contains(&s))
         || a.activated.zip(b.activated).is_some_and(|(a, b)| never(&a, &b))
         || a.before.iter().any(|a| b.before.iter().any(|b| never(a, b)))
+        || analysis.never_all(&[a.before.as_slice(), &b.before].concat())
         || a.condition.zip(b.condition).is_some_and(|(a, b)| analysis.exclude(a, b))
 }
