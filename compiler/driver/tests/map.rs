@@ -117,7 +117,7 @@ fn a_map_changes_nothing_and_is_the_same_each_time() {
 #[test]
 fn a_map_takes_the_place_of_nothing_else() {
     let folder = Folder::new(&[("valve.gct", VALVE)]);
-    for (arguments, said) in [
+    for (arguments, diagnostics) in [
         (&["--target", "st", "-o", "valve.st", "--map", "./valve.st"][..], "one place"),
         (&["--target", "st", "--map", "-"], "one place"),
         (&["--target", "st", "--map", "valve.gct"], "would overwrite"),
@@ -125,7 +125,7 @@ fn a_map_takes_the_place_of_nothing_else() {
         (&["--emit", "scan", "--map", "valve.json"], "cannot be used with"),
     ] {
         let run = folder.run(&[&["valve.gct"], arguments].concat());
-        run.ends(2, said);
+        run.ends(2, diagnostics);
         assert!(!folder.path("valve.json").exists() && !folder.path("valve.st").exists(), "{arguments:?}");
     }
     assert_eq!(folder.read("valve.gct"), VALVE);

@@ -25,25 +25,27 @@ pub struct Options {
 
 /// The chart in canonical format, if no message is an error.
 pub fn import(file: FileId, text: &str, options: Options) -> (Option<String>, Diagnostics) {
-    let mut said = Diagnostics::new();
-    let Some(document) = xml::read(file, text, &mut said) else { return (None, said) };
-    let model = agrafe::read(&document, &mut said);
-    let Some(model) = model.filter(|_| !said.has_errors()) else { return (None, said) };
+    let mut diagnostics = Diagnostics::new();
+    let Some(document) = xml::read(file, text, &mut diagnostics) else { return (None, diagnostics) };
+    let model = agrafe::read(&document, &mut diagnostics);
+    let Some(model) = model.filter(|_| !diagnostics.has_errors()) else { return (None, diagnostics) };
     let limit = text.len().saturating_mul(GROWTH).saturating_add(SMALL);
-    let Some(written) = chart::write(&model, &document, options, limit, &mut said) else { return (None, said) };
+    let Some(written) = chart::write(&model, &document, options, limit, &mut diagnostics) else {
+        return (None, diagnostics);
+    };
     // What comes out must at least be a text of ours, whatever came in.
     let (tree, found) = grafc_syntax::parse(file, &written);
     if let Some(fault) = found.iter().find(|fault| fault.code.severity() == Severity::Error) {
         let at = written[..fault.primary.span.range().start].rfind('\n').map_or(0, |at| at + 1);
         let line = written[at..].lines().next().unwrap_or_default();
-        said.push(
+        diagnostics.push(
             Diagnostic::new(Code::E0901, document.root_span(), "this is a fault of grafc: the import is not a chart")
                 .note(format!("the line `{line}` would give: {}", fault.message))
                 .help(concat!("please report it, with the file, at ", env!("CARGO_PKG_REPOSITORY"))),
         );
-        return (None, said);
+        return (None, diagnostics);
     }
-    (Some(grafc_syntax::format(&written, &tree)), said)
+    (Some(grafc_syntax::format(&written, &tree)), diagnostics)
 }
 
 /// How much longer than its file a chart may be. XMI says everything at greater length, so only a file that repeats

@@ -67,17 +67,17 @@ impl Document {
 }
 
 /// The elements of a text; none after a fault.
-pub fn read(file: FileId, text: &str, said: &mut Diagnostics) -> Option<Document> {
+pub fn read(file: FileId, text: &str, diagnostics: &mut Diagnostics) -> Option<Document> {
     if u32::try_from(text.len()).is_err() {
         let message = "the file is longer than 4 GiB";
-        said.push(Diagnostic::new(Code::E0109, Span::new(file, 0, 0), message).help("split the chart"));
+        diagnostics.push(Diagnostic::new(Code::E0109, Span::new(file, 0, 0), message).help("split the chart"));
         return None;
     }
-    let mut builder = Builder { file, elements: IndexVec::new(), comments: Vec::new(), open: Vec::new(), said };
+    let mut builder = Builder { file, elements: IndexVec::new(), comments: Vec::new(), open: Vec::new(), diagnostics };
     match builder.run(text) {
         Ok(()) => Some(Document { elements: builder.elements, comments: builder.comments }),
         Err(fault) => {
-            said.push(fault);
+            diagnostics.push(fault);
             None
         }
     }
@@ -88,7 +88,7 @@ struct Builder<'a> {
     elements: IndexVec<ElementId, Element>,
     comments: Vec<Comment>,
     open: Vec<ElementId>,
-    said: &'a mut Diagnostics,
+    diagnostics: &'a mut Diagnostics,
 }
 
 impl Builder<'_> {
@@ -171,7 +171,7 @@ impl Builder<'_> {
         if self.open.is_empty() {
             return Err(malformed(span, "there is text outside of the outermost element"));
         }
-        self.said.push(lost(span, "the text between the elements is lost").note("a model has none"));
+        self.diagnostics.push(lost(span, "the text between the elements is lost").note("a model has none"));
         Ok(())
     }
 
@@ -230,23 +230,24 @@ mod tests {
     use super::*;
 
     fn fault(text: &str) -> (Code, u32) {
-        let mut said = Diagnostics::new();
-        assert!(read(FileId::default(), text, &mut said).is_none(), "{text}");
-        let last = said.iter().last().expect("a message");
+        let mut diagnostics = Diagnostics::new();
+        assert!(read(FileId::default(), text, &mut diagnostics).is_none(), "{text}");
+        let last = diagnostics.iter().last().expect("a message");
         (last.code, last.primary.span.start)
     }
 
     #[test]
     fn elements_lie_in_order_and_know_their_places() {
-        let mut said = Diagnostics::new();
-        let document = read(FileId::default(), "\u{FEFF}<p:a x='1&lt;2'><b/><!-- c --><d>\n</d></p:a>", &mut said);
+        let mut diagnostics = Diagnostics::new();
+        let document =
+            read(FileId::default(), "\u{FEFF}<p:a x='1&lt;2'><b/><!-- c --><d>\n</d></p:a>", &mut diagnostics);
         let document = document.expect("it is well formed");
         let names: Vec<_> = document.elements.iter().map(|e| (e.name.as_str(), e.span.start)).collect();
         assert_eq!(names, [("a", 3), ("b", 19), ("d", 33)]);
         assert_eq!(document.elements[ElementId::new(0)].attribute("x"), Some("1<2"));
         assert_eq!(document.elements[ElementId::new(0)].children.len(), 2);
         assert_eq!((document.comments[0].text.as_str(), document.comments[0].start), (" c ", 23));
-        assert!(said.is_empty());
+        assert!(diagnostics.is_empty());
     }
 
     #[test]

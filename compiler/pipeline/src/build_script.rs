@@ -267,7 +267,7 @@ impl From<Refusal> for Failure {
 #[derive(Default)]
 struct Report {
     sources: SourceMap,
-    said: Diagnostics,
+    diagnostics: Diagnostics,
 }
 
 impl Report {
@@ -276,24 +276,24 @@ impl Report {
         let file = match sources::add(&mut self.sources, chart.display().to_string(), files::read(chart)?) {
             Ok(file) => file,
             Err(diagnostic) => {
-                self.said.push(diagnostic);
+                self.diagnostics.push(diagnostic);
                 return Err(Failure::Chart);
             }
         };
-        let (made, said) = compile(file, &self.sources.file(file).text, name, options);
-        self.said = said;
-        self.said.sort_by_place();
+        let (made, diagnostics) = compile(file, &self.sources.file(file).text, name, options);
+        self.diagnostics = diagnostics;
+        self.diagnostics.sort_by_place();
         made.map(|made| made.text).ok_or(Failure::Chart)
     }
 
     /// All messages, as the command line prints them.
     fn text(&self) -> String {
-        render::human(&self.sources, &self.said, false) + &render::summary(&self.said)
+        render::human(&self.sources, &self.diagnostics, false) + &render::summary(&self.diagnostics)
     }
 
     /// All messages, in lines that cargo shows. It takes one line at a time.
     fn warnings(&self) -> String {
-        let text = render::human(&self.sources, &self.said, false);
+        let text = render::human(&self.sources, &self.diagnostics, false);
         text.lines().filter(|line| !line.is_empty()).map(|line| format!("cargo::warning={line}\n")).collect()
     }
 }

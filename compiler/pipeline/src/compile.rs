@@ -20,36 +20,42 @@ use grafc_model::chart::Chart;
 
 /// As far as what is asked for. There is a text exactly if no message is an error, or taken for one; and none after a pass that is not run.
 pub fn compile(file: FileId, text: &str, default_name: &str, options: &Options) -> (Option<Output>, Diagnostics) {
-    let mut said = Diagnostics::new();
-    let made = make(file, text, default_name, options, &mut said);
-    options.policy.apply(&mut said);
-    (made.filter(|_| !said.has_errors()), said)
+    let mut diagnostics = Diagnostics::new();
+    let made = make(file, text, default_name, options, &mut diagnostics);
+    options.policy.apply(&mut diagnostics);
+    (made.filter(|_| !diagnostics.has_errors()), diagnostics)
 }
 
 /// As far as the checked chart. There is one exactly if no message is an error. Who takes warnings for errors applies a
 /// [`Policy`](grafc_diagnostics::Policy) to what is said.
 pub fn check(file: FileId, text: &str, default_name: &str) -> (Option<Chart>, Diagnostics) {
-    let mut said = Diagnostics::new();
-    let tree = parse(file, text, &mut said);
-    let chart = resolve(&tree, default_name, &mut said);
-    let net = chart.as_ref().and_then(|chart| flatten(chart, false, &mut said));
+    let mut diagnostics = Diagnostics::new();
+    let tree = parse(file, text, &mut diagnostics);
+    let chart = resolve(&tree, default_name, &mut diagnostics);
+    let net = chart.as_ref().and_then(|chart| flatten(chart, false, &mut diagnostics));
     if let (Some(chart), Some(net)) = (&chart, net) {
-        warn(&Analysis::new(net), &chart.allowances, &mut said);
+        warn(&Analysis::new(net), &chart.allowances, &mut diagnostics);
     }
-    (chart.filter(|_| !said.has_errors()), said)
+    (chart.filter(|_| !diagnostics.has_errors()), diagnostics)
 }
 
-fn make(file: FileId, text: &str, default_name: &str, options: &Options, said: &mut Diagnostics) -> Option<Output> {
+fn make(
+    file: FileId,
+    text: &str,
+    default_name: &str,
+    options: &Options,
+    diagnostics: &mut Diagnostics,
+) -> Option<Output> {
     let Options { lowering, product, policy: _ } = options;
 
-    let tree = parse(file, text, said);
+    let tree = parse(file, text, diagnostics);
     if let Product::Tree = product {
         return Some(grafc_syntax::dump(&tree).into());
     }
-    let chart = resolve(&tree, default_name, said)?;
+    let chart = resolve(&tree, default_name, diagnostics)?;
     drop(tree);
-    let mut analysis = Analysis::new(flatten(&chart, false, said)?);
-    warn(&analysis, &chart.allowances, said);
+    let mut analysis = Analysis::new(flatten(&chart, false, diagnostics)?);
+    warn(&analysis, &chart.allowances, diagnostics);
     if let Product::Chart = product {
         return Some(grafc_model::dump(&chart).into());
     }
@@ -58,7 +64,7 @@ fn make(file: FileId, text: &str, default_name: &str, options: &Options, said: &
     }
     if lowering.encoding.overlaps() {
         // It was warned of the net that does what the rules say; this one is drawn for the encoding.
-        analysis = Analysis::new(flatten(&chart, true, said)?);
+        analysis = Analysis::new(flatten(&chart, true, diagnostics)?);
     }
     let allowances = chart.allowances.clone();
     drop(chart);
@@ -76,7 +82,7 @@ fn make(file: FileId, text: &str, default_name: &str, options: &Options, said: &
         Product::Program => last.program().map(|program| scan::dump(program).into()),
         Product::Tree | Product::Chart | Product::NetAfter(_) | Product::Net => return None,
     };
-    said.append(last.said);
-    allowances.apply(said);
-    made.map_err(|found| said.append(found)).ok()
+    diagnostics.append(last.diagnostics);
+    allowances.apply(diagnostics);
+    made.map_err(|found| diagnostics.append(found)).ok()
 }

@@ -22,19 +22,19 @@ pub fn simulate(
     recorded: Option<(FileId, &str)>,
     profile: Profile,
 ) -> (Option<Simulation>, Diagnostics) {
-    let (chart, mut said) = check(chart.0, chart.1, default_name);
-    let Some(chart) = chart else { return (None, said) };
+    let (chart, mut diagnostics) = check(chart.0, chart.1, default_name);
+    let Some(chart) = chart else { return (None, diagnostics) };
     let (stimuli, found) = trace::parse_trace(trace.0, trace.1, &chart);
-    said.append(found);
-    if said.has_errors() {
-        return (None, said);
+    diagnostics.append(found);
+    if diagnostics.has_errors() {
+        return (None, diagnostics);
     }
     let mut simulator = Simulator::new(&chart, profile);
     let responses: Vec<_> = stimuli.iter().map(|stimulus| simulator.react(stimulus)).collect();
     let compared = recorded.map(|(file, text)| {
         let (rows, found) = trace::compare_trace(file, text, &chart, &stimuli, &responses);
-        said.append(found);
+        diagnostics.append(found);
         rows
     });
-    (Some(Simulation { result: trace::write_trace(&chart, &stimuli, &responses), compared }), said)
+    (Some(Simulation { result: trace::write_trace(&chart, &stimuli, &responses), compared }), diagnostics)
 }

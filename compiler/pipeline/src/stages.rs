@@ -11,29 +11,29 @@ use grafc_net::passes::{self, Pass};
 use grafc_syntax::ast;
 
 /// Text to syntax tree. There is always one: what cannot be read is left out.
-pub fn parse(file: FileId, text: &str, said: &mut Diagnostics) -> ast::Chart {
+pub fn parse(file: FileId, text: &str, diagnostics: &mut Diagnostics) -> ast::Chart {
     let (tree, found) = grafc_syntax::parse(file, text);
-    said.append(found);
+    diagnostics.append(found);
     tree
 }
 
 /// Syntax tree to chart, if no message is an error.
-pub fn check(tree: &ast::Chart, default_name: &str, said: &mut Diagnostics) -> Option<Chart> {
+pub fn check(tree: &ast::Chart, default_name: &str, diagnostics: &mut Diagnostics) -> Option<Chart> {
     let (chart, found) = grafc_model::check(tree, default_name);
-    said.append(found);
+    diagnostics.append(found);
     if let Some(chart) = &chart {
-        chart.allowances.apply(said);
+        chart.allowances.apply(diagnostics);
     }
     // The author sees all faults at once, in the order of the text.
-    said.sort_by_place();
-    chart.filter(|_| !said.has_errors())
+    diagnostics.sort_by_place();
+    chart.filter(|_| !diagnostics.has_errors())
 }
 
 /// Chart to flat net; for encodings in which steps overlap it is another one.
-pub fn flatten(chart: &Chart, overlap: bool, said: &mut Diagnostics) -> Option<Net> {
+pub fn flatten(chart: &Chart, overlap: bool, diagnostics: &mut Diagnostics) -> Option<Net> {
     let mut net = grafc_net::build(chart);
-    passes::run(&mut net, overlap, said);
-    Some(net).filter(|_| !said.has_errors())
+    passes::run(&mut net, overlap, diagnostics);
+    Some(net).filter(|_| !diagnostics.has_errors())
 }
 
 /// The net after a pass as a text; none if the pass is not run.
@@ -46,10 +46,10 @@ pub fn net_after(chart: &Chart, overlap: bool, pass: &str) -> Option<String> {
 }
 
 /// What may not be meant, as far as only proofs can tell, and the text does not allow it.
-pub fn warn(analysis: &Analysis, allowances: &Allowances, said: &mut Diagnostics) {
-    said.append(grafc_logic::warn(analysis));
-    allowances.apply(said);
-    said.sort_by_place();
+pub fn warn(analysis: &Analysis, allowances: &Allowances, diagnostics: &mut Diagnostics) {
+    diagnostics.append(grafc_logic::warn(analysis));
+    allowances.apply(diagnostics);
+    diagnostics.sort_by_place();
 }
 
 /// The last stages, of which each thing that is made asks for the one that it is made of.
@@ -62,14 +62,14 @@ pub struct Last<'o> {
     /// Whether somebody asks which lines come from which element of the chart.
     pub wants_map: bool,
     /// What the stages that were run had to say.
-    pub said: Diagnostics,
+    pub diagnostics: Diagnostics,
 }
 
 impl<'o> Last<'o> {
     /// None has been run.
     pub fn new(analysis: Analysis, options: &'o Options) -> Self {
-        let (program, sequence, said) = (None, None, Diagnostics::new());
-        Last { analysis: Some(analysis), options, program, sequence, wants_map: false, said }
+        let (program, sequence, diagnostics) = (None, None, Diagnostics::new());
+        Last { analysis: Some(analysis), options, program, sequence, wants_map: false, diagnostics }
     }
 }
 
@@ -83,7 +83,7 @@ impl Source for Last<'_> {
                 if found.has_errors() {
                     return Err(found);
                 }
-                self.said.append(found);
+                self.diagnostics.append(found);
                 program
             }
         };

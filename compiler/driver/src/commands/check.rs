@@ -41,8 +41,8 @@ fn check(args: &Arguments) -> Result<Exit, Failure> {
     for stream in &args.charts {
         match report.load(stream) {
             Ok(Some(file)) => {
-                let (_, said) = grafc::check(file, &report.sources.file(file).text, &stream.chart_name());
-                report.diagnostics.append(said);
+                let (_, diagnostics) = grafc::check(file, &report.sources.file(file).text, &stream.chart_name());
+                report.diagnostics.append(diagnostics);
             }
             Ok(None) => {}
             Err(refusal) => {

@@ -48,8 +48,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
 
 fn format(stream: &Stream, check: bool, report: &mut Report) -> Result<Exit, Failure> {
     let Some(file) = report.load(stream)? else { return Ok(Exit::ChartErrors) };
-    let (formatted, said) = grafc::format(file, &report.sources.file(file).text);
-    report.diagnostics.append(said);
+    let (formatted, diagnostics) = grafc::format(file, &report.sources.file(file).text);
+    report.diagnostics.append(diagnostics);
     let Some(formatted) = formatted else { return Ok(Exit::ChartErrors) };
     let changed = formatted != report.sources.file(file).text;
     match (check, stream) {

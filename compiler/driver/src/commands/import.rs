@@ -40,8 +40,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let mut result = None;
     if let Some(file) = report.load(&args.file)? {
         let options = grafc_import::Options { delays: args.delays };
-        let (made, said) = grafc_import::import(file, &report.sources.file(file).text, options);
-        report.diagnostics.append(said);
+        let (made, diagnostics) = grafc_import::import(file, &report.sources.file(file).text, options);
+        report.diagnostics.append(diagnostics);
         result = made;
     }
     let exit = report.tell(args.messages.messages());

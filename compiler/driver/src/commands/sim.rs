@@ -61,8 +61,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         let against = against.flatten().map(text);
         let profile = args.profile.profile();
         let name = args.chart.chart_name();
-        let (simulation, said) = grafc::simulate(text(chart), &name, text(trace), against, profile);
-        report.diagnostics.append(said);
+        let (simulation, diagnostics) = grafc::simulate(text(chart), &name, text(trace), against, profile);
+        report.diagnostics.append(diagnostics);
         made = simulation;
     }
     let messages = args.messages.messages();

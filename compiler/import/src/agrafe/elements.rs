@@ -40,9 +40,9 @@ pub struct FirstReading {
 }
 
 /// The first reading, of what is in `root`.
-pub fn read(document: &Document, root: ElementId, said: &mut Diagnostics) -> FirstReading {
+pub fn read(document: &Document, root: ElementId, diagnostics: &mut Diagnostics) -> FirstReading {
     let entities = IndexVec::with_capacity(document.elements.len());
-    let mut reader = Reader { found: FirstReading { model: Model::default(), entities }, said };
+    let mut reader = Reader { found: FirstReading { model: Model::default(), entities }, diagnostics };
     for (id, element) in document.elements.iter_enumerated() {
         let entity = match element.parent {
             _ if id == root => reader.grafcet(element, id, GrafcetKind::Chart),
@@ -58,7 +58,7 @@ pub fn read(document: &Document, root: ElementId, said: &mut Diagnostics) -> Fir
 
 struct Reader<'a> {
     found: FirstReading,
-    said: &'a mut Diagnostics,
+    diagnostics: &'a mut Diagnostics,
 }
 
 impl Reader<'_> {
@@ -95,7 +95,7 @@ impl Reader<'_> {
             (Entity::Grafcet(_), "actionLinks") => Entity::ActionLink,
             (Entity::Container, "variableDeclarations") => self.variable(element, id),
             (Entity::Variable(variable), "sort") => {
-                self.found.model.variables[variable].sort = attributes::sort(element, self.said);
+                self.found.model.variables[variable].sort = attributes::sort(element, self.diagnostics);
                 Entity::Notation
             }
             (Entity::Node(_) | Entity::Action(_), feature) => self.root_term(element, parent, feature),
@@ -111,7 +111,7 @@ impl Reader<'_> {
     }
 
     fn unknown(&mut self, element: &Element) -> Entity {
-        self.said.push(
+        self.diagnostics.push(
             lost(element.span, format!("the element `{}` is lost, with what is in it", element.name))
                 .note("AGRAFE's meta-model has no such feature here"),
         );
@@ -119,7 +119,7 @@ impl Reader<'_> {
     }
 
     fn wrong_class(&mut self, element: &Element) -> Entity {
-        attributes::wrong(element, "xsi:type", "a class that this feature can hold", self.said);
+        attributes::wrong(element, "xsi:type", "a class that this feature can hold", self.diagnostics);
         Entity::Lost
     }
 
@@ -131,7 +131,7 @@ impl Reader<'_> {
     }
 
     fn variable(&mut self, element: &Element, id: ElementId) -> Entity {
-        let kind = match attributes::variable_declaration_type(element, self.said) {
+        let kind = match attributes::variable_declaration_type(element, self.diagnostics) {
             Declares::Input => VariableKind::Input,
             Declares::Output => VariableKind::Output,
             Declares::Internal => VariableKind::Internal,
@@ -145,9 +145,9 @@ impl Reader<'_> {
     fn node(&mut self, element: &Element, id: ElementId, grafcet: GrafcetId, kind: NodeKind) -> Entity {
         let node = self.found.model.nodes.push(AgrafeNode {
             kind,
-            id: attributes::integer(element, "id", self.said),
-            initial: attributes::boolean(element, "initial", self.said),
-            activation_link: attributes::boolean(element, "activationLink", self.said),
+            id: attributes::integer(element, "id", self.diagnostics),
+            initial: attributes::boolean(element, "initial", self.diagnostics),
+            activation_link: attributes::boolean(element, "activationLink", self.diagnostics),
             grafcet,
             span: element.span,
             element: id,
@@ -157,7 +157,7 @@ impl Reader<'_> {
     }
 
     fn condition(&mut self, element: &Element) -> Condition {
-        let (time, delay, reset) = attributes::time(element, self.said);
+        let (time, delay, reset) = attributes::time(element, self.diagnostics);
         Condition { term: None, time, delay, reset }
     }
 
@@ -165,18 +165,18 @@ impl Reader<'_> {
         let kind = match class(element) {
             Some("ContinuousAction") => ActionKind::Continuous {
                 variable: None,
-                conditional: attributes::is_conditional(element, self.said),
+                conditional: attributes::is_conditional(element, self.diagnostics),
                 condition: self.condition(element),
             },
             Some("StoredAction") => ActionKind::Stored {
                 variable: None,
-                event: attributes::stored_action_type(element, self.said),
+                event: attributes::stored_action_type(element, self.diagnostics),
                 value: None,
                 condition: None,
             },
             Some("ForcingOrder") => ActionKind::Force {
                 grafcet: None,
-                order: attributes::forcing_order_type(element, self.said),
+                order: attributes::forcing_order_type(element, self.diagnostics),
                 steps: Vec::new(),
             },
             Some(_) | None => return self.wrong_class(element),
@@ -190,7 +190,7 @@ impl Reader<'_> {
         match slot(&mut self.found.model, parent, feature) {
             None => self.unknown(element),
             Some(Some(_)) => {
-                self.said.push(
+                self.diagnostics.push(
                     Diagnostic::new(Code::E0705, element.span, format!("there is a second `{feature}`"))
                         .help("delete one of them"),
                 );
@@ -217,8 +217,8 @@ impl Reader<'_> {
             (Some("LessThan"), _) => TermKind::Less,
             (Some("Addition"), _) => TermKind::Add,
             (Some("Substraction"), _) => TermKind::Subtract,
-            (Some("BooleanConstant"), _) => TermKind::Boolean(attributes::boolean(element, "value", self.said)),
-            (Some("IntegerConstant"), _) => TermKind::Integer(attributes::integer(element, "value", self.said)),
+            (Some("BooleanConstant"), _) => TermKind::Boolean(attributes::boolean(element, "value", self.diagnostics)),
+            (Some("IntegerConstant"), _) => TermKind::Integer(attributes::integer(element, "value", self.diagnostics)),
             (_, _) => {
                 let entity = self.wrong_class(element);
                 return (self.push_term(element, TermKind::Variable(None)), entity);
@@ -276,7 +276,7 @@ impl Reader<'_> {
         for (name, _) in &element.attributes {
             let of_xmi = ["xmi:", "xsi:", "xmlns"].iter().any(|prefix| name.starts_with(prefix));
             if !of_xmi && !known.contains(&name.as_str()) {
-                self.said.push(
+                self.diagnostics.push(
                     lost(element.span, format!("the attribute `{name}` of `{}` is lost", element.name))
                         .note("AGRAFE's meta-model has no such feature here"),
                 );

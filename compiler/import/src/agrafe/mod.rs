@@ -17,7 +17,7 @@ use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use model::Model;
 
 /// The model in a document; none if it is another kind of document.
-pub fn read(document: &Document, said: &mut Diagnostics) -> Option<Model> {
+pub fn read(document: &Document, diagnostics: &mut Diagnostics) -> Option<Model> {
     let outermost = ElementId::new(0);
     // Several roots are wrapped into `xmi:XMI`; the chart is one of them.
     let mut roots = vec![outermost];
@@ -26,15 +26,15 @@ pub fn read(document: &Document, said: &mut Diagnostics) -> Option<Model> {
     }
     let Some(&root) = roots.iter().find(|&&root| document.elements[root].name == "Grafcet") else {
         let found = &document.elements[outermost].name;
-        said.push(
+        diagnostics.push(
             Diagnostic::new(Code::E0703, document.root_span(), format!("`{found}` is not a chart of AGRAFE"))
                 .note("such a file begins with an element `grafcet:Grafcet`")
                 .help("give the model, a file `*.grafcet`; drawings and pictures are in other files"),
         );
         return None;
     };
-    let mut found = elements::read(document, root, said);
-    references::resolve(document, &roots, &mut found, said);
-    sorts::check(&found.model, said);
+    let mut found = elements::read(document, root, diagnostics);
+    references::resolve(document, &roots, &mut found, diagnostics);
+    sorts::check(&found.model, diagnostics);
     Some(found.model)
 }

@@ -14,9 +14,9 @@ use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
 /// Completes the model.
-pub fn resolve(document: &Document, roots: &[ElementId], found: &mut FirstReading, said: &mut Diagnostics) {
+pub fn resolve(document: &Document, roots: &[ElementId], found: &mut FirstReading, diagnostics: &mut Diagnostics) {
     let mut resolver =
-        Resolver { places: places(document), ids: ids(document), roots, entities: &found.entities, said };
+        Resolver { places: places(document), ids: ids(document), roots, entities: &found.entities, diagnostics };
     let model = &mut found.model;
     for (id, element) in document.elements.iter_enumerated() {
         match found.entities[id] {
@@ -78,23 +78,23 @@ pub fn resolve(document: &Document, roots: &[ElementId], found: &mut FirstReadin
             Entity::Container | Entity::Notation | Entity::Lost => {}
         }
     }
-    check_steps(document, found, said);
+    check_steps(document, found, diagnostics);
 }
 
 /// References to nodes that must be steps of a kind.
-fn check_steps(document: &Document, found: &FirstReading, said: &mut Diagnostics) {
+fn check_steps(document: &Document, found: &FirstReading, diagnostics: &mut Diagnostics) {
     let model = &found.model;
     let is_enclosing = |node: NodeId| matches!(model.nodes[node].kind, NodeKind::Enclosing(_));
     for grafcet in &model.grafcets {
         if grafcet.enclosing_step.is_some_and(|step| !is_enclosing(step)) {
-            said.push(misled(&document.elements[grafcet.element], "enclosingStep", "an enclosing step"));
+            diagnostics.push(misled(&document.elements[grafcet.element], "enclosingStep", "an enclosing step"));
         }
     }
     let has_activity =
         |node: NodeId| model.nodes[node].kind.is_step() || matches!(model.nodes[node].kind, NodeKind::Macro(_));
     for variable in &model.variables {
         if matches!(variable.kind, VariableKind::Step(Some(step)) if !has_activity(step)) {
-            said.push(misled(&document.elements[variable.element], "step", "a step"));
+            diagnostics.push(misled(&document.elements[variable.element], "step", "a step"));
         }
     }
     let is_partial = |id: GrafcetId| model.grafcets[id].kind == GrafcetKind::Partial;
@@ -102,10 +102,10 @@ fn check_steps(document: &Document, found: &FirstReading, said: &mut Diagnostics
         let element = &document.elements[node.element];
         match &node.kind {
             NodeKind::Macro(Some(id)) if model.grafcets[*id].kind != GrafcetKind::Expansion => {
-                said.push(misled(element, "expansion", "an expansion"));
+                diagnostics.push(misled(element, "expansion", "an expansion"));
             }
             NodeKind::Enclosing(grafcets) if !grafcets.iter().all(|&id| is_partial(id)) => {
-                said.push(misled(element, "partialGrafcets", "a partial grafcet"));
+                diagnostics.push(misled(element, "partialGrafcets", "a partial grafcet"));
             }
             NodeKind::Step
             | NodeKind::Enclosing(_)
@@ -119,12 +119,12 @@ fn check_steps(document: &Document, found: &FirstReading, said: &mut Diagnostics
     for action in &model.actions {
         if matches!(action.kind, ActionKind::Force { grafcet: Some(id), .. } if !is_partial(id)) {
             let message = "what a forcing order forces is not a partial grafcet";
-            said.push(Diagnostic::new(Code::E0704, action.span, message).help("let it force a partial grafcet"));
+            diagnostics.push(Diagnostic::new(Code::E0704, action.span, message).help("let it force a partial grafcet"));
         }
         if let ActionKind::Force { steps, .. } = &action.kind
             && steps.iter().any(|&step| !has_activity(step))
         {
-            said.push(
+            diagnostics.push(
                 Diagnostic::new(Code::E0704, action.span, "a forced step is not a step")
                     .help("name steps of the grafcet"),
             );
@@ -180,7 +180,7 @@ struct Resolver<'a> {
     ids: FxHashMap<&'a str, ElementId>,
     roots: &'a [ElementId],
     entities: &'a IndexVec<ElementId, Entity>,
-    said: &'a mut Diagnostics,
+    diagnostics: &'a mut Diagnostics,
 }
 
 impl Resolver<'_> {
@@ -215,7 +215,7 @@ impl Resolver<'_> {
         match self.find(reference) {
             None => {
                 let message = format!("`{name}` of `{}` refers to `{reference}`, which is not there", element.name);
-                self.said.push(
+                self.diagnostics.push(
                     Diagnostic::new(Code::E0704, element.span, message)
                         .help("restore what is missing, or delete what refers to it"),
                 );
@@ -232,7 +232,7 @@ impl Resolver<'_> {
     }
 
     fn misled(&mut self, element: &Element, name: &str, what: &str) {
-        self.said.push(misled(element, name, what));
+        self.diagnostics.push(misled(element, name, what));
     }
 
     fn optional<T>(
@@ -255,7 +255,7 @@ impl Resolver<'_> {
     ) -> Option<T> {
         if element.attribute(name).is_none() {
             let message = format!("`{}` has no `{name}`", element.name);
-            self.said.push(
+            self.diagnostics.push(
                 Diagnostic::new(Code::E0704, element.span, message).help(format!("say which, {what}, or delete it")),
             );
         }

@@ -7,14 +7,14 @@ use super::model::{ActionKind, Model, NodeKind, Sort, Term, TermId, TermKind, Va
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 
 /// Reports terms that mean nothing.
-pub fn check(model: &Model, said: &mut Diagnostics) {
+pub fn check(model: &Model, diagnostics: &mut Diagnostics) {
     for term in &model.terms {
-        check_operands(model, term, said);
+        check_operands(model, term, diagnostics);
     }
     let mut expect = |term: Option<TermId>, sort: Sort, what: &str| {
         let Some(term) = term.map(|id| &model.terms[id]) else { return };
         if sort_of(model, term).is_some_and(|found| found != sort) {
-            said.push(wrong_sort(term, what, sort));
+            diagnostics.push(wrong_sort(term, what, sort));
         }
     };
     for node in &model.nodes {
@@ -44,7 +44,7 @@ pub fn check(model: &Model, said: &mut Diagnostics) {
             ActionKind::Continuous { .. } | ActionKind::Stored { .. } | ActionKind::Force { .. } => continue,
         };
         let message = format!("an action has no {missing}");
-        said.push(Diagnostic::new(Code::E0705, action.span, message).help("complete the action, or delete it"));
+        diagnostics.push(Diagnostic::new(Code::E0705, action.span, message).help("complete the action, or delete it"));
     }
     for action in &model.actions {
         let variable = match &action.kind {
@@ -54,7 +54,7 @@ pub fn check(model: &Model, said: &mut Diagnostics) {
         };
         if !matches!(model.terms[*variable].kind, TermKind::Variable(_)) {
             let span = model.terms[*variable].span;
-            said.push(
+            diagnostics.push(
                 Diagnostic::new(Code::E0705, span, "what an action sets is not a variable").help("name a variable"),
             );
         }
@@ -69,7 +69,7 @@ pub fn target(model: &Model, variable: Option<TermId>) -> Option<VariableId> {
     }
 }
 
-fn check_operands(model: &Model, term: &Term, said: &mut Diagnostics) {
+fn check_operands(model: &Model, term: &Term, diagnostics: &mut Diagnostics) {
     let (least, most) = match term.kind {
         TermKind::Variable(_) | TermKind::Boolean(_) | TermKind::Integer(_) => (0, 0),
         TermKind::Not | TermKind::Rise | TermKind::Fall => (1, 1),
@@ -80,7 +80,7 @@ fn check_operands(model: &Model, term: &Term, said: &mut Diagnostics) {
     if !(least..=most).contains(&term.operands.len()) {
         let count = term.operands.len();
         let message = format!("{} has {count} operand{}", article(term.kind), if count == 1 { "" } else { "s" });
-        said.push(
+        diagnostics.push(
             Diagnostic::new(Code::E0705, term.span, message)
                 .note(if most > 2 { "it has two or more".to_string() } else { format!("it has {most}") })
                 .help("complete the term in the tool that made the chart"),
@@ -98,7 +98,7 @@ fn check_operands(model: &Model, term: &Term, said: &mut Diagnostics) {
     };
     for operand in term.operands.iter().map(|&operand| &model.terms[operand]) {
         if sort_of(model, operand).is_some_and(|found| found != sort) {
-            said.push(wrong_sort(operand, &format!("an operand of {}", article(term.kind)), sort));
+            diagnostics.push(wrong_sort(operand, &format!("an operand of {}", article(term.kind)), sort));
         }
     }
 }

@@ -14,7 +14,7 @@ use index_vec::{IndexVec, index_vec};
 use rustc_hash::FxHashSet;
 
 /// The actions of each step, in the order of their links.
-pub fn of_steps(model: &Model, said: &mut Diagnostics) -> IndexVec<NodeId, Vec<ActionId>> {
+pub fn of_steps(model: &Model, diagnostics: &mut Diagnostics) -> IndexVec<NodeId, Vec<ActionId>> {
     let mut of_steps: IndexVec<NodeId, Vec<ActionId>> = index_vec![Vec::new(); model.nodes.len()];
     let mut seen = FxHashSet::default();
     let mut linked = FxHashSet::default();
@@ -23,81 +23,81 @@ pub fn of_steps(model: &Model, said: &mut Diagnostics) -> IndexVec<NodeId, Vec<A
         if seen.insert((link.step, link.action)) {
             of_steps[link.step].push(link.action);
         } else {
-            said.push(changed(link.span, "an action that a step has twice is written once"));
+            diagnostics.push(changed(link.span, "an action that a step has twice is written once"));
         }
     }
     for (id, action) in model.actions.iter_enumerated() {
         if !linked.contains(&id) {
-            said.push(lost(action.span, "an action is lost, because no step has it"));
+            diagnostics.push(lost(action.span, "an action is lost, because no step has it"));
         }
     }
     of_steps
 }
 
 /// Reports what does not fit in actions and conditions.
-pub fn judge(model: &Model, said: &mut Diagnostics) {
+pub fn judge(model: &Model, diagnostics: &mut Diagnostics) {
     for node in &model.nodes {
         if let NodeKind::Transition(condition) = &node.kind {
-            judge_time(condition, node.span, said);
+            judge_time(condition, node.span, diagnostics);
             if condition.time == TimeConditionType::Limited {
-                said.push(
+                diagnostics.push(
                     doubtful(node.span, format!("the condition of the transition {} is limited in time", node.id))
                         .note("IEC 60848 limits actions only; it is written as an off-delay, as in AGRAFE's code"),
                 );
             }
             if condition.term.is_none() && condition.time == TimeConditionType::None {
                 let message = format!("the transition {} has no condition and is always true", node.id);
-                said.push(doubtful(node.span, message).note("IEC 60848, symbol 14, writes `1` for it"));
+                diagnostics.push(doubtful(node.span, message).note("IEC 60848, symbol 14, writes `1` for it"));
             }
             if condition.term.is_some_and(|term| model.terms[term].kind == TermKind::Boolean(false)) {
                 let message = format!("the transition {} is never cleared, because its condition is false", node.id);
-                said.push(doubtful(node.span, message).note("a `BooleanConstant` without a value is false"));
+                diagnostics.push(doubtful(node.span, message).note("a `BooleanConstant` without a value is false"));
             }
         }
     }
     for action in &model.actions {
         match &action.kind {
             ActionKind::Continuous { conditional: true, condition, .. } => {
-                judge_time(condition, action.span, said);
+                judge_time(condition, action.span, diagnostics);
                 if condition.time == TimeConditionType::Limited {
-                    said.push(
+                    diagnostics.push(
                         doubtful(action.span, "an action is limited in time")
                             .note("it is written as in IEC 60848, symbol 25: it ends when the time is over")
                             .note("AGRAFE's code delays the end of its condition instead"),
                     );
                 }
                 if condition.term.is_none() && condition.time == TimeConditionType::None {
-                    said.push(doubtful(action.span, "an action has an assignment condition, and it is missing"));
+                    diagnostics.push(doubtful(action.span, "an action has an assignment condition, and it is missing"));
                 }
             }
             ActionKind::Continuous { conditional: false, condition, .. } => {
                 if condition.term.is_some() || condition.time != TimeConditionType::None {
-                    said.push(
+                    diagnostics.push(
                         lost(action.span, "the condition of a continuous action is lost")
                             .note("it counts only in an `assignationCondition`, in AGRAFE's code too"),
                     );
                 }
             }
             ActionKind::Stored { event: StoredActionType::Event, condition: None, .. } => {
-                said.push(
+                diagnostics.push(
                     doubtful(action.span, "an action on event has no event")
                         .note("it is written with `1`, the occurrence of any input event"),
                 );
             }
             ActionKind::Stored { event, condition: Some(_), .. } if *event != StoredActionType::Event => {
-                said.push(
+                diagnostics.push(
                     lost(action.span, "the condition of a stored action is lost").note("only one on event has one"),
                 );
             }
             ActionKind::Stored { .. } => {}
             ActionKind::Force { order, steps, .. } => match order {
                 ForcingOrderType::Explicit if steps.is_empty() => {
-                    said.push(doubtful(action.span, "an explicit situation has no steps and is the empty one"));
+                    diagnostics.push(doubtful(action.span, "an explicit situation has no steps and is the empty one"));
                 }
                 ForcingOrderType::Explicit => {}
                 ForcingOrderType::Current | ForcingOrderType::Empty | ForcingOrderType::Initial => {
                     if !steps.is_empty() {
-                        said.push(
+                        diagnostics.push(
                             lost(action.span, "the steps of a forcing order are lost")
                                 .note("its kind already says which situation it forces"),
                         );
@@ -108,7 +108,7 @@ pub fn judge(model: &Model, said: &mut Diagnostics) {
     }
 }
 
-fn judge_time(condition: &Condition, span: Span, said: &mut Diagnostics) {
+fn judge_time(condition: &Condition, span: Span, diagnostics: &mut Diagnostics) {
     let (delay, reset) = (condition.delay.count != 0, condition.reset.count != 0);
     let unused = match condition.time {
         TimeConditionType::None if delay || reset => "times are lost, because the kind of the condition is `none`",
@@ -119,7 +119,7 @@ fn judge_time(condition: &Condition, span: Span, said: &mut Diagnostics) {
         | TimeConditionType::Delayed
         | TimeConditionType::Limited => return,
     };
-    said.push(lost(span, unused));
+    diagnostics.push(lost(span, unused));
 }
 
 /// What a time counts from.

@@ -40,11 +40,11 @@ struct Joined {
 }
 
 /// The steps around each transition; none if they were more than `limit`.
-pub fn follow(model: &Model, limit: usize, said: &mut Diagnostics) -> Option<IndexVec<NodeId, Steps>> {
-    let joined = joined(model, said);
+pub fn follow(model: &Model, limit: usize, diagnostics: &mut Diagnostics) -> Option<IndexVec<NodeId, Steps>> {
+    let joined = joined(model, diagnostics);
     for (id, node) in model.nodes.iter_enumerated() {
         if let NodeKind::Synchronization = node.kind {
-            check_synchronization(model, node.span, &joined[id], said);
+            check_synchronization(model, node.span, &joined[id], diagnostics);
         }
     }
     let mut around: IndexVec<NodeId, Steps> = index_vec![Steps::default(); model.nodes.len()];
@@ -70,13 +70,14 @@ pub fn follow(model: &Model, limit: usize, said: &mut Diagnostics) -> Option<Ind
             let direct_steps = direct.iter().filter(|&&node| end(&model.nodes[node].kind) == End::Step).count();
             if direct_steps > 1 {
                 let message = format!("the transition {} {verb} several steps without a synchronisation", node.id);
-                said.push(doubtful(node.span, message).note("it is taken as if there were one (IEC 60848, symbol 9)"));
+                diagnostics
+                    .push(doubtful(node.span, message).note("it is taken as if there were one (IEC 60848, symbol 9)"));
             }
             let mut seen = FxHashSet::default();
             steps.retain(|step| seen.insert(*step));
         }
         if around[id].before.is_empty() && around[id].behind.is_empty() {
-            said.push(lost(
+            diagnostics.push(lost(
                 node.span,
                 format!("the transition {} is lost, because no step is connected to it", node.id),
             ));
@@ -86,7 +87,7 @@ pub fn follow(model: &Model, limit: usize, said: &mut Diagnostics) -> Option<Ind
 }
 
 /// What is joined to each node, in the order of the arcs.
-fn joined(model: &Model, said: &mut Diagnostics) -> IndexVec<NodeId, Joined> {
+fn joined(model: &Model, diagnostics: &mut Diagnostics) -> IndexVec<NodeId, Joined> {
     let mut joined: IndexVec<NodeId, Joined> = index_vec![Joined::default(); model.nodes.len()];
     let mut seen = FxHashSet::default();
     for arc in &model.arcs {
@@ -97,12 +98,12 @@ fn joined(model: &Model, said: &mut Diagnostics) -> IndexVec<NodeId, Joined> {
                 End::Transition => "two transitions",
                 End::Synchronization => "two synchronisations",
             };
-            said.push(
+            diagnostics.push(
                 lost(arc.span, format!("an arc between {what} is lost"))
                     .note("steps and transitions alternate (IEC 60848, 4.4)"),
             );
         } else if !seen.insert((arc.source, arc.target)) {
-            said.push(changed(arc.span, "an arc that is there twice is written once"));
+            diagnostics.push(changed(arc.span, "an arc that is there twice is written once"));
         } else {
             joined[arc.source].to.push(arc.target);
             joined[arc.target].from.push(arc.source);
@@ -112,12 +113,12 @@ fn joined(model: &Model, said: &mut Diagnostics) -> IndexVec<NodeId, Joined> {
 }
 
 /// A synchronisation joins steps with transitions, on both sides; else its arcs lead nowhere.
-fn check_synchronization(model: &Model, span: Span, joined: &Joined, said: &mut Diagnostics) {
+fn check_synchronization(model: &Model, span: Span, joined: &Joined, diagnostics: &mut Diagnostics) {
     let has = |nodes: &[NodeId], kind: End| nodes.iter().any(|&node| end(&model.nodes[node].kind) == kind);
     let steps = has(&joined.from, End::Step) == has(&joined.to, End::Transition);
     let transitions = has(&joined.from, End::Transition) == has(&joined.to, End::Step);
     if !(steps && transitions) || joined.from.is_empty() && joined.to.is_empty() {
-        said.push(
+        diagnostics.push(
             lost(span, "arcs of a synchronisation are lost, because they do not connect steps with transitions")
                 .note("steps and transitions alternate (IEC 60848, 4.4)"),
         );

@@ -30,7 +30,7 @@ impl Hierarchy {
 }
 
 /// Finds the hierarchy.
-pub fn find(model: &Model, said: &mut Diagnostics) -> Hierarchy {
+pub fn find(model: &Model, diagnostics: &mut Diagnostics) -> Hierarchy {
     let mut encloser: IndexVec<GrafcetId, Option<NodeId>> =
         model.grafcets.iter().map(|grafcet| grafcet.enclosing_step).collect();
     let mut expanded = index_vec![None; model.grafcets.len()];
@@ -42,7 +42,7 @@ pub fn find(model: &Model, said: &mut Diagnostics) -> Hierarchy {
                     listed.insert((id, grafcet));
                     match encloser[grafcet] {
                         Some(other) if other == id => {}
-                        Some(_) => said.push(
+                        Some(_) => diagnostics.push(
                             doubtful(
                                 node.span,
                                 format!("the step {} encloses a grafcet that another encloses", node.id),
@@ -52,7 +52,8 @@ pub fn find(model: &Model, said: &mut Diagnostics) -> Hierarchy {
                         ),
                         None => {
                             let message = format!("only the step {} says that it encloses a grafcet", node.id);
-                            said.push(doubtful(node.span, message).also(model.grafcets[grafcet].span, "this one"));
+                            diagnostics
+                                .push(doubtful(node.span, message).also(model.grafcets[grafcet].span, "this one"));
                             encloser[grafcet] = Some(id);
                         }
                     }
@@ -61,7 +62,8 @@ pub fn find(model: &Model, said: &mut Diagnostics) -> Hierarchy {
             NodeKind::Macro(Some(expansion)) => {
                 if expanded[*expansion].is_some() {
                     let message = format!("the macro-step {} has the expansion of another", node.id);
-                    said.push(doubtful(node.span, message).note("an expansion is written once, for the first of them"));
+                    diagnostics
+                        .push(doubtful(node.span, message).note("an expansion is written once, for the first of them"));
                 } else {
                     expanded[*expansion] = Some(id);
                 }
@@ -79,19 +81,19 @@ pub fn find(model: &Model, said: &mut Diagnostics) -> Hierarchy {
             && !listed.contains(&(step, id))
         {
             let message = format!("only the grafcet says that the step {} encloses it", model.nodes[step].id);
-            said.push(doubtful(grafcet.span, message).also(model.nodes[step].span, "this step"));
+            diagnostics.push(doubtful(grafcet.span, message).also(model.nodes[step].span, "this step"));
         }
     }
     let enclosing: FxHashSet<NodeId> = encloser.iter().flatten().copied().collect();
     for (id, node) in model.nodes.iter_enumerated() {
         if matches!(node.kind, NodeKind::Enclosing(_)) && !enclosing.contains(&id) {
-            said.push(changed(
+            diagnostics.push(changed(
                 node.span,
                 format!("the enclosing step {} encloses nothing and is a plain step", node.id),
             ));
         }
         if node.activation_link && is_unenclosed(model, &encloser, node.grafcet) {
-            said.push(
+            diagnostics.push(
                 lost(node.span, format!("the activation link of the step {} is lost", node.id))
                     .note("only steps of an enclosure have one (IEC 60848, symbol 41)"),
             );

@@ -64,17 +64,17 @@ pub fn write(
     document: &Document,
     options: Options,
     limit: usize,
-    said: &mut Diagnostics,
+    diagnostics: &mut Diagnostics,
 ) -> Option<String> {
-    let hierarchy = hierarchy::find(model, said);
-    let names = names::name(model, &hierarchy, said);
+    let hierarchy = hierarchy::find(model, diagnostics);
+    let names = names::name(model, &hierarchy, diagnostics);
     let uses = variables::uses(model);
-    let variables = variables::judge(model, &names, &uses, options, said);
-    let left_out = variables::left_out(model, &uses, said);
-    actions::judge(model, said);
-    let actions = actions::of_steps(model, said);
-    let Some(around) = arcs::follow(model, limit, said) else {
-        said.push(too_long(document));
+    let variables = variables::judge(model, &names, &uses, options, diagnostics);
+    let left_out = variables::left_out(model, &uses, diagnostics);
+    actions::judge(model, diagnostics);
+    let actions = actions::of_steps(model, diagnostics);
+    let Some(around) = arcs::follow(model, limit, diagnostics) else {
+        diagnostics.push(too_long(document));
         return None;
     };
     let is_container = |id: &ElementId| document.elements[*id].name == "variableDeclarationContainer";
@@ -85,7 +85,7 @@ pub fn write(
         Writer { model, hierarchy, names, variables, around, actions, left_out, comments, containers, text };
     writer.chart();
     if writer.text.is_full() {
-        said.push(too_long(document));
+        diagnostics.push(too_long(document));
         return None;
     }
     Some(writer.text.out)

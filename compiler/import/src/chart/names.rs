@@ -85,7 +85,7 @@ impl Taken {
 }
 
 /// Names everything.
-pub fn name(model: &Model, hierarchy: &Hierarchy, said: &mut Diagnostics) -> ImportNames {
+pub fn name(model: &Model, hierarchy: &Hierarchy, diagnostics: &mut Diagnostics) -> ImportNames {
     let mut namer = Namer {
         model,
         hierarchy,
@@ -95,7 +95,7 @@ pub fn name(model: &Model, hierarchy: &Hierarchy, said: &mut Diagnostics) -> Imp
             grafcets: index_vec![String::new(); model.grafcets.len()],
             variables: index_vec![String::new(); model.variables.len()],
         },
-        said,
+        diagnostics,
     };
     let shared = namer.numbers();
     namer.macro_steps();
@@ -110,7 +110,7 @@ struct Namer<'a> {
     hierarchy: &'a Hierarchy,
     taken: Taken,
     names: ImportNames,
-    said: &'a mut Diagnostics,
+    diagnostics: &'a mut Diagnostics,
 }
 
 impl Namer<'_> {
@@ -143,7 +143,7 @@ impl Namer<'_> {
                 self.names.labels[node] = format!("M{number}");
                 if number != id {
                     let message = format!("the macro-step {id} is called `M{number}`");
-                    self.said.push(changed(macro_step.span, message).note("another has its number"));
+                    self.diagnostics.push(changed(macro_step.span, message).note("another has its number"));
                 }
             }
         }
@@ -156,7 +156,7 @@ impl Namer<'_> {
                 None => {
                     let label = format!("M{}", self.taken.take_all("0", three));
                     let message = format!("an expansion belongs to no macro-step, and is called `{label}`");
-                    self.said.push(doubtful(expansion.span, message));
+                    self.diagnostics.push(doubtful(expansion.span, message));
                     label
                 }
             };
@@ -174,7 +174,7 @@ impl Namer<'_> {
                 let name = format!("{letter}{}", &label[1..]);
                 if name[1..] != step.id.to_string() {
                     let message = format!("the {role} step {} of `{label}` is called `{name}`", step.id);
-                    self.said.push(changed(step.span, message));
+                    self.diagnostics.push(changed(step.span, message));
                 }
                 self.names.labels[node] = name;
             }
@@ -194,7 +194,7 @@ impl Namer<'_> {
             };
             let name = self.taken.take(&clean(wanted));
             if name != wanted {
-                self.said.push(
+                self.diagnostics.push(
                     changed(grafcet.span, format!("a grafcet is called `{name}` now"))
                         .note("names are short lines of text, and unique together with the labels of steps"),
                 );
@@ -208,7 +208,7 @@ impl Namer<'_> {
             }
             let name = self.taken.take(&format!("G{number}"));
             let message = format!("a grafcet without a name is called `{name}`");
-            self.said.push(changed(self.model.grafcets[id].span, message));
+            self.diagnostics.push(changed(self.model.grafcets[id].span, message));
             self.names.grafcets[id] = name;
         }
     }
@@ -218,7 +218,7 @@ impl Namer<'_> {
             let node = &self.model.nodes[step];
             let label = self.taken.take(&format!("{}_{}", self.names.grafcets[node.grafcet], node.id));
             let message = format!("the step {} is called `{label}`", node.id);
-            self.said.push(changed(node.span, message).note("another step has its number"));
+            self.diagnostics.push(changed(node.span, message).note("another step has its number"));
             self.names.labels[step] = label;
         }
     }
@@ -244,11 +244,11 @@ impl Namer<'_> {
             let name = taken.take(&wanted);
             if name != wanted {
                 let message = format!("the variable `{wanted}` is called `{name}`");
-                self.said.push(doubtful(variable.span, message).note(
+                self.diagnostics.push(doubtful(variable.span, message).note(
                     "another variable has its name, perhaps in another case, or a step defines a variable of this name",
                 ));
             } else if name != given {
-                self.said.push(changed(variable.span, format!("a variable is called `{name}` now")));
+                self.diagnostics.push(changed(variable.span, format!("a variable is called `{name}` now")));
             }
             self.names.variables[id] = name;
         }

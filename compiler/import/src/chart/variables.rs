@@ -81,7 +81,7 @@ pub fn judge(
     names: &ImportNames,
     uses: &IndexVec<VariableId, Use>,
     options: Options,
-    said: &mut Diagnostics,
+    diagnostics: &mut Diagnostics,
 ) -> Variables {
     let steps = delays::Steps::of(model, names);
     let mut found = Variables { keywords: IndexVec::new(), delays: FxHashMap::default() };
@@ -90,7 +90,7 @@ pub fn judge(
         let assigned = used.continuous || used.stored;
         let keyword = match variable.kind {
             VariableKind::Input if assigned => {
-                said.push(
+                diagnostics.push(
                     doubtful(variable.span, format!("`{name}` is declared as an input, and actions set it")).note(
                         "it is a `var` now; in AGRAFE a variable is an input unless it is declared as something else",
                     ),
@@ -104,13 +104,13 @@ pub fn judge(
                 let given = variable.name.as_deref().unwrap_or_default();
                 if used.read && given != name {
                     let message = format!("`{}` is `{name}`, as its step is called", super::names::clean(given));
-                    said.push(changed(variable.span, message));
+                    diagnostics.push(changed(variable.span, message));
                 }
                 found.keywords.push(None);
                 continue;
             }
             VariableKind::Step(None) => {
-                said.push(
+                diagnostics.push(
                     doubtful(
                         variable.span,
                         format!("`{name}` is the activity of a step, but does not say of which step"),
@@ -124,11 +124,11 @@ pub fn judge(
         let mut keyword = Some(keyword);
         match delay {
             Some(delay) if options.delays && !used.calculated => {
-                said.push(changed(variable.span, format!("the variable `{name}` is a delay now, `{delay}`")));
+                diagnostics.push(changed(variable.span, format!("the variable `{name}` is a delay now, `{delay}`")));
                 found.delays.insert(id, delay);
                 keyword = None;
             }
-            Some(delay) => said.push(looks_like_delay(variable.span, name, &delay, used)),
+            Some(delay) => diagnostics.push(looks_like_delay(variable.span, name, &delay, used)),
             None if used.read && !assigned => {
                 let kind = match variable.kind {
                     VariableKind::Output => "an output",
@@ -136,7 +136,7 @@ pub fn judge(
                     VariableKind::Input | VariableKind::Step(_) => "",
                 };
                 if !kind.is_empty() {
-                    said.push(
+                    diagnostics.push(
                         doubtful(
                             variable.span,
                             format!("`{name}` is declared as {kind} and read, and nothing sets it"),
@@ -155,11 +155,11 @@ pub fn judge(
 
 fn looks_like_delay(span: grafc_diagnostics::Span, name: &str, delay: &str, used: Use) -> Diagnostic {
     let message = format!("the variable `{name}` is a delay that could not be written as one");
-    let said = doubtful(span, message).note("it stays a variable that nothing sets, and keeps its first value");
+    let doubt = doubtful(span, message).note("it stays a variable that nothing sets, and keeps its first value");
     if used.calculated {
-        said.help(format!("make a condition of it that is not in brackets, with `{delay}`"))
+        doubt.help(format!("make a condition of it that is not in brackets, with `{delay}`"))
     } else {
-        said.help(format!("import with `--delays`, or write `{delay}` in place of `` `{name}` ``"))
+        doubt.help(format!("import with `--delays`, or write `{delay}` in place of `` `{name}` ``"))
     }
 }
 
@@ -167,7 +167,7 @@ fn looks_like_delay(span: grafc_diagnostics::Span, name: &str, delay: &str, used
 ///
 /// AGRAFE's code lets the last assignment win. IEC 60848 (4.10.5) forbids the mixture; and without a continuous action
 /// its variable is false anyway.
-pub fn left_out(model: &Model, uses: &IndexVec<VariableId, Use>, said: &mut Diagnostics) -> Vec<bool> {
+pub fn left_out(model: &Model, uses: &IndexVec<VariableId, Use>, diagnostics: &mut Diagnostics) -> Vec<bool> {
     let left_out = |kind: &ActionKind| match kind {
         ActionKind::Stored { variable, value: Some(value), event, .. } => {
             let resets = model.terms[*value].kind == TermKind::Boolean(false);
@@ -178,7 +178,7 @@ pub fn left_out(model: &Model, uses: &IndexVec<VariableId, Use>, said: &mut Diag
     };
     let found: Vec<bool> = model.actions.iter().map(|action| left_out(&action.kind)).collect();
     for (action, _) in model.actions.iter().zip(&found).filter(|(_, left_out)| **left_out) {
-        said.push(
+        diagnostics.push(
             lost(action.span, "a stored action that resets the output of continuous actions is lost")
                 .note("an output is set by one of the two (IEC 60848, 4.10.5)")
                 .note("without a continuous action that applies, it is false anyway"),

@@ -34,8 +34,8 @@ impl Source for Stages<'_> {
     fn program(&mut self) -> Result<&Program, Diagnostics> {
         let document = self.document;
         match document.lowered() {
-            Some((program, said)) if !said.has_errors() => Ok(program),
-            Some((_, said)) => Err(said.clone()),
+            Some((program, diagnostics)) if !diagnostics.has_errors() => Ok(program),
+            Some((_, diagnostics)) => Err(diagnostics.clone()),
             None => Err(document.diagnostics().clone()),
         }
     }
@@ -44,7 +44,7 @@ impl Source for Stages<'_> {
         let document = self.document;
         match document.drawn() {
             Some(Ok(sequence)) => Ok(sequence),
-            Some(Err(said)) => Err(said.clone()),
+            Some(Err(diagnostics)) => Err(diagnostics.clone()),
             None => Err(document.diagnostics().clone()),
         }
     }

@@ -196,11 +196,11 @@ impl Document {
     /// place.
     pub fn diagnostics(&self) -> &Diagnostics {
         self.of_text.diagnostics.get_or_init(|| {
-            let mut said = self.parsed().1.clone();
-            said.append(self.checked().diagnostics.clone());
-            self.tables().allowances.apply(&mut said);
-            said.sort_by_place();
-            said
+            let mut diagnostics = self.parsed().1.clone();
+            diagnostics.append(self.checked().diagnostics.clone());
+            self.tables().allowances.apply(&mut diagnostics);
+            diagnostics.sort_by_place();
+            diagnostics
         })
     }
 
@@ -210,9 +210,9 @@ impl Document {
             let analysis = self.analysis_of(false);
             #[cfg(test)]
             self.runs.count("warnings");
-            let mut said = analysis.map(grafc_logic::warn).unwrap_or_default();
-            self.tables().allowances.apply(&mut said);
-            said
+            let mut diagnostics = analysis.map(grafc_logic::warn).unwrap_or_default();
+            self.tables().allowances.apply(&mut diagnostics);
+            diagnostics
         })
     }
 
@@ -252,13 +252,13 @@ impl Document {
 
     /// The scan program under the options, if there is a chart.
     pub fn program(&self) -> Option<&Program> {
-        let (program, said) = self.lowered()?;
-        Some(program).filter(|_| !said.has_errors())
+        let (program, diagnostics) = self.lowered()?;
+        Some(program).filter(|_| !diagnostics.has_errors())
     }
 
     /// What the chosen encoding has to say: that it does not do exactly what the rules say, where that can be seen.
     pub fn program_diagnostics(&self) -> Option<&Diagnostics> {
-        self.lowered().map(|(_, said)| said)
+        self.lowered().map(|(_, diagnostics)| diagnostics)
     }
 
     fn lowered(&self) -> Option<&(Program, Diagnostics)> {
@@ -266,9 +266,9 @@ impl Document {
             let analysis = self.analysis()?.clone();
             #[cfg(test)]
             self.runs.count("program");
-            let (program, mut said) = grafc_logic::compile(analysis, &self.options);
-            self.tables().allowances.apply(&mut said);
-            Some((program, said))
+            let (program, mut diagnostics) = grafc_logic::compile(analysis, &self.options);
+            self.tables().allowances.apply(&mut diagnostics);
+            Some((program, diagnostics))
         });
         lowered.as_ref()
     }

@@ -33,8 +33,8 @@ transition 2 -> 1 : b
 transition 3 -> 1 : b
 ";
 
-fn codes(said: &Diagnostics) -> Vec<Code> {
-    said.iter().map(|message| message.code).collect()
+fn codes(diagnostics: &Diagnostics) -> Vec<Code> {
+    diagnostics.iter().map(|message| message.code).collect()
 }
 
 fn st() -> Target {

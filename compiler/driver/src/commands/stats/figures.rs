@@ -98,9 +98,9 @@ pub struct Bit {
 /// The figures of a chart. There are some exactly if no message is an error. What an encoding warns of is said when the
 /// chart is compiled with it.
 pub fn figures(document: &mut Document, profile: Profile) -> (Option<Figures>, Diagnostics) {
-    let mut said = document.diagnostics().clone();
-    said.append(document.warnings().clone());
-    let (Some(chart), Some(analysis)) = (document.chart(), document.analysis()) else { return (None, said) };
+    let mut diagnostics = document.diagnostics().clone();
+    diagnostics.append(document.warnings().clone());
+    let (Some(chart), Some(analysis)) = (document.chart(), document.analysis()) else { return (None, diagnostics) };
     let mut figures = Figures {
         chart: chart.name.to_string(),
         steps: chart.steps.len(),
@@ -120,8 +120,8 @@ pub fn figures(document: &mut Document, profile: Profile) -> (Option<Figures>, D
             Ok(row) => figures.encodings.push(row),
             Err(mut found) => {
                 found.retain(|d| d.code.severity() == Severity::Error);
-                said.append(found);
-                return (None, said);
+                diagnostics.append(found);
+                return (None, diagnostics);
             }
         }
         match encoding {
@@ -129,13 +129,13 @@ pub fn figures(document: &mut Document, profile: Profile) -> (Option<Figures>, D
             Encoding::SinglePhase | Encoding::RTrigger | Encoding::STrigger | Encoding::Sequent => {}
         }
     }
-    (Some(figures), said)
+    (Some(figures), diagnostics)
 }
 
 /// What the encoding that a document is in takes.
 fn row(document: &Document, encoding: Encoding) -> Result<EncodingFigures, Diagnostics> {
-    let said = || document.program_diagnostics().cloned().unwrap_or_default();
-    EncodingFigures::new(encoding, document.program().ok_or_else(said)?)
+    let diagnostics = || document.program_diagnostics().cloned().unwrap_or_default();
+    EncodingFigures::new(encoding, document.program().ok_or_else(diagnostics)?)
 }
 
 impl Transients {

@@ -50,8 +50,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         let source = report.sources.file(file);
         // The only text, so places in it are the same in document and report.
         let mut document = Document::new(&source.name, &source.text).named(args.chart.chart_name());
-        let (figures, said) = figures::figures(&mut document, args.profile.profile());
-        report.diagnostics.append(said);
+        let (figures, diagnostics) = figures::figures(&mut document, args.profile.profile());
+        report.diagnostics.append(diagnostics);
         found = figures;
     }
     let (exit, text) = match args.format {
