@@ -63,7 +63,10 @@ fn json_is_one_object_with_keys_that_stay() {
     let run = folder.run(&["stats", "valve.gct", "--format", "json"]);
     let figures: Value = serde_json::from_str(&run.is_done().out).unwrap();
     assert!(run.out.ends_with("}\n") && run.out.lines().count() == 1, "{}", run.out);
-    assert_eq!(keys(&figures), ["chart", "encodings", "evolution", "steps", "switch", "transients", "transitions"]);
+    assert_eq!(
+        keys(&figures),
+        ["chart", "encodings", "evolution", "exclusion", "steps", "switch", "transients", "transitions"]
+    );
     assert_eq!((&figures["chart"], &figures["evolution"]), (&json!("Valve"), &json!("stable")));
     assert_eq!((&figures["steps"], &figures["transitions"]), (&json!(2), &json!(2)));
     // As in one evolution a scan, and again := clr_1 OR clr_2.
