@@ -2,6 +2,7 @@
 
 use grafc_model::chart::{Chart, Value, VariableKind};
 use grafc_model::reaction::Stimulus;
+use grafc_model::trace::heading;
 use std::ops::Range;
 
 /// A trace by the names of inputs, so that it survives the deletion of one.
@@ -24,7 +25,7 @@ impl NamedTrace {
         let column = |name: &str| self.names.iter().position(|n| n == name);
         let value = |row: &Stimulus, name: &str, initial: Value| column(name).map_or(initial, |i| row.inputs[i]);
         let inputs_of = |row: &Stimulus| inputs.iter().map(|v| value(row, &v.name, v.initial)).collect();
-        self.rows.iter().map(|row| Stimulus { t_ms: row.t_ms, inputs: inputs_of(row) }).collect()
+        self.rows.iter().map(|row| Stimulus { t_ms: row.t_ms, restart: row.restart, inputs: inputs_of(row) }).collect()
     }
 
     /// The trace as a file of it would read.
@@ -34,9 +35,13 @@ impl NamedTrace {
             Value::Int(n) | Value::Time(n) => n.to_string(),
             Value::Real(x) => x.to_string(),
         };
-        let mut out = format!("t_ms,{}\n", self.names.join(","));
+        let restarts = self.rows.iter().any(|row| row.restart);
+        let marked =
+            |cells: Vec<String>, mark: &str| if restarts { [vec![mark.to_string()], cells].concat() } else { cells };
+        let names = self.names.iter().map(|name| heading(name).into_owned()).collect();
+        let mut out = format!("t_ms,{}\n", marked(names, "restart").join(","));
         for row in &self.rows {
-            let cells: Vec<String> = row.inputs.iter().map(cell).collect();
+            let cells = marked(row.inputs.iter().map(cell).collect(), if row.restart { "1" } else { "" });
             out.push_str(&format!("{},{}\n", row.t_ms, cells.join(",")));
         }
         out
@@ -54,7 +59,7 @@ impl NamedTrace {
         shorter
     }
 
-    /// Traces in which less happens: an input stays as it was, or no time passes.
+    /// Traces in which less happens: an input stays as it was, no time passes, or the controller does not restart.
     pub(super) fn calmer(&self) -> Vec<NamedTrace> {
         let mut found = Vec::new();
         for row in 0..self.rows.len() {
@@ -62,6 +67,11 @@ impl NamedTrace {
                 Some(before) => (before.t_ms, before.inputs.clone()),
                 None => (0, self.rows[0].inputs.iter().map(|value| zero(*value)).collect()),
             };
+            if self.rows[row].restart {
+                let mut calm = self.clone();
+                calm.rows[row].restart = false;
+                found.push(calm);
+            }
             let gap = self.rows[row].t_ms - before;
             if gap > 0 {
                 let mut calm = self.clone();

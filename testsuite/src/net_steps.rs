@@ -80,6 +80,9 @@ impl<'a> NetSteps<'a> {
     /// Reacts to inputs at an instant (R9-R14). `observe` sees it once it has started and after each micro-step.
     pub fn react(&mut self, stimulus: &Stimulus, observe: &mut dyn FnMut(&NetSteps)) -> Response {
         let t = stimulus.t_ms;
+        if stimulus.restart {
+            self.restart();
+        }
         let inputs: Vec<VariableId> =
             self.net.variables.indices().filter(|v| self.net.variables[*v].kind == VariableKind::Input).collect();
         for (v, value) in inputs.iter().zip(&stimulus.inputs) {
@@ -108,6 +111,15 @@ impl<'a> NetSteps<'a> {
                 }
                 Evolution::Scan => return self.publish(t),
             }
+        }
+    }
+
+    /// R10, after a restart: as at first, with what is retained.
+    fn restart(&mut self) {
+        let kept = std::mem::take(&mut self.variables);
+        *self = NetSteps::new(self.net, self.profile);
+        for (v, variable) in self.net.variables.iter_enumerated().filter(|(_, variable)| variable.retain) {
+            self.variables[v] = if variable.mode == Mode::Stored { kept[v] } else { variable.initial };
         }
     }
 

@@ -218,11 +218,11 @@ fn a_restart_begins_anew() {
     let chart = check("again", text).expect("a chart without errors");
     for encoding in encodings() {
         let program = compile(&chart, &Options { encoding, ..Options::default() }).expect("a scan program");
-        let trace = "t_ms,a\n0,1\n1000,1\n1400,1\n1500,1\n2000,1\n2999,1\n3000,1\n";
+        let trace = "t_ms,restart,a\n0,,1\n1000,,1\n1400,,1\n1500,,1\n2000,1,1\n2999,,1\n3000,,1\n";
         let stimuli = stimuli("again", trace, &chart).expect("a trace without errors");
         let job = Job { program, stimuli };
         // At 2000 ms all is as at the start: step 1, one activation counted, a second to wait.
-        let rows = grafc_testsuite::executors::awlsim::run_restarted(&tools, &job, 4).expect("a run");
+        let rows = run(&tools, &[job]).pop().expect("a result").expect("a run");
         let expected = "again,n,m|1,1,0|2,1,1|2,1,1|3,1,1|1,1,0|1,1,0|2,1,1"
             .split('|')
             .skip(1)

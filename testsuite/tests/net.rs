@@ -218,7 +218,7 @@ fn a_broken_ring_takes_a_micro_step_more() {
     let chart = charts::check("ring", text).unwrap_or_else(|fault| panic!("{fault}"));
     let mut net = build(&chart);
     passes::run(&mut net, true, &mut Diagnostics::new());
-    let at = |t_ms, a, b| Stimulus { t_ms, inputs: vec![Value::Bool(a), Value::Bool(b)] };
+    let at = |t_ms, a, b| Stimulus { t_ms, restart: false, inputs: vec![Value::Bool(a), Value::Bool(b)] };
     let (seen, responses) =
         run_net(&net, Profile::default(), &[at(0, false, false), at(10, true, false), at(20, false, true)]);
     let spelt: Vec<String> = seen

@@ -60,6 +60,7 @@ fn rows(encoding: Encoding, inputs: &[Inputs]) -> Vec<Vec<usize>> {
     let mut evaluator = Evaluator::new(&program);
     let stimulus = |(row, inputs): (usize, &Inputs)| Stimulus {
         t_ms: 10 * row as i64,
+        restart: false,
         inputs: inputs.x.iter().chain([&inputs.xj]).map(|x| Value::Bool(*x)).collect(),
     };
     let stimuli = inputs.iter().enumerate().map(stimulus);
@@ -202,7 +203,7 @@ fn s_triggers_set_what_is_set_and_reset() {
         [(false, vec![0, 2]), (true, vec![0, 1, 2]), (true, vec![1, 2]), (true, vec![2])].into_iter().enumerate()
     {
         let inputs = vec![Value::Bool(a), Value::Bool(false)];
-        let response = evaluator.react(&Stimulus { t_ms: 10 * row as i64, inputs });
+        let response = evaluator.react(&Stimulus { t_ms: 10 * row as i64, restart: false, inputs });
         let ours: Vec<usize> = response.situation.into_iter().map(|step| step.index()).collect();
         assert_eq!(ours, situation, "row {row}");
     }

@@ -90,7 +90,7 @@ fn a_repeated_stimulus_changes_nothing() {
                 break;
             }
             let mut again = simulator.clone();
-            let repeated = again.react(stimulus);
+            let repeated = again.react(&Stimulus { restart: false, ..stimulus.clone() });
             if repeated != response || again.state() != simulator.state() {
                 return Err(format!("  at {} ms: {response:?}, repeated {repeated:?}", stimulus.t_ms));
             }

@@ -1,4 +1,5 @@
-//! The input `RESTART`: everything that keeps its value from call to call is as before the first call.
+//! The input `RESTART`: everything that keeps its value from call to call is as before the first call, except for what
+//! the chart retains.
 //!
 //! An instance data block is retentive unless the CPU is told otherwise, so that a chart would go on after a power failure
 //! where it stood, on a clock that has started again. `OB 1` gives a true `RESTART` in its first cycle; a chart that is
@@ -13,7 +14,7 @@ use grafc_logic::scan::Program;
 
 /// Writes what `RESTART` does.
 pub(super) fn write(code: &mut Code, program: &Program, names: &AwlNames) {
-    let kept = program.variables.iter_enumerated().filter(|(_, v)| v.role.is_kept());
+    let kept = program.variables.iter_enumerated().filter(|(_, v)| v.role.is_kept() && !v.retain);
     let ours = names.timers.iter().flat_map(timers::TimerNames::kept).map(|kept| {
         let zero = if kept.ty == Type::Bool { Value::Bool(false) } else { Value::Time(0) };
         (local(&kept.name), kept.ty, zero)
@@ -23,7 +24,9 @@ pub(super) fn write(code: &mut Code, program: &Program, names: &AwlNames) {
     if bits.is_empty() && numbers.is_empty() {
         return;
     }
-    code.network("restart: as before the first call");
+    let retained = program.variables.iter().any(|variable| variable.retain);
+    let but = if retained { ", but for what is retained" } else { "" };
+    code.network(&format!("restart: as before the first call{but}"));
     let done = code.new_label();
     code.bit("A", &local(&names.restart));
     code.jump_unless(&done);

@@ -13,6 +13,9 @@ use std::borrow::Borrow;
 /// Comments of neighbouring declarations start in one column, unless a declaration is longer than this.
 const FURTHEST_COLUMN: usize = 48;
 
+/// The standard's word for what a warm restart leaves as it is.
+pub(crate) const RETAIN: &str = "RETAIN";
+
 /// A block of declarations: sections, each with its heading.
 pub(crate) struct VarBlock {
     /// What the variables are to the outside.
@@ -52,9 +55,47 @@ impl VarBlock {
         self.sections.iter_mut().for_each(|(_, entries)| entries.retain(|entry| keep(&entry.name)));
     }
 
+    /// The lists that it is declared in: what begins anew after a restart, and what is retained; one that would be empty
+    /// is not there.
+    pub fn lists(&self) -> impl Iterator<Item = VarList<'_>> {
+        [false, true].into_iter().filter_map(|retain| {
+            let mut sections = Vec::with_capacity(self.sections.len());
+            for (heading, entries) in &self.sections {
+                let entries: Vec<&Entry> = entries.iter().filter(|entry| entry.retain == retain).collect();
+                if !entries.is_empty() {
+                    sections.push((*heading, entries));
+                }
+            }
+            (!sections.is_empty()).then_some(VarList { kind: self.kind, retain, sections })
+        })
+    }
+
     /// All variables, in order.
     pub fn entries(&self) -> impl Iterator<Item = &Entry> {
         self.sections.iter().flat_map(|(_, entries)| entries)
+    }
+}
+
+/// Variables of a block that are declared together.
+pub(crate) struct VarList<'b> {
+    /// What they are to the outside.
+    pub kind: VarKind,
+    /// Whether a warm restart leaves them as they are.
+    pub retain: bool,
+    /// Headings and what stands below them; none is empty.
+    pub sections: Vec<(&'static str, Vec<&'b Entry>)>,
+}
+
+impl<'b> VarList<'b> {
+    /// What opens it; `retain` is the target's word for what is retained.
+    pub fn keyword(&self, retain: &str) -> String {
+        let keyword = self.kind.keyword();
+        if self.retain { format!("{keyword} {retain}") } else { keyword.to_owned() }
+    }
+
+    /// All variables, in order.
+    pub fn entries(&self) -> impl Iterator<Item = &'b Entry> {
+        self.sections.iter().flat_map(|(_, entries)| entries.iter().copied())
     }
 }
 
@@ -90,6 +131,8 @@ pub(crate) struct Entry {
     pub ty: EntryType,
     /// The initial value, if it is not the one of the type.
     pub initial: Option<EcoString>,
+    /// Whether a warm restart leaves it as it is.
+    pub retain: bool,
     /// What stands beside it, clean.
     pub comment: Option<String>,
     /// Where the variable comes from, if somebody asks.
@@ -104,6 +147,7 @@ impl Entry {
             address: None,
             ty: EntryType::Elementary(ty),
             initial: None,
+            retain: false,
             comment: None,
             origin: Origin::Chart,
         }
@@ -151,6 +195,7 @@ pub(crate) fn interface_from<'p>(
             address: None,
             ty: EntryType::Timer,
             initial: None,
+            retain: false,
             comment: timer.comment.as_deref().map(clean).filter(|text| !text.is_empty()),
             origin: origins.map_or(Origin::Chart, |origins| origins.timers[id]),
         });
@@ -198,6 +243,7 @@ pub(super) fn entry(id: VarId, variable: &Variable, names: &Names) -> Entry {
         address: None,
         ty: EntryType::Elementary(variable.ty),
         initial: shown.then(|| literals::initial(variable.initial, variable.ty)),
+        retain: variable.retain,
         comment,
         origin: Origin::Chart,
     }
@@ -238,16 +284,19 @@ pub(super) fn local(entries: Vec<Entry>) -> VarBlock {
     VarBlock::new(VarKind::Local, vec![("", entries)])
 }
 
-/// Writes blocks, each section under its heading; nothing of what is empty.
-pub(crate) fn write(out: &mut Writer, blocks: impl IntoIterator<Item = impl Borrow<VarBlock>>) {
+/// Writes blocks, each section under its heading; nothing of what is empty. `retain` is the target's word for what
+/// is retained.
+pub(crate) fn write(out: &mut Writer, blocks: impl IntoIterator<Item = impl Borrow<VarBlock>>, retain: &str) {
     for block in blocks {
-        let block: &VarBlock = block.borrow();
-        if block.entries().next().is_none() {
-            continue;
-        }
+        write_block(out, block.borrow(), retain);
+    }
+}
+
+fn write_block(out: &mut Writer, block: &VarBlock, retain: &str) {
+    for list in block.lists() {
         out.blank();
-        out.open(block.kind.keyword());
-        for (heading, entries) in block.sections.iter().filter(|(_, entries)| !entries.is_empty()) {
+        out.open(&list.keyword(retain));
+        for (heading, entries) in &list.sections {
             out.blank();
             out.comment(heading);
             section(out, entries);
@@ -257,7 +306,7 @@ pub(crate) fn write(out: &mut Writer, blocks: impl IntoIterator<Item = impl Borr
     }
 }
 
-fn section(out: &mut Writer, entries: &[Entry]) {
+fn section(out: &mut Writer, entries: &[&Entry]) {
     let commented = entries.iter().filter(|entry| entry.comment.is_some());
     let lengths = commented.map(|entry| out.indent() + entry.text().len());
     let column = lengths.filter(|length| *length <= FURTHEST_COLUMN).max().unwrap_or(0);
@@ -285,7 +334,7 @@ fn section(out: &mut Writer, entries: &[Entry]) {
         let mut length = length;
         while entry.is_plain() {
             let fits =
-                |next: &Entry| next.is_plain() && next.ty == entry.ty && length + 2 + next.name.len() <= out.width();
+                |next: &&Entry| next.is_plain() && next.ty == entry.ty && length + 2 + next.name.len() <= out.width();
             let Some(next) = entries.next_if(|next| fits(next)) else { break };
             out.text(", ");
             out.text(&next.name);

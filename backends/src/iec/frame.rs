@@ -30,7 +30,7 @@ pub(crate) fn write(
 fn program(out: &mut Writer, program: &Program, names: &Names, body: impl FnOnce(&mut Writer, &[&str], &[&str])) {
     out.blank();
     out.line(&format!("PROGRAM {}", names.program));
-    declarations::write(out, &variables(program, names));
+    declarations::write(out, &variables(program, names), declarations::RETAIN);
     let (inputs, published) = wired(program, names);
     body(out, &inputs, &published);
     out.blank();
@@ -58,7 +58,7 @@ pub(crate) fn variables(program: &Program, names: &Names) -> Vec<VarBlock> {
     for (id, variable) in inputs(program).chain(published(program)) {
         match address(variable) {
             Some(address) => located.push(located_entry(id, variable, names, address)),
-            None => plain.push(entry(id, variable, names)),
+            None => plain.push(Entry { retain: false, ..entry(id, variable, names) }),
         }
     }
     plain.push(Entry {
@@ -66,6 +66,7 @@ pub(crate) fn variables(program: &Program, names: &Names) -> Vec<VarBlock> {
         address: None,
         ty: EntryType::Block(names.block.clone()),
         initial: None,
+        retain: false,
         comment: None,
         origin: Origin::Chart,
     });
@@ -95,6 +96,8 @@ fn address(variable: &Variable) -> Option<String> {
 /// A variable at its address; an input has no initial value, since it is read before each call.
 fn located_entry(id: VarId, variable: &Variable, names: &Names, address: String) -> Entry {
     let mut entry = entry(id, variable, names);
+    // The block keeps the value; this is what it shows.
+    entry.retain = false;
     entry.address = Some(address);
     if variable.role == Role::Input {
         entry.initial = None;

@@ -7,7 +7,7 @@
 pub(crate) mod target;
 
 use crate::comment::clean;
-use crate::iec::declarations::{Entry, VarBlock, VarKind};
+use crate::iec::declarations::{Entry, VarBlock, VarKind, VarList};
 use crate::st::{self, Style};
 use crate::xml::Xml;
 use grafc_diagnostics::Diagnostics;
@@ -55,39 +55,33 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
 }
 
 fn interface(xml: &mut Xml, blocks: &[VarBlock]) {
+    let lists = |kinds: [VarKind; 2]| {
+        let of = move |kind| blocks.iter().filter(move |block| block.kind == kind).flat_map(VarBlock::lists);
+        kinds.into_iter().flat_map(of)
+    };
+    let retain = |list: &VarList| list.retain.then_some(("retain", "true"));
     let mut parameters = 0;
     xml.open("Parameters", &[]);
-    for (kind, list) in [(VarKind::Input, "InputVars"), (VarKind::Output, "OutputVars")] {
-        let entries: Vec<&Entry> = of(blocks, kind).collect();
-        if entries.is_empty() {
-            continue;
-        }
-        xml.open(list, &[]);
-        for entry in entries {
+    for list in lists([VarKind::Input, VarKind::Output]) {
+        let element = if list.kind == VarKind::Input { "InputVars" } else { "OutputVars" };
+        xml.open(element, &retain(&list).into_iter().collect::<Vec<_>>());
+        for entry in list.entries() {
             variable(xml, entry, Some(parameters));
             parameters += 1;
         }
         xml.close();
     }
     xml.close();
-    for kind in [VarKind::Constant, VarKind::Local] {
-        let entries: Vec<&Entry> = of(blocks, kind).collect();
-        if entries.is_empty() {
-            continue;
-        }
-        match kind {
-            VarKind::Constant => xml.open("Vars", &[("accessSpecifier", "private"), ("constant", "true")]),
-            VarKind::Input | VarKind::Output | VarKind::Local => xml.open("Vars", &[("accessSpecifier", "private")]),
-        }
-        for entry in entries {
+    for list in lists([VarKind::Constant, VarKind::Local]) {
+        let mut attributes = vec![("accessSpecifier", "private")];
+        attributes.extend((list.kind == VarKind::Constant).then_some(("constant", "true")));
+        attributes.extend(retain(&list));
+        xml.open("Vars", &attributes);
+        for entry in list.entries() {
             variable(xml, entry, None);
         }
         xml.close();
     }
-}
-
-fn of(blocks: &[VarBlock], kind: VarKind) -> impl Iterator<Item = &Entry> {
-    blocks.iter().filter(move |block| block.kind == kind).flat_map(VarBlock::entries)
 }
 
 fn variable(xml: &mut Xml, entry: &Entry, parameter: Option<usize>) {

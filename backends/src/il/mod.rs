@@ -59,7 +59,11 @@ fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, 
     out.line(&format!("FUNCTION_BLOCK {}", names.block));
     out.blank();
     let origins = traced.then(|| program.origins());
-    declarations::write(&mut out, declarations::interface_from(program, &names, origins.as_ref(), parts));
+    declarations::write(
+        &mut out,
+        declarations::interface_from(program, &names, origins.as_ref(), parts),
+        declarations::RETAIN,
+    );
     out.blank();
     out.append(body);
     out.blank();

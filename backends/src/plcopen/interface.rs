@@ -7,14 +7,16 @@ use crate::xml::Xml;
 /// Writes the interface: a list a block, in the order of the blocks.
 pub(super) fn write(xml: &mut Xml, blocks: &[VarBlock], dialect: Dialect) {
     xml.open("interface", &[]);
-    for block in blocks.iter().filter(|block| block.entries().next().is_some()) {
-        match block.kind {
-            VarKind::Input => xml.open("inputVars", &[]),
-            VarKind::Output => xml.open("outputVars", &[]),
-            VarKind::Constant => xml.open("localVars", &[("constant", "true")]),
-            VarKind::Local => xml.open("localVars", &[]),
-        }
-        for entry in block.entries() {
+    for list in blocks.iter().flat_map(VarBlock::lists) {
+        let (element, constant) = match list.kind {
+            VarKind::Input => ("inputVars", None),
+            VarKind::Output => ("outputVars", None),
+            VarKind::Constant => ("localVars", Some(("constant", "true"))),
+            VarKind::Local => ("localVars", None),
+        };
+        let retain = list.retain.then_some(("retain", "true"));
+        xml.open(element, &constant.into_iter().chain(retain).collect::<Vec<_>>());
+        for entry in list.entries() {
             variable(xml, entry, dialect);
         }
         xml.close();

@@ -7,7 +7,7 @@ use super::memory::{self, words};
 use super::names::RustNames;
 use super::places::{Places, flag_name};
 use super::split::Split;
-use super::{saved, scan, situation};
+use super::{retained, saved, scan, situation};
 use crate::writer::Writer;
 use ecow::{EcoString, eco_format};
 use grafc_logic::scan::{Flag, Origin, Origins, Program, Role, VarId};
@@ -35,6 +35,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &RustNames, plac
     chart.accessors(out);
     situation::write(out, program, names, places);
     saved::write(out, program, names, places, split.longest);
+    retained::write(out, program, names, places, split.longest);
     out.close("}");
 }
 

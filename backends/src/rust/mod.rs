@@ -21,6 +21,7 @@ mod locals;
 mod memory;
 mod names;
 mod places;
+mod retained;
 mod runtime;
 mod saved;
 mod scan;

@@ -8,7 +8,26 @@ use crate::writer::Writer;
 use grafc_logic::scan::{Program, Role, VarId};
 
 /// The bytes of the mark that says which chart, in which form, they are the memory of.
-const MARK: usize = 4;
+pub(super) const MARK: usize = 4;
+
+/// Such a mark: FNV-1a over texts.
+pub(super) struct Fingerprint(pub u32);
+
+impl Fingerprint {
+    /// That of one text.
+    pub fn of(text: &str) -> Self {
+        let mut print = Fingerprint(0x811c_9dc5);
+        print.add(text);
+        print
+    }
+
+    /// Takes another text in.
+    pub fn add(&mut self, text: &str) {
+        for byte in text.bytes().chain([0]) {
+            self.0 = (self.0 ^ u32::from(byte)).wrapping_mul(0x0100_0193);
+        }
+    }
+}
 
 /// Writes `save` and `restore`, in functions of at most about `longest` lines.
 pub(super) fn write(out: &mut Writer, program: &Program, names: &RustNames, places: &Places, longest: usize) {
@@ -52,29 +71,23 @@ impl Saved<'_> {
         MARK + 4 * words(self.program) + variables + self.program.timers.len() * (1 + 8)
     }
 
-    /// FNV-1a over the names and types of all that is saved.
+    /// Of the names and types of all that is saved.
     fn fingerprint(&self) -> u32 {
-        let mut hash: u32 = 0x811c_9dc5;
-        let mut add = |text: &str| {
-            for byte in text.bytes().chain([0]) {
-                hash = (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);
-            }
-        };
-        add(&self.program.name);
+        let mut print = Fingerprint::of(&self.program.name);
         for step in &self.program.steps {
-            add(&step.label);
+            print.add(&step.label);
         }
         for id in self.variables() {
-            add(&self.names.variables[id]);
+            print.add(&self.names.variables[id]);
             match self.places.state(id) {
-                Some(state) => state.variants.iter().for_each(|(_, name)| add(name)),
-                None => add(super::literals::type_name(self.program.variables[id].ty)),
+                Some(state) => state.variants.iter().for_each(|(_, name)| print.add(name)),
+                None => print.add(super::literals::type_name(self.program.variables[id].ty)),
             }
         }
         for timer in &self.names.timers {
-            add(timer);
+            print.add(timer);
         }
-        hash
+        print.0
     }
 
     fn save(&self, out: &mut Writer) {
@@ -159,25 +172,25 @@ impl Saved<'_> {
 }
 
 /// The lines of a function that is too long for rustc, as functions of their own.
-struct Chunks<'l> {
+pub(super) struct Chunks<'l> {
     function: &'static str,
     lines: std::slice::Chunks<'l, String>,
 }
 
 impl<'l> Chunks<'l> {
-    fn new(function: &'static str, lines: &'l [String], longest: usize) -> Option<Self> {
+    pub fn new(function: &'static str, lines: &'l [String], longest: usize) -> Option<Self> {
         (lines.len() > longest).then(|| Chunks { function, lines: lines.chunks(longest) })
     }
 
     /// Writes the calls of all parts.
-    fn call(&self, out: &mut Writer, call: impl Fn(&str) -> String) {
+    pub fn call(&self, out: &mut Writer, call: impl Fn(&str) -> String) {
         for part in 1..=self.lines.len() {
             out.line(&call(&format!("{}_{part}", self.function)));
         }
     }
 
     /// Writes the parts; `end` is the last line of each.
-    fn write(self, out: &mut Writer, head: impl Fn(&[String]) -> String, end: Option<&str>) {
+    pub fn write(self, out: &mut Writer, head: impl Fn(&[String]) -> String, end: Option<&str>) {
         for (part, lines) in (1..).zip(self.lines) {
             out.blank();
             out.line("#[inline(never)]");

@@ -8,7 +8,7 @@
 pub(crate) mod target;
 
 use crate::comment::clean;
-use crate::iec::declarations::{Entry, EntryType, VarBlock, VarKind};
+use crate::iec::declarations::{Entry, EntryType, RETAIN, VarBlock, VarKind, VarList};
 use crate::iec::pou_parts::PouParts;
 use crate::lines::Lines;
 use crate::st::{self, Style};
@@ -53,7 +53,7 @@ fn function_block(out: &mut Writer, parts: &PouParts, header: &[String]) {
     let (constants, others): (Vec<&VarBlock>, Vec<&VarBlock>) =
         parts.interface.iter().partition(|block| block.kind == VarKind::Constant);
     for block in others.into_iter().chain(constants) {
-        declarations(out, block);
+        block.lists().for_each(|list| declarations(out, &list));
     }
     out.line("BEGIN");
     out.enter();
@@ -75,12 +75,9 @@ fn function_block(out: &mut Writer, parts: &PouParts, header: &[String]) {
     out.line("END_FUNCTION_BLOCK");
 }
 
-fn declarations(out: &mut Writer, block: &VarBlock) {
-    if block.entries().next().is_none() {
-        return;
-    }
-    out.open(block.kind.keyword());
-    for entry in block.entries() {
+fn declarations(out: &mut Writer, list: &VarList) {
+    out.open(&list.keyword(RETAIN));
+    for entry in list.entries() {
         let text = declaration(entry);
         out.origin(entry.origin);
         out.start();

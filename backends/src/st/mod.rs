@@ -132,7 +132,11 @@ fn function_block(out: &mut Writer, program: &Program, names: &Names, expression
     out.line(&format!("FUNCTION_BLOCK {}", names.block));
     out.blank();
     let origins = out.is_traced().then(|| program.origins());
-    declarations::write(out, declarations::interface_from(program, names, origins.as_ref(), Vec::new()));
+    declarations::write(
+        out,
+        declarations::interface_from(program, names, origins.as_ref(), Vec::new()),
+        declarations::RETAIN,
+    );
     statements::write(out, program, names, expressions);
     out.blank();
     out.line("END_FUNCTION_BLOCK");

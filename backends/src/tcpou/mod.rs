@@ -21,6 +21,9 @@ pub struct Options {
     pub header: Vec<String>,
 }
 
+/// What TwinCAT keeps on every controller. `RETAIN` needs a device for it.
+const PERSISTENT: &str = "PERSISTENT";
+
 /// Writes a program as one program organisation unit.
 ///
 /// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
@@ -30,7 +33,7 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
     declaration.block_comment(options.header.iter().map(|line| clean(line)));
     declaration.comment(parts.description.as_deref().unwrap_or_default());
     declaration.line(&format!("FUNCTION_BLOCK {}", parts.block));
-    declarations::write(&mut declaration, &parts.interface);
+    declarations::write(&mut declaration, &parts.interface, PERSISTENT);
 
     let id = format!("{{{}}}", Uuid::new_v5(&Uuid::NAMESPACE_URL, format!("grafc:{}", parts.block).as_bytes()));
     let mut xml = Xml::new();

@@ -68,6 +68,8 @@ impl Flags {
 pub struct Stimulus {
     /// The time in milliseconds; never less than at the call before.
     pub t_ms: i64,
+    /// Whether the controller has restarted: what is retained is kept, all the rest is as before the first call.
+    pub restart: bool,
     /// A value for each input, in order of declaration.
     pub inputs: Vec<Value>,
 }

@@ -51,11 +51,24 @@ impl<'b> Memory<'b> {
         let mut lines = Vec::with_capacity(job.stimuli.len());
         for stimulus in &job.stimuli {
             self.now = stimulus.t_ms;
+            if stimulus.restart {
+                self = self.restarted();
+            }
             inputs(&mut self, stimulus);
             body(&mut self)?;
             lines.push(self.line()?);
         }
         jobs::read(job, 0, &lines.join("\n"))
+    }
+
+    /// After a warm restart, as the standard has it (2.4.2): what is declared RETAIN has kept its value.
+    fn restarted(self) -> Self {
+        let mut after = Memory { now: self.now, ..Memory::new(self.block) };
+        for (id, _) in self.block.program.variables.iter_enumerated().filter(|(_, variable)| variable.retain) {
+            let name = &self.block.names[id];
+            after.variables.extend(self.variables.get(name).map(|kept| (name.clone(), *kept)));
+        }
+        after
     }
 
     /// Outputs, activities of steps and flags, as tools print them.

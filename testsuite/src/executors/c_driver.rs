@@ -13,6 +13,8 @@ pub(crate) struct Runtime {
     pub head: &'static str,
     /// What declares `d`, an instance of a block, and makes it ready.
     pub instance: fn(&str) -> String,
+    /// What a warm restart does to `d`, an instance of a block that keeps the variables of these names.
+    pub restart: fn(&str, &[String]) -> String,
     /// What makes `t` milliseconds the time of this call.
     pub clock: &'static str,
     /// What calls `d`, an instance of a block.
@@ -48,8 +50,17 @@ impl Runtime {
             column(&mut out, ctype, &format!("in_{place}"), cells);
             let _ = writeln!(body, "    {}", (self.set)(&block.names[id].to_uppercase(), &value));
         }
+        let kept: Vec<String> = block.kept().map(|name| name.to_uppercase()).collect();
+        let restart = stimuli.iter().any(|stimulus| stimulus.restart).then(|| (self.restart)(&name, &kept));
+        if restart.is_some() {
+            let marks = stimuli.iter().map(|stimulus| u8::from(stimulus.restart).to_string()).collect();
+            column(&mut out, "char", "restarts", marks);
+        }
         let _ = writeln!(out, "  for (row = 0; row < {}; row++) {{", stimuli.len());
         let _ = writeln!(out, "    long long t = times[row];\n    {}", self.clock);
+        if let Some(restart) = restart {
+            let _ = writeln!(out, "    if (restarts[row]) {{ {restart} }}");
+        }
         out.push_str(&body);
         let _ = writeln!(out, "    {}\n    printf(\"{index} %ld\", row);", (self.call)(&name));
         for (id, variable) in outputs(program) {

@@ -19,6 +19,8 @@ pub(crate) struct FunctionBlock {
     pub name: String,
     /// The text.
     pub text: String,
+    /// The instance within it that holds what is kept over a restart, if the block does not itself.
+    pub holder: Option<String>,
 }
 
 /// When a step is active.
@@ -60,7 +62,14 @@ impl FunctionBlock {
             .ok_or("the text has no function block")?
             .trim()
             .to_string();
-        Ok(FunctionBlock { names: names(&program), program, name, text })
+        Ok(FunctionBlock { names: names(&program), program, name, text, holder: None })
+    }
+
+    /// The names of what is kept over a restart.
+    pub fn kept(&self) -> impl Iterator<Item = String> {
+        let holder = self.holder.as_ref().map(|holder| format!("{holder}.")).unwrap_or_default();
+        let kept = self.program.variables.iter_enumerated().filter(|(_, variable)| variable.retain);
+        kept.map(move |(id, _)| format!("{holder}{}", self.names[id]))
     }
 
     /// When each step is active; an error if one is held in a way that is not known here.

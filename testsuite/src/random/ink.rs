@@ -29,11 +29,14 @@ pub(super) struct Ink {
     seed: u64,
     /// The next free number of an address.
     address: u32,
+    /// What says which variables are retained.
+    kept: Rng,
 }
 
 impl Ink {
     pub fn new(seed: u64) -> Self {
-        Ink { rng: Rng::with_seed(seed ^ 0x696e_6b00), seed, address: 0 }
+        let kept = Rng::with_seed(seed ^ 0x6b65_7074);
+        Ink { rng: Rng::with_seed(seed ^ 0x696e_6b00), seed, address: 0, kept }
     }
 
     /// In one of twelve charts every step is left after a time at the latest; the source of these times.
@@ -64,6 +67,11 @@ impl Ink {
         });
         text.extend(declared.map(|name| format!("allow W0401 {name} \"it is meant\"\n")));
         text
+    }
+
+    /// Whether the next variable that stored actions set is kept over a restart.
+    pub fn retains(&mut self) -> bool {
+        self.kept.u8(0..5) < 2
     }
 
     /// True in this share of cases.

@@ -45,9 +45,21 @@ pub fn trace(seed: u64, chart: &Chart, rows: usize) -> Vec<Stimulus> {
                 }
             }
         }
-        stimuli.push(Stimulus { t_ms, inputs: values.clone() });
+        stimuli.push(Stimulus { t_ms, restart: false, inputs: values.clone() });
     }
+    restart(seed, &mut stimuli);
     stimuli
+}
+
+/// In every third trace the controller restarts now and then. It is drawn apart, so that the rest stays the same.
+fn restart(seed: u64, stimuli: &mut [Stimulus]) {
+    let mut rng = Rng::with_seed(seed ^ 0x7265_7374);
+    if rng.u8(0..3) > 0 {
+        return;
+    }
+    for stimulus in stimuli {
+        stimulus.restart = rng.f32() < 0.06;
+    }
 }
 
 /// The delays of a chart and the times that it compares with, without those of hours.

@@ -77,6 +77,7 @@ fn nest(ink: &mut Ink, frames: &[Frame], blocks: &mut [String]) {
 
 /// A declaration of one name.
 struct Declared {
+    retain: bool,
     kind: &'static str,
     ty: Type,
     /// The name, and its comment.
@@ -145,6 +146,8 @@ impl Writer<'_> {
             let kind = if self.rng.f32() < 0.6 { "output" } else { "var" };
             let initial = self.initial(ty, 0.3);
             self.declares(kind, &name, ty, &initial);
+            let retain = self.ink.retains();
+            self.declared.last_mut().into_iter().for_each(|declared| declared.retain = retain);
             if ty == Type::Bool {
                 self.scope.bools.push(name.clone());
             } else {
@@ -178,15 +181,18 @@ impl Writer<'_> {
             _ => initial.to_string(),
         };
         let name = format!("{name}{}", self.ink.attached(0.1));
-        self.declared.push(Declared { kind, ty, name, tail });
+        self.declared.push(Declared { retain: false, kind, ty, name, tail });
     }
 
     /// Neighbours of one type often share a line.
     fn write_declarations(&mut self, out: &mut String) {
         let mut declared = std::mem::take(&mut self.declared).into_iter().peekable();
         while let Some(first) = declared.next() {
-            let _ = write!(out, "{} {}", first.kind, first.name);
-            let alike = |next: &Declared| next.kind == first.kind && next.ty == first.ty && next.tail == first.tail;
+            let retain = if first.retain { "retain " } else { "" };
+            let _ = write!(out, "{retain}{} {}", first.kind, first.name);
+            let alike = |next: &Declared| {
+                (next.retain, next.kind, next.ty, &next.tail) == (first.retain, first.kind, first.ty, &first.tail)
+            };
             while !first.tail.contains(" at ")
                 && self.ink.chance(0.4)
                 && let Some(next) = declared.next_if(alike)

@@ -34,7 +34,7 @@ pub fn explore(chart: &Chart, initial_actions: bool, patience: usize) -> Needs {
             }
             let mut simulator = before.clone();
             let t_ms = since.unwrap_or(0) + wait;
-            let stimulus = Stimulus { t_ms, inputs: vec![Value::Bool(a), Value::Bool(b)] };
+            let stimulus = Stimulus { t_ms, restart: false, inputs: vec![Value::Bool(a), Value::Bool(b)] };
             let micro_steps = needs.reaction(&mut simulator, &stimulus, since.is_none());
             if micro_steps < ENDLESS {
                 let reached = simulator.state();

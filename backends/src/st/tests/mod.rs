@@ -51,6 +51,7 @@ impl Build {
             ty,
             initial,
             comment: None,
+            retain: false,
             address: None,
             span: None,
         })

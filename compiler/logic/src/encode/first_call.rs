@@ -20,7 +20,7 @@ pub(crate) fn first_call(
     let net = &*lowering.net.clone();
     let mut cx = Context::new(Moment::First);
     let yes = lowering.pool.truth(true);
-    let mut body = Vec::new();
+    let (mut body, mut retained) = (Vec::new(), Vec::new());
     for (s, place) in net.places.iter_enumerated() {
         if let Some(target) = lowering.situation.bit(s).filter(|_| place.initial) {
             body.push(Statement::assign(Origin::Step(s), target, yes));
@@ -37,9 +37,11 @@ pub(crate) fn first_call(
         let kept = matches!(variable.kind, VariableKind::Output | VariableKind::Internal);
         if kept && variable.mode != Mode::Wire && variable.initial != grafc_formula::number::zero(variable.ty) {
             let value = lowering.pool.constant(variable.initial, variable.ty);
-            body.push(Statement::assign(Origin::Declaration(v), lowering.symbols.declared(v), value));
+            let statement = Statement::assign(Origin::Declaration(v), lowering.symbols.declared(v), value);
+            if variable.retain { retained.push(statement) } else { body.push(statement) }
         }
     }
+    body.extend(at_first_of_all(lowering, retained));
     if profile.initial_actions {
         let mut triggers = Triggers::new();
         for (index, action) in net.stored.iter().enumerate() {
@@ -81,4 +83,19 @@ pub(crate) fn first_call(
     let at_first = lowering.pool.not(is_started);
     body.insert(0, Statement::assign(Origin::Chart, started, yes));
     (vec![Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() }], Some(started))
+}
+
+/// What the first call of all gives to variables that are retained, guarded from the first calls after restarts by a mark
+/// that is retained as they are.
+fn at_first_of_all(lowering: &mut Lowering, mut body: Vec<Statement>) -> Option<Statement> {
+    if body.is_empty() {
+        return None;
+    }
+    let about = "whether what is retained has had its initial value";
+    let mark = lowering.symbols.fresh(Role::Memory, "retained", Type::Bool, Some(about.into()));
+    lowering.symbols.table[mark].retain = true;
+    let is_set = lowering.symbols.read(&mut lowering.pool, mark);
+    let (at_first, yes) = (lowering.pool.not(is_set), lowering.pool.truth(true));
+    body.push(Statement::assign(Origin::Chart, mark, yes));
+    Some(Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() })
 }

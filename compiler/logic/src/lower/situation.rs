@@ -84,6 +84,7 @@ impl Situation {
                 ty,
                 initial: Value::Int(0),
                 comment: None,
+                retain: false,
                 address: None,
                 span: None,
             });

@@ -38,9 +38,11 @@ impl Symbols {
                     VariableKind::Constant => Role::Constant,
                 };
                 // What the chart assigns gets its initial value in `first`: not every compiler keeps the initial
-                // values of a function block's variables.
+                // values of a function block's variables. What is retained has it in both places: a controller that
+                // gets a new version of the program gives it to what is new.
                 let initial = match role {
                     Role::Input | Role::Constant => v.initial,
+                    Role::Output | Role::Internal if v.retain => v.initial,
                     _ => zero(v.ty),
                 };
                 table.push(Variable {
@@ -49,6 +51,7 @@ impl Symbols {
                     ty: v.ty,
                     initial,
                     comment: v.comment.clone(),
+                    retain: v.retain,
                     address: v.address.clone(),
                     span: Some(v.span),
                 })
@@ -70,7 +73,16 @@ impl Symbols {
         ty: Type,
         comment: Option<EcoString>,
     ) -> VarId {
-        self.table.push(Variable { role, name: name.into(), ty, initial: zero(ty), comment, address: None, span: None })
+        self.table.push(Variable {
+            role,
+            name: name.into(),
+            ty,
+            initial: zero(ty),
+            comment,
+            retain: false,
+            address: None,
+            span: None,
+        })
     }
 
     /// A new variable for the activity of a place.
@@ -81,6 +93,7 @@ impl Symbols {
             ty: Type::Bool,
             initial: Value::Bool(false),
             comment: place.comment.clone(),
+            retain: false,
             address: None,
             span: Some(place.span),
         })

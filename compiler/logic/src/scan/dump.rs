@@ -87,7 +87,8 @@ impl<'p> Dump<'p> {
             format!(" := {}", value(variable.initial))
         };
         let (name, ty) = (&self.variables[id], type_name(variable.ty));
-        format!("{role} {name} : {ty}{initial}{address}{}", comment(&variable.comment))
+        let retain = if variable.retain { "retain " } else { "" };
+        format!("{retain}{role} {name} : {ty}{initial}{address}{}", comment(&variable.comment))
     }
 
     fn timer(&self, id: TimerId) -> String {

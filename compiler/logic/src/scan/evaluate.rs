@@ -57,6 +57,9 @@ impl<'p> Evaluator<'p> {
     pub fn react_observed(&mut self, stimulus: &Stimulus, mut observe: impl FnMut(&mut Self)) -> Response {
         let program = self.program;
         self.now = stimulus.t_ms;
+        if stimulus.restart {
+            self.restart();
+        }
         for index in 0..self.inputs.len() {
             self.values[self.inputs[index]] = stimulus.inputs[index];
         }
@@ -88,6 +91,14 @@ impl<'p> Evaluator<'p> {
             situation: self.situation(),
             flags: self.flags(),
         }
+    }
+
+    /// What a restart of the controller leaves: the variables that are retained.
+    fn restart(&mut self) {
+        for (id, variable) in self.program.variables.iter_enumerated().filter(|(_, variable)| !variable.retain) {
+            self.values[id] = variable.initial;
+        }
+        self.timers.iter_mut().for_each(|timer| *timer = Timer::default());
     }
 
     /// The active steps, in order of declaration.

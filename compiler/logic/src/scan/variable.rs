@@ -61,6 +61,8 @@ pub struct Variable {
     pub ty: Type,
     /// The value before the first call.
     pub initial: Value,
+    /// Whether a restart of the controller leaves it as it is.
+    pub retain: bool,
     /// The attached comment of the chart, or a few words on what a variable of ours is for.
     pub comment: Option<EcoString>,
     /// The address in the PLC.

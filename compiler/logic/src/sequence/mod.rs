@@ -164,6 +164,7 @@ fn declared(net: &Net) -> IndexVec<VarId, Variable> {
         ty: variable.ty,
         initial: variable.initial,
         comment: variable.comment.clone(),
+        retain: variable.retain,
         address: variable.address.clone(),
         span: Some(variable.span),
     });
@@ -178,6 +179,7 @@ fn step(place: &grafc_net::net::Place, variables: &mut IndexVec<VarId, Variable>
             ty,
             initial,
             comment: place.comment.clone(),
+            retain: false,
             address: None,
             span: Some(place.span),
         })

@@ -153,7 +153,16 @@ impl Expressions<'_> {
     /// A new variable behind those of the chart.
     pub fn fresh(&mut self, role: Role, name: String) -> VarId {
         let (ty, initial) = (Type::Bool, Value::Bool(false));
-        self.more.push(Variable { role, name: name.into(), ty, initial, comment: None, address: None, span: None });
+        self.more.push(Variable {
+            role,
+            name: name.into(),
+            ty,
+            initial,
+            comment: None,
+            retain: false,
+            address: None,
+            span: None,
+        });
         VarId::from_usize(self.variables + self.more.len() - 1)
     }
 

@@ -174,8 +174,16 @@ fn remember(program: &mut Program, index: usize) -> VarId {
     let at = &program.variables[program.states[index].variable];
     let (name, ty) = (format!("timed_{}", at.name.trim_start_matches("at_")), at.ty);
     let comment = Some("the step whose timers were last called".into());
-    let variable =
-        Variable { role: Role::Memory, name: name.into(), ty, initial: zero(ty), comment, address: None, span: None };
+    let variable = Variable {
+        role: Role::Memory,
+        name: name.into(),
+        ty,
+        initial: zero(ty),
+        comment,
+        retain: false,
+        address: None,
+        span: None,
+    };
     let timed = program.variables.push(variable);
     program.states[index].copies.push(timed);
     timed

@@ -124,6 +124,7 @@ impl Cutter<'_> {
             ty: Type::Bool,
             initial: Value::Bool(false),
             comment: None,
+            retain: false,
             address: None,
             span: None,
         });
@@ -173,7 +174,7 @@ mod tests {
             (0..600, false, true),
         ] {
             let inputs = (0..600).map(|n| Value::Bool(ones.contains(&n))).collect();
-            let response = Evaluator::new(&program).react(&Stimulus { inputs, t_ms: 0 });
+            let response = Evaluator::new(&program).react(&Stimulus { t_ms: 0, restart: false, inputs });
             assert_eq!(response.outputs, [Value::Bool(w), Value::Bool(v)], "{ones:?}");
         }
     }

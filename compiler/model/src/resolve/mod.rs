@@ -13,7 +13,7 @@ pub mod fold;
 pub mod parts;
 pub mod scope;
 mod structure;
-mod suggest;
+pub mod suggest;
 pub mod types;
 
 pub use definitions::definitions;

@@ -26,7 +26,7 @@ mod stored;
 #[cfg(test)]
 mod tests;
 
-use crate::chart::{Chart, ExprId, StepId, TransitionId, Value, VariableId};
+use crate::chart::{Chart, ExprId, Mode, StepId, TransitionId, Value, VariableId};
 use crate::reaction::{Flags, Profile};
 use context::Values;
 use delay::Delay;
@@ -72,6 +72,17 @@ pub struct Simulator<'a> {
 }
 
 impl State {
+    /// That before the initial reaction.
+    fn new(chart: &Chart) -> Self {
+        State {
+            active: chart.steps.iter().map(|_| false).collect(),
+            variables: chart.variables.iter().map(|variable| variable.initial).collect(),
+            since: chart.steps.iter().map(|_| 0).collect(),
+            delays: chart.exprs.iter().map(|_| Delay::default()).collect(),
+            edges: chart.exprs.iter().map(|_| false).collect(),
+        }
+    }
+
     /// The active steps.
     pub fn situation(&self) -> &Activity {
         &self.active
@@ -92,18 +103,25 @@ impl<'a> Simulator<'a> {
             flat: Flat::new(chart),
             orders: Orders::new(chart),
             plan: Plan::new(chart),
-            state: State {
-                active: chart.steps.iter().map(|_| false).collect(),
-                variables: chart.variables.iter().map(|variable| variable.initial).collect(),
-                since: chart.steps.iter().map(|_| 0).collect(),
-                delays: chart.exprs.iter().map(|_| Delay::default()).collect(),
-                edges: chart.exprs.iter().map(|_| false).collect(),
-            },
+            state: State::new(chart),
             previous: None,
             flags: Flags::default(),
             cleared: chart.transitions.iter().map(|_| false).collect(),
             values: Values::new(chart),
         }
+    }
+
+    /// R10, after a restart of the controller: what is retained keeps its value, and all the rest is as before the
+    /// initial reaction, which comes next.
+    fn restart(&mut self) {
+        let before = std::mem::replace(&mut self.state, State::new(self.chart));
+        for (id, variable) in self.chart.variables.iter_enumerated().filter(|(_, variable)| variable.retain) {
+            if variable.mode != Mode::Wire {
+                self.state.variables[id] = before.variables[id];
+            }
+        }
+        self.previous = None;
+        self.flags = Flags::default();
     }
 
     /// The state after the latest reaction, or the latest micro-step of one that is observed.

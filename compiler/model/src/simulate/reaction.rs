@@ -17,6 +17,9 @@ impl<'a> Simulator<'a> {
     /// The same, shown from within: `observe` sees the simulator once it has started and after each micro-step.
     pub fn react_observed(&mut self, stimulus: &Stimulus, observe: &mut dyn FnMut(&Simulator<'a>)) -> Response {
         let t = stimulus.t_ms;
+        if stimulus.restart {
+            self.restart();
+        }
         let inputs = self.set_inputs(&stimulus.inputs);
         // There is no input event at the initial reaction: what came before is taken to have been the same.
         let input_event = match &self.previous {

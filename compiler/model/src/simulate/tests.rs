@@ -68,7 +68,7 @@ fn assign(chart: &mut Tables, target: VariableId, condition: ExprId) {
 fn run(tables: &Tables) -> [Response; 2] {
     let chart = &Chart::checked(tables.clone());
     let mut simulator = Simulator::new(chart, Profile::default());
-    [false, true].map(|value| simulator.react(&Stimulus { t_ms: 0, inputs: vec![Value::Bool(value)] }))
+    [false, true].map(|value| simulator.react(&Stimulus { t_ms: 0, restart: false, inputs: vec![Value::Bool(value)] }))
 }
 
 #[test]

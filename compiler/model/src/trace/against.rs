@@ -4,11 +4,13 @@
 //! belong to calls by their times: the n-th row of a time to the n-th call at that time, and a row at a time without a
 //! call to what the latest call before it showed.
 
-use super::TIME;
-use super::read::{Reader, Record, parse_value};
+use super::columns::{FLAGS, RESTART, SITUATION, unknown};
+use super::read::parse_value;
+use super::table::{Reader, Record};
 use super::write::cell;
 use crate::chart::{Chart, StepId, Type, Value, Variable, VariableKind};
 use crate::reaction::{Response, Stimulus};
+use crate::resolve::suggest::Suggestions;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -61,7 +63,7 @@ struct Comparison<'a> {
     reader: Reader,
 }
 
-const FLAGS: [&str; 4] = ["LIVELOCK", "ALLOC_CONFLICT", "FORCE_CONFLICT", "DIV0"];
+const FLAG_NAMES: [&str; 4] = ["LIVELOCK", "ALLOC_CONFLICT", "FORCE_CONFLICT", "DIV0"];
 
 impl<'a> Comparison<'a> {
     fn outputs(&self) -> impl Iterator<Item = &'a Variable> + use<'a> {
@@ -73,26 +75,17 @@ impl<'a> Comparison<'a> {
     }
 
     fn header(&mut self, header: &Record) -> Vec<Column> {
+        let known = |kind| self.chart.variables.iter().filter(move |variable| variable.kind == kind);
+        let inputs: Vec<&Variable> = known(VariableKind::Input).collect();
+        let outputs: Vec<&Variable> = self.outputs().collect();
         let mut roles: BTreeMap<&str, Column> = BTreeMap::new();
-        let inputs = self.chart.variables.iter().filter(|variable| variable.kind == VariableKind::Input);
-        roles.extend([("situation", Column::Situation), ("flags", Column::Flags)]);
-        roles.extend(inputs.map(|variable| (variable.name.as_str(), Column::Skipped)));
-        roles.extend(self.outputs().enumerate().map(|(place, v)| (v.name.as_str(), Column::Output(place))));
-        let mut seen: BTreeSet<&str> = BTreeSet::new();
-        let mut columns = Vec::new();
-        for column in 0..header.len() {
-            let (name, span) = header.cell(column);
-            let role = if column == 0 { None } else { roles.get(name) };
-            if column == 0 && name != TIME {
-                self.say(Code::E0601, span, format!("the first column is `{name}`, not `{TIME}`"));
-            } else if !seen.insert(name) {
-                self.say(Code::E0601, span, format!("column `{name}` appears twice"));
-            } else if column > 0 && role.is_none() {
-                self.say(Code::E0602, span, format!("the chart has no input or output `{name}`"));
-            }
-            columns.push(if column == 0 { Column::Time } else { role.copied().unwrap_or(Column::Skipped) });
-        }
-        columns
+        roles.extend(inputs.iter().map(|variable| (variable.name.as_str(), Column::Skipped)));
+        roles.extend(outputs.iter().enumerate().map(|(place, v)| (v.name.as_str(), Column::Output(place))));
+        let own = [(SITUATION, Column::Situation), (FLAGS, Column::Flags), (RESTART, Column::Skipped)];
+        let (all, looks) = ([inputs, outputs].concat(), Suggestions::new());
+        let fault =
+            |name: &str, span| unknown(format!("the chart has no input or output `{name}`"), name, span, &all, &looks);
+        self.reader.columns(header, (Column::Time, Column::Skipped), &own, &roles, fault)
     }
 
     fn rows(&mut self, header: &Record, records: &[Record]) -> Vec<RecordedRow> {
@@ -151,11 +144,13 @@ impl<'a> Comparison<'a> {
     fn flags(&mut self, text: &str, span: Span) -> BTreeSet<&'static str> {
         let mut found = BTreeSet::new();
         for name in text.split_whitespace() {
-            match FLAGS.iter().find(|flag| **flag == name) {
+            match FLAG_NAMES.iter().find(|flag| **flag == name) {
                 Some(flag) => {
                     found.insert(*flag);
                 }
-                None => self.say(Code::E0603, span, format!("`{name}` is not a flag; there are {}", FLAGS.join(", "))),
+                None => {
+                    self.say(Code::E0603, span, format!("`{name}` is not a flag; there are {}", FLAG_NAMES.join(", ")))
+                }
             }
         }
         found

@@ -2,18 +2,18 @@
 //!
 //! A stimulus trace has a header `t_ms,NAME,…` of inputs, then a row a call. Inputs that it does not name keep their
 //! initial value, an empty cell keeps the value of the row before. Booleans are `0`, `1`, `FALSE` or `TRUE`, times
-//! are in milliseconds. A result has the columns `t_ms`, the outputs, `situation` and `flags`.
+//! are in milliseconds. Where the column `restart` is true, the controller has restarted before the call. A result has the columns `t_ms`, the outputs, `situation` and `flags`.
 //! So has a recording of another tool, which is compared with what the chart does.
 
 mod against;
+mod columns;
 mod read;
+mod table;
 #[cfg(test)]
 mod tests;
 mod write;
 
 pub use against::compare_trace;
+pub use columns::heading;
 pub use read::parse_trace;
 pub use write::write_trace;
-
-/// The name of the column of times.
-const TIME: &str = "t_ms";

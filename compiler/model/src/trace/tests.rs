@@ -59,7 +59,7 @@ fn chart() -> Chart {
 }
 
 fn row(t_ms: i64, a: bool, n: i64, x: f64, d: i64) -> Stimulus {
-    Stimulus { t_ms, inputs: vec![Value::Bool(a), Value::Int(n), Value::Real(x), Value::Time(d)] }
+    Stimulus { t_ms, restart: false, inputs: vec![Value::Bool(a), Value::Int(n), Value::Real(x), Value::Time(d)] }
 }
 
 /// The faults of a trace: code, text under the span, headline.

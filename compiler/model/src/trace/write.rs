@@ -1,6 +1,6 @@
 //! A result trace.
 
-use super::TIME;
+use super::columns::{FLAGS, SITUATION, TIME, heading};
 use crate::chart::{Chart, Type, Value, VariableKind};
 use crate::reaction::{Response, Stimulus};
 
@@ -13,8 +13,8 @@ pub fn write_trace(chart: &Chart, stimuli: &[Stimulus], responses: &[Response]) 
         let _ = writer.write_record(&row);
     };
     let mut header = vec![TIME.to_string()];
-    header.extend(outputs().map(|variable| variable.name.to_string()));
-    header.extend(["situation".to_string(), "flags".to_string()]);
+    header.extend(outputs().map(|variable| heading(&variable.name).into_owned()));
+    header.extend([SITUATION.to_string(), FLAGS.to_string()]);
     write(header);
     for (stimulus, response) in stimuli.iter().zip(responses) {
         let mut row = vec![stimulus.t_ms.to_string()];

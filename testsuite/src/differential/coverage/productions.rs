@@ -25,6 +25,7 @@ pub const ALL: &[&str] = &[
     "output",
     "var",
     "const",
+    "retain",
     "type bool",
     "type int",
     "type dint",

@@ -50,6 +50,8 @@ pub const ALL: &[&str] = &[
     "R10 actions of initial steps are left out",
     "R10 an order acts at the start",
     "R10 an enclosure starts without its links",
+    "R10 a restart keeps what is retained",
+    "R10 a restart begins anew with the rest",
     "R11 a continuous output changes",
     "R11 a stored output changes",
     "R12 time alone changes something",
@@ -136,6 +138,19 @@ impl<'a> Watch<'a> {
         self.now = stimulus.t_ms;
         (self.micro_steps, self.moved, self.quiet) = (0, false, false);
         let Some(before) = before else { return };
+        if stimulus.restart {
+            let initial = |v: VariableId| self.chart.variables[v].initial;
+            let changed = |retain: bool| {
+                let of_these = |v: &VariableId| self.chart.variables[*v].retain == retain;
+                self.stored().filter(of_these).any(|v| self.variables[v] != initial(v))
+            };
+            let (kept, lost) = (changed(true), changed(false));
+            self.see(kept, "R10 a restart keeps what is retained");
+            self.see(lost, "R10 a restart begins anew with the rest");
+            self.started = false;
+            self.active.iter_mut().for_each(|active| *active = false);
+            return;
+        }
         let changed = before.inputs != stimulus.inputs;
         self.see(changed && before.t_ms == stimulus.t_ms, "R13 inputs change without time");
         for expr in &self.chart.exprs {
@@ -175,7 +190,7 @@ impl<'a> Watch<'a> {
         };
         self.see(chart.grafcets.indices().any(|g| without_links(&g)), "R10 an enclosure starts without its links");
         let has_action = chart.stored.iter().any(|a| matches!(a.event, Event::Activation(s) if active[s]));
-        let done = self.stored().any(|v| variables[v] != chart.variables[v].initial);
+        let done = self.stored().any(|v| !chart.variables[v].retain && variables[v] != chart.variables[v].initial);
         self.see(done, "R10 actions of initial steps are done");
         self.see(has_action && !self.profile.initial_actions, "R10 actions of initial steps are left out");
     }

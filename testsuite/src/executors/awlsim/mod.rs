@@ -10,5 +10,5 @@ mod run;
 mod tools;
 
 pub(super) use executor::Awlsim;
-pub use run::{accepts, beyond, play_cycles, run, run_restarted};
+pub use run::{accepts, beyond, play_cycles, run};
 pub use tools::Tools;

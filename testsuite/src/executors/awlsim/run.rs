@@ -19,25 +19,6 @@ pub fn run(tools: &Tools, jobs: &[Job]) -> Vec<Result<Vec<Response>, String>> {
     jobs::run(jobs, units, |_, units: &[&Json]| tools.play(units))
 }
 
-/// Runs one job, which is restarted in one call.
-///
-/// # Errors
-/// What the compiler or awlsim said.
-pub fn run_restarted(tools: &Tools, job: &Job, row: usize) -> Result<Vec<Response>, String> {
-    let mut unit = unit(0, job)?;
-    let restart = awl::restart_input(&job.program);
-    if let Some(inputs) = unit["inputs"].as_array_mut() {
-        inputs.push(json!([restart, "BOOL"]));
-    }
-    for (place, values) in unit["rows"].as_array_mut().into_iter().flatten().enumerate() {
-        if let Some(values) = values.as_array_mut() {
-            values.push(json!(u8::from(place == row)));
-        }
-    }
-    let mut results = jobs::run(std::slice::from_ref(job), vec![Ok(unit)], |_, units: &[&Json]| tools.play(units));
-    results.pop().unwrap_or_else(|| Err("was not run".to_string()))
-}
-
 /// Runs a source that has an `OB 1`: bytes of inputs a cycle, and what so many bytes of outputs are after each.
 ///
 /// # Errors
@@ -74,9 +55,11 @@ fn unit(index: usize, job: &Job) -> Result<Json, String> {
     let mut inputs: Vec<Json> = clock.iter().map(|name| json!([name, "TIME"])).collect();
     let given = program.variables.iter_enumerated().filter(|(_, v)| v.role == Role::Input);
     inputs.extend(given.map(|(id, v)| json!([names[id], type_name(v.ty)])));
+    inputs.push(json!([awl::restart_input(program), "BOOL"]));
     let row = |stimulus: &Stimulus| -> Vec<Json> {
         let now = clock.iter().map(|_| json!(now(index, stimulus.t_ms)));
-        now.chain(stimulus.inputs.iter().map(|value| number(*value))).collect()
+        let given = now.chain(stimulus.inputs.iter().map(|value| number(*value)));
+        given.chain([json!(u8::from(stimulus.restart))]).collect()
     };
     let rows: Vec<Vec<Json>> = job.stimuli.iter().map(row).collect();
     let mut reads: Vec<Json> = outputs(program).map(|(id, v)| json!([names[id], type_name(v.ty), null])).collect();

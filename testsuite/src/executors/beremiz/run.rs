@@ -79,7 +79,14 @@ fn unit(source: &Source, index: usize, job: &Job, text: &str) -> Result<Unit, St
         Source::Programs(plcopen::Body::St | plcopen::Body::Sfc) => st::names(&program),
         Source::Sequences(sequences) => sequence_names(&sequences[index], &program, &blocks)?,
     };
-    let block = FunctionBlock { program, names, name: block.to_string(), text: blocks.clone() };
+    let holder = match source {
+        Source::Programs(plcopen::Body::Ld) => plcopen::ld::instance(&program),
+        Source::Programs(plcopen::Body::St | plcopen::Body::Il | plcopen::Body::Sfc) => None,
+        Source::Sequences(sequences) => {
+            plcopen::sfc::instance(&Sequence { program: program.clone(), ..sequences[index].clone() })
+        }
+    };
+    let block = FunctionBlock { program, names, name: block.to_string(), text: blocks.clone(), holder };
     let driver = RUNTIME.driver(index, &block, &job.stimuli)?;
     Ok(Unit { text: blocks, driver })
 }

@@ -158,6 +158,11 @@ fn text(
     for timer in timers(&declared, prefix) {
         array(format!("at_{timer}"), Type::Time, format!("{timer}.NOW"), times.clone());
     }
+    // Nothing restarts the machine within a run: what is not retained is put back.
+    if stimuli.iter().any(|stimulus| stimulus.restart) {
+        let marks = stimuli.iter().map(|stimulus| literal(Value::Bool(stimulus.restart))).collect();
+        array("restarts".into(), Type::Bool, format!("{prefix}restart"), marks);
+    }
     let inputs = block.program.variables.iter_enumerated().filter(|(_, variable)| variable.role == Role::Input);
     for (place, (id, variable)) in inputs.enumerate() {
         let cells = stimuli.iter().map(|stimulus| literal(stimulus.inputs[place])).collect();
@@ -190,6 +195,18 @@ fn text(
             let _ = writeln!(after, "{name} := {source};");
         }
         let _ = writeln!(after, "END_IF;");
+    }
+    if before.contains("restarts[") {
+        let _ = writeln!(out, "{prefix}restart : BOOL;");
+        let _ = writeln!(before, "IF {prefix}restart THEN");
+        let kept = block.program.variables.iter_enumerated().filter(|(_, v)| v.role.is_kept() && !v.retain);
+        for (id, variable) in kept {
+            let _ = writeln!(before, "{} := {};", block.names[id], literal(variable.initial));
+        }
+        for timer in timers(&declared, prefix) {
+            let _ = writeln!(before, "{timer}(IN := FALSE, PT := T#1ms);");
+        }
+        let _ = writeln!(before, "{prefix}restart := FALSE;\nEND_IF;");
     }
     let _ = writeln!(out, "END_VAR\n{before}{body}{after}");
     let _ = writeln!(out, "{prefix}scan := {prefix}scan + 1;\n{prefix}slot := {prefix}slot + 1;");

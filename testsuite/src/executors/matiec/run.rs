@@ -55,6 +55,15 @@ static TIME ms(long long t) { TIME r; r.tv_sec = t / 1000; r.tv_nsec = (t % 1000
 static long long in_ms(TIME t) { return (long long)t.tv_sec * 1000 + t.tv_nsec / 1000000; }
 ",
     instance: |block| format!("static {block} d; {block}_init__(&d, 0);"),
+    // MATIEC marks what is declared RETAIN when it makes an instance ready.
+    restart: |block, kept| {
+        let named = kept.iter().enumerate();
+        let saved: String = named.clone().map(|(n, name)| format!("__typeof__(d.{name}) kept_{n} = d.{name}; ")).collect();
+        let mark = |(n, name): (usize, &String)| {
+            format!(" if (d.{name}.flags & __IEC_RETAIN_FLAG) d.{name}.value = kept_{n}.value;")
+        };
+        format!("{saved}memset(&d, 0, sizeof d); {block}_init__(&d, 0);{}", named.map(mark).collect::<String>())
+    },
     clock: "__CURRENT_TIME = ms(t);",
     call: |block| format!("{block}_body__(&d);"),
     get: |name| format!("d.{name}.value"),

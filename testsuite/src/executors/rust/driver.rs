@@ -66,6 +66,15 @@ pub(super) fn write(index: usize, program: &Program, names: &RustNames, stimuli:
     let _ = writeln!(out, "    for row in 0..{} {{", stimuli.len());
     let times = stimuli.iter().map(|stimulus| START.wrapping_add(stimulus.t_ms as u32));
     let _ = writeln!(out, "        let now: u32 = {};", column(times.map(|now| now.to_string())));
+    if stimuli.iter().any(|stimulus| stimulus.restart) {
+        let restarts = truths(stimuli.iter().map(|stimulus| Value::Bool(stimulus.restart)));
+        let again = if program.variables.iter().any(|variable| variable.retain) {
+            format!("{module}::{chart}::restarted(&chart.save_retained()).expect(\"what was saved\")")
+        } else {
+            format!("{module}::{chart}::new()")
+        };
+        let _ = writeln!(out, "        if {restarts} {{\n            chart = {again};\n        }}");
+    }
     let inputs = program.variables.iter_enumerated().filter(|(_, variable)| variable.role == Role::Input);
     for (place, (id, variable)) in inputs.enumerate() {
         let values = stimuli.iter().map(|stimulus| stimulus.inputs[place]);

@@ -11,11 +11,21 @@ use std::fs;
 const RUNTIME: Runtime = Runtime {
     head: "\
 #include <cstdio>
+#include <new>
 #include \"charts.cpp\"
 static long long ms(long long t) { return t * 1000000; }
 static long long in_ms(long long t) { return t / 1000000; }
 ",
     instance: |block| format!("static strucpp::{block} d;"),
+    restart: |block, kept| {
+        let named = kept.iter().enumerate();
+        let saved: String = named.clone().map(|(n, name)| format!("auto kept_{n} = d.{name}.get(); ")).collect();
+        let set = |(n, name): (usize, &String)| format!(" d.{name}.set(kept_{n});");
+        format!(
+            "{saved}typedef strucpp::{block} block; d.~block(); new (&d) block();{}",
+            named.map(set).collect::<String>()
+        )
+    },
     clock: "strucpp::__CURRENT_TIME_NS = ms(t);",
     call: |_| "d();".to_string(),
     get: |name| format!("d.{name}.get()"),
