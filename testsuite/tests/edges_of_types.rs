@@ -207,7 +207,7 @@ fn what_stays_in_its_type_is_the_same_number_everywhere() {
             let text = chart(name, some);
             let chart =
                 check(&format!("edges_{name}_{index}"), &text).unwrap_or_else(|fault| panic!("{fault}\n{text}"));
-            let stimuli = vec![Stimulus { t_ms: 0, inputs: vec![least] }; 2];
+            let stimuli = vec![Stimulus { t_ms: 0, restart: false, inputs: vec![least] }; 2];
             let responses = simulate(&chart, Profile::default(), &stimuli);
             for (expression, outputs) in some.iter().zip(responses[1].outputs.chunks(2)) {
                 assert_eq!(Some(outputs[0]), expression.value, "{}", expression.text);

@@ -65,8 +65,8 @@ impl<'b> Memory<'b> {
     fn restarted(self) -> Self {
         let mut after = Memory { now: self.now, ..Memory::new(self.block) };
         for (id, _) in self.block.program.variables.iter_enumerated().filter(|(_, variable)| variable.retain) {
-            let name = &self.block.names[id];
-            after.variables.extend(self.variables.get(name).map(|kept| (name.clone(), *kept)));
+            let name = self.block.names[id].as_str();
+            after.variables.extend(self.variables.get(name).map(|kept| (name.to_owned(), *kept)));
         }
         after
     }

@@ -86,7 +86,13 @@ fn unit(source: &Source, index: usize, job: &Job, text: &str) -> Result<Unit, St
             plcopen::sfc::instance(&Sequence { program: program.clone(), ..sequences[index].clone() })
         }
     };
-    let block = FunctionBlock { program, names, name: block.to_string(), text: blocks.clone(), holder };
+    let block = FunctionBlock {
+        program,
+        names,
+        name: block.to_string(),
+        text: blocks.clone(),
+        holder: holder.map(String::from),
+    };
     let driver = RUNTIME.driver(index, &block, &job.stimuli)?;
     Ok(Unit { text: blocks, driver })
 }
