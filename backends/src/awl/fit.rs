@@ -12,21 +12,23 @@ const LONGEST_MS: i64 = i32::MAX as i64;
 
 /// Says of each variable and constant that it does not fit.
 pub(super) fn check(program: &Program) -> Result<(), Diagnostics> {
-    let mut said = Diagnostics::new();
+    let mut diagnostics = Diagnostics::new();
     for variable in program.variables.iter().filter(|v| v.ty == Type::Lreal) {
         if let Some(span) = variable.span {
-            said.push(double_precision(span, &format!("`{}` is an `lreal`", variable.name)));
+            diagnostics.push(double_precision(span, &format!("`{}` is an `lreal`", variable.name)));
         }
     }
     let has_lreal = |id: FormulaId| program.pool.ty(id) == Type::Lreal;
-    if said.is_empty() && (program.variables.iter().any(|v| v.ty == Type::Lreal) || program.pool.ids().any(has_lreal)) {
-        said.push(double_precision(whole(program), "an intermediate result is an `lreal`"));
+    if diagnostics.is_empty()
+        && (program.variables.iter().any(|v| v.ty == Type::Lreal) || program.pool.ids().any(has_lreal))
+    {
+        diagnostics.push(double_precision(whole(program), "an intermediate result is an `lreal`"));
     }
     for variable in program.variables.iter().filter(|v| v.role == Role::Constant || v.role == Role::Input) {
         if let Value::Time(ms) = variable.initial
             && too_long(ms)
         {
-            said.push(long_time(variable.span.unwrap_or_else(|| whole(program)), ms));
+            diagnostics.push(long_time(variable.span.unwrap_or_else(|| whole(program)), ms));
         }
     }
     let of_timers = program.timers.iter().filter_map(|timer| timer.preset.filter(|p| p.constant.is_none()));
@@ -39,9 +41,9 @@ pub(super) fn check(program: &Program) -> Result<(), Diagnostics> {
     long.sort_unstable();
     long.dedup();
     for ms in long {
-        said.push(long_time(whole(program), ms));
+        diagnostics.push(long_time(whole(program), ms));
     }
-    if said.has_errors() { Err(said) } else { Ok(()) }
+    if diagnostics.has_errors() { Err(diagnostics) } else { Ok(()) }
 }
 
 /// Says that a block is too long, if it is.
@@ -49,14 +51,14 @@ pub(super) fn check_length(program: &Program, code: &Code) -> Result<(), Diagnos
     if code.count <= MOST_INSTRUCTIONS && code.labels_suffice() {
         return Ok(());
     }
-    let mut said = Diagnostics::new();
+    let mut diagnostics = Diagnostics::new();
     let message = format!("the chart takes {} instructions, more than a block of STEP 7 can hold", code.count);
-    said.push(
+    diagnostics.push(
         Diagnostic::new(DiagnosticCode::E0506, whole(program), message)
             .note("a block has 65536 bytes at most, and an instruction two at least")
             .help("try another `--encoding`, or split it into several charts"),
     );
-    Err(said)
+    Err(diagnostics)
 }
 
 /// Where a program comes from as a whole: the beginning of its text.

@@ -8,12 +8,12 @@ use grafc_logic::{Analysis, Options, compile};
 use grafc_model::reaction::{Evolution, Profile};
 
 fn compiled(text: &str, profile: Profile) -> Program {
-    let (tree, said) = grafc_syntax::parse(FileId::default(), text);
-    assert!(!said.has_errors(), "{said:?}");
-    let (chart, said) = grafc_model::check(&tree, "chart");
-    let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{said:?}")));
-    let mut said = Diagnostics::new();
-    grafc_net::passes::run(&mut net, false, &mut said);
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), text);
+    assert!(!diagnostics.has_errors(), "{diagnostics:?}");
+    let (chart, diagnostics) = grafc_model::check(&tree, "chart");
+    let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{diagnostics:?}")));
+    let mut diagnostics = Diagnostics::new();
+    grafc_net::passes::run(&mut net, false, &mut diagnostics);
     compile(Analysis::new(net), &Options { profile, ..Options::default() }).0
 }
 

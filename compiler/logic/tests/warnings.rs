@@ -2,26 +2,26 @@
 
 use grafc_diagnostics::{Diagnostic, Diagnostics, FileId};
 
-fn said(text: &str) -> Diagnostics {
-    let (tree, said) = grafc_syntax::parse(FileId::default(), text);
-    assert!(!said.has_errors(), "{said:?}");
-    let (chart, said) = grafc_model::check(&tree, "chart");
-    let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{said:?}")));
-    let mut said = Diagnostics::new();
-    grafc_net::passes::run(&mut net, false, &mut said);
-    assert!(said.is_empty(), "{said:?}");
+fn diagnostics(text: &str) -> Diagnostics {
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), text);
+    assert!(!diagnostics.has_errors(), "{diagnostics:?}");
+    let (chart, diagnostics) = grafc_model::check(&tree, "chart");
+    let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{diagnostics:?}")));
+    let mut diagnostics = Diagnostics::new();
+    grafc_net::passes::run(&mut net, false, &mut diagnostics);
+    assert!(diagnostics.is_empty(), "{diagnostics:?}");
     grafc_logic::warn(&grafc_logic::Analysis::new(net))
 }
 
 fn codes(text: &str) -> Vec<&'static str> {
-    said(text).iter().map(|d| d.code.as_str()).collect()
+    diagnostics(text).iter().map(|d| d.code.as_str()).collect()
 }
 
 /// The only message, which has this code.
 fn only(code: &str, text: &str) -> Diagnostic {
-    let said = said(text);
-    assert_eq!(said.iter().map(|d| d.code.as_str()).collect::<Vec<_>>(), [code], "{text}");
-    said.iter().next().cloned().unwrap_or_else(|| unreachable!("there is one"))
+    let diagnostics = diagnostics(text);
+    assert_eq!(diagnostics.iter().map(|d| d.code.as_str()).collect::<Vec<_>>(), [code], "{text}");
+    diagnostics.iter().next().cloned().unwrap_or_else(|| unreachable!("there is one"))
 }
 
 #[track_caller]
@@ -59,7 +59,7 @@ mod w0409 {
         )
     }
 
-    /// The case in which both are said to hold.
+    /// The case in which both are diagnostics to hold.
     fn case(a: &str, b: &str) -> Option<String> {
         let found = only("W0409", &selection(a, b));
         let case = found.notes.iter().find_map(|note| note.strip_prefix("their conditions "));

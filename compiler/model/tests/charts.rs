@@ -5,11 +5,11 @@ use grafc_model::chart::{Chart, MacroId, Node, StepId};
 
 /// A chart about which nothing is to be said but these warnings.
 fn chart_with(warnings: &[&str], text: &str) -> Chart {
-    let (tree, said) = grafc_syntax::parse(FileId(0), text);
-    assert!(said.is_empty(), "{said:#?}");
-    let (chart, said) = grafc_model::check(&tree, "file_name");
-    let codes: Vec<&str> = said.iter().map(|d| d.code.as_str()).collect();
-    assert_eq!(codes, warnings, "{said:#?}");
+    let (tree, diagnostics) = grafc_syntax::parse(FileId(0), text);
+    assert!(diagnostics.is_empty(), "{diagnostics:#?}");
+    let (chart, diagnostics) = grafc_model::check(&tree, "file_name");
+    let codes: Vec<&str> = diagnostics.iter().map(|d| d.code.as_str()).collect();
+    assert_eq!(codes, warnings, "{diagnostics:#?}");
     chart.expect("there are only warnings")
 }
 

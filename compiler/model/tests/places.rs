@@ -7,9 +7,9 @@ use support::{annotated, placed};
 
 /// The messages on a chart, each at its first place, are those that it is annotated with.
 fn check(text: &str) {
-    let (tree, said) = grafc_syntax::parse(FileId(0), text);
+    let (tree, diagnostics) = grafc_syntax::parse(FileId(0), text);
     let checked = grafc_model::examine(&tree, "chart");
-    let all = said.iter().chain(&checked.diagnostics);
+    let all = diagnostics.iter().chain(&checked.diagnostics);
     let found = all.map(|d| (d.primary.span, d.code.as_str().to_owned()));
     assert_eq!(placed(text, found), annotated(text), "{text}");
 }

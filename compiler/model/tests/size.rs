@@ -10,13 +10,13 @@ const BOUND: Duration = Duration::from_secs(60);
 
 /// The codes of a chart, each once, if the check stayed within the bound.
 fn codes(text: &str) -> Vec<&'static str> {
-    let (tree, said) = grafc_syntax::parse(FileId(0), text);
-    assert!(said.is_empty(), "{:?}", said.iter().next());
+    let (tree, diagnostics) = grafc_syntax::parse(FileId(0), text);
+    assert!(diagnostics.is_empty(), "{:?}", diagnostics.iter().next());
     let start = Instant::now();
-    let (_, said) = grafc_model::check(&tree, "large");
+    let (_, diagnostics) = grafc_model::check(&tree, "large");
     let taken = start.elapsed();
     assert!(taken < BOUND, "{taken:?}");
-    let mut codes: Vec<&str> = said.iter().map(|d| d.code.as_str()).collect();
+    let mut codes: Vec<&str> = diagnostics.iter().map(|d| d.code.as_str()).collect();
     codes.sort_unstable();
     codes.dedup();
     codes

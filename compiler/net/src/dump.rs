@@ -148,8 +148,8 @@ mod tests {
             grafcet G2 { step 3 enclosing step 4 transition 3 -> 4 : 1 transition (back) 4 -> 3 : 1 }
             grafcet X4/G3 { activated step 5 }";
         let (tree, _) = grafc_syntax::parse(FileId::default(), text);
-        let (chart, said) = grafc_model::check(&tree, "N");
-        let mut net = build(&chart.unwrap_or_else(|| panic!("{said:?}")));
+        let (chart, diagnostics) = grafc_model::check(&tree, "N");
+        let mut net = build(&chart.unwrap_or_else(|| panic!("{diagnostics:?}")));
         let before = dump(&net);
         assert_eq!(below(&before, "orders"), ["1 forces G2{3}", "2 forces G2{}"]);
         assert_eq!(below(&before, "grafcets")[4..], ["G3 in 4, level 2", "  steps 5"]);

@@ -6,18 +6,18 @@ use grafc_net::net::Forced;
 use grafc_net::{Fact, Net, build, passes};
 
 fn net(text: &str) -> Net {
-    let (tree, said) = grafc_syntax::parse(FileId::default(), text);
-    assert!(!said.has_errors(), "{said:?}");
-    let (chart, said) = grafc_model::check(&tree, "chart");
-    build(&chart.unwrap_or_else(|| panic!("{said:?}")))
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), text);
+    assert!(!diagnostics.has_errors(), "{diagnostics:?}");
+    let (chart, diagnostics) = grafc_model::check(&tree, "chart");
+    build(&chart.unwrap_or_else(|| panic!("{diagnostics:?}")))
 }
 
 /// The net of a text after all passes; those for overlapping steps only if asked.
 fn flat(text: &str, overlap: bool) -> Net {
     let mut net = net(text);
-    let mut said = Diagnostics::new();
-    passes::run(&mut net, overlap, &mut said);
-    assert!(said.is_empty(), "{said:?}");
+    let mut diagnostics = Diagnostics::new();
+    passes::run(&mut net, overlap, &mut diagnostics);
+    assert!(diagnostics.is_empty(), "{diagnostics:?}");
     net
 }
 

@@ -23,10 +23,10 @@ const TEXT: &str = "
 ";
 
 fn built() -> Net {
-    let (tree, said) = grafc_syntax::parse(FileId::default(), TEXT);
-    assert!(!said.has_errors(), "{said:?}");
-    let (chart, said) = grafc_model::check(&tree, "chart");
-    build(&chart.unwrap_or_else(|| panic!("{said:?}")))
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), TEXT);
+    assert!(!diagnostics.has_errors(), "{diagnostics:?}");
+    let (chart, diagnostics) = grafc_model::check(&tree, "chart");
+    build(&chart.unwrap_or_else(|| panic!("{diagnostics:?}")))
 }
 
 fn flat() -> Net {

@@ -258,8 +258,8 @@ mod tests {
     use grafc_diagnostics::FileId;
 
     fn of(text: &str) -> String {
-        let (tree, said) = crate::parse(FileId::default(), text);
-        assert!(said.is_empty(), "{said:?}");
+        let (tree, diagnostics) = crate::parse(FileId::default(), text);
+        assert!(diagnostics.is_empty(), "{diagnostics:?}");
         dump(&tree)
     }
 

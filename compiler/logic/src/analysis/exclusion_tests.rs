@@ -18,10 +18,10 @@ fn ask(x: &str, y: &str, question: impl Fn(&EdgeFacts, &Lowering, FormulaId, For
          initial step 1  step 2 {{ k := n on activation  w := a on activation }}  step 3
          transition 1 -> 2 : {x}  transition 1 -> 3 : {y}"
     );
-    let (tree, said) = grafc_syntax::parse(FileId::default(), &text);
-    assert!(!said.has_errors(), "{text}\n{said:?}");
-    let (chart, said) = grafc_model::check(&tree, "chart");
-    let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{text}\n{said:?}")));
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), &text);
+    assert!(!diagnostics.has_errors(), "{text}\n{diagnostics:?}");
+    let (chart, diagnostics) = grafc_model::check(&tree, "chart");
+    let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{text}\n{diagnostics:?}")));
     grafc_net::passes::run(&mut net, false, &mut Diagnostics::new());
     let Analysis { conditions, facts, .. } = Analysis::new(net);
     let (first, second) = (TransitionId::from_usize(0), TransitionId::from_usize(1));
@@ -147,10 +147,10 @@ fn not_exclusive(exits: &[String]) -> Option<(usize, usize)> {
     for (i, exit) in exits.iter().enumerate() {
         text += &format!("step {}\ntransition 0 -> {} : {exit}\n", i + 1, i + 1);
     }
-    let (tree, said) = grafc_syntax::parse(FileId::default(), &text);
-    assert!(!said.has_errors(), "{text}\n{said:?}");
-    let (chart, said) = grafc_model::check(&tree, "chart");
-    let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{text}\n{said:?}")));
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), &text);
+    assert!(!diagnostics.has_errors(), "{text}\n{diagnostics:?}");
+    let (chart, diagnostics) = grafc_model::check(&tree, "chart");
+    let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{text}\n{diagnostics:?}")));
     grafc_net::passes::run(&mut net, false, &mut Diagnostics::new());
     let analysis = Analysis::new(net);
     let clash = analysis.together().clearings.first()?.pairs.first()?;

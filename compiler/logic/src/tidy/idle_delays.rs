@@ -243,10 +243,10 @@ mod tests {
     use grafc_diagnostics::{Diagnostics, FileId};
 
     fn program(text: &str) -> Program {
-        let (tree, said) = grafc_syntax::parse(FileId::default(), text);
-        assert!(!said.has_errors(), "{said:?}");
-        let (chart, said) = grafc_model::check(&tree, "chart");
-        let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{said:?}")));
+        let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), text);
+        assert!(!diagnostics.has_errors(), "{diagnostics:?}");
+        let (chart, diagnostics) = grafc_model::check(&tree, "chart");
+        let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{diagnostics:?}")));
         grafc_net::passes::run(&mut net, false, &mut Diagnostics::new());
         let options = Options { encoding: Encoding::Switch, ..Options::default() };
         compile(Analysis::new(net), &options).0

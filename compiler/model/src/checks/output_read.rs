@@ -15,13 +15,13 @@ use index_vec::{IndexVec, index_vec};
 /// One warning per output.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
-    let mut said: IndexVec<VariableId, bool> = index_vec![false; chart.variables.len()];
+    let mut told: IndexVec<VariableId, bool> = index_vec![false; chart.variables.len()];
     for expr in &chart.exprs {
         let ExprKind::Variable(id) = expr.kind else { continue };
         let variable = &chart.variables[id];
         if variable.kind == VariableKind::Output
             && variable.mode == Mode::Wire
-            && !std::mem::replace(&mut said[id], true)
+            && !std::mem::replace(&mut told[id], true)
         {
             diagnostics.push(
                 Diagnostic::new(Code::W0401, expr.span, format!("the output `{}` is read", variable.name))

@@ -21,11 +21,12 @@ pub fn faults(text: &str) -> Vec<String> {
 
 /// Each fix takes away its fault, and brings no other.
 fn try_fixes(text: &str, found: &Diagnostics) {
-    let said = |diagnostics: &Diagnostics| -> Vec<String> { diagnostics.iter().map(|d| d.message.clone()).collect() };
+    let messages =
+        |diagnostics: &Diagnostics| -> Vec<String> { diagnostics.iter().map(|d| d.message.clone()).collect() };
     for diagnostic in found {
         for fix in &diagnostic.fixes {
             let fixed = apply(FileId(0), text, &fix.edits).unwrap_or_else(|misfit| panic!("{misfit}: {fix:?}\n{text}"));
-            let mut expected = said(found);
+            let mut expected = messages(found);
             let of_it = expected.iter().position(|message| *message == diagnostic.message);
             expected.remove(of_it.expect("the message is among them"));
             for new in &grafc_syntax::parse(FileId(0), &fixed).1 {

@@ -16,10 +16,10 @@ use std::fmt::Write;
 use std::sync::Arc;
 
 fn net(text: &str) -> Net {
-    let (tree, said) = grafc_syntax::parse(FileId::default(), text);
-    assert!(!said.has_errors(), "{text}\n{said:?}");
-    let (chart, said) = grafc_model::check(&tree, "chart");
-    let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{text}\n{said:?}")));
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), text);
+    assert!(!diagnostics.has_errors(), "{text}\n{diagnostics:?}");
+    let (chart, diagnostics) = grafc_model::check(&tree, "chart");
+    let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{text}\n{diagnostics:?}")));
     grafc_net::passes::run(&mut net, false, &mut Diagnostics::new());
     net
 }

@@ -5,10 +5,10 @@ use super::Transients;
 use grafc_diagnostics::{Diagnostics, FileId};
 
 fn transients(text: &str) -> Transients {
-    let (tree, said) = grafc_syntax::parse(FileId::default(), text);
-    assert!(!said.has_errors(), "{said:?}");
-    let (chart, said) = grafc_model::check(&tree, "chart");
-    let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{said:?}")));
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), text);
+    assert!(!diagnostics.has_errors(), "{diagnostics:?}");
+    let (chart, diagnostics) = grafc_model::check(&tree, "chart");
+    let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{diagnostics:?}")));
     grafc_net::passes::run(&mut net, false, &mut Diagnostics::new());
     crate::Analysis::new(net).transients().clone()
 }
