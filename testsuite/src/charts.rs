@@ -129,19 +129,19 @@ pub fn profile_line(profile: Profile) -> String {
 
 /// The checked chart of a text, or its messages as a person would read them.
 pub fn check(name: &str, text: &str) -> Result<Chart, String> {
-    let (tree, mut said) = grafc_syntax::parse(FileId::default(), text);
-    if said.has_errors() {
-        return Err(render(name, text, &said));
+    let (tree, mut diagnostics) = grafc_syntax::parse(FileId::default(), text);
+    if diagnostics.has_errors() {
+        return Err(render(name, text, &diagnostics));
     }
     let (chart, more) = grafc_model::check(&tree, name);
-    said.append(more);
-    chart.ok_or_else(|| render(name, text, &said))
+    diagnostics.append(more);
+    chart.ok_or_else(|| render(name, text, &diagnostics))
 }
 
 /// The stimuli of a trace.
 pub fn stimuli(name: &str, trace: &str, chart: &Chart) -> Result<Vec<Stimulus>, String> {
-    let (stimuli, said) = grafc_model::trace::parse_trace(FileId::default(), trace, chart);
-    if said.has_errors() { Err(render(name, trace, &said)) } else { Ok(stimuli) }
+    let (stimuli, diagnostics) = grafc_model::trace::parse_trace(FileId::default(), trace, chart);
+    if diagnostics.has_errors() { Err(render(name, trace, &diagnostics)) } else { Ok(stimuli) }
 }
 
 /// The responses of a chart as the expectation spells them.
@@ -155,9 +155,9 @@ pub fn is_flat(chart: &Chart) -> bool {
 }
 
 /// Messages as a person would read them.
-pub fn render(name: &str, text: &str, said: &Diagnostics) -> String {
+pub fn render(name: &str, text: &str, diagnostics: &Diagnostics) -> String {
     let mut out = String::new();
-    for one in said {
+    for one in diagnostics {
         let before = &text.as_bytes()[..(one.primary.span.start as usize).min(text.len())];
         let line = before.iter().filter(|&&b| b == b'\n').count() + 1;
         out.push_str(&format!("{name}:{line}: {}: {}\n", one.code.as_str(), one.message));

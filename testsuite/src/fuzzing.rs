@@ -27,9 +27,9 @@ pub const TARGETS: [&str; 4] = ["parser", "importer", "trace", "pipeline"];
 /// A file of another tool: messages at places of it; a chart in canonical format exactly if none of them is an error.
 pub fn importer(text: &str) {
     for delays in [false, true] {
-        let (chart, said) = grafc_import::import(FileId::default(), text, grafc_import::Options { delays });
-        places(text, &said);
-        assert_eq!(chart.is_none(), said.has_errors(), "{said:?}");
+        let (chart, diagnostics) = grafc_import::import(FileId::default(), text, grafc_import::Options { delays });
+        places(text, &diagnostics);
+        assert_eq!(chart.is_none(), diagnostics.has_errors(), "{diagnostics:?}");
         let Some(chart) = chart else { continue };
         let (tree, faults) = grafc_syntax::parse(FileId::default(), &chart);
         assert!(!faults.has_errors(), "the import is no text of ours: {faults:?}\n{chart}");
@@ -48,9 +48,9 @@ const INPUTS: &str = "
 /// A trace: messages at places of it; times do not go back; what was read and is written again is read as the same.
 pub fn trace(text: &str) {
     let chart = charts::check("inputs", INPUTS).expect("a chart without errors");
-    let (stimuli, said) = parse_trace(FileId::default(), text, &chart);
-    places(text, &said);
-    if said.has_errors() {
+    let (stimuli, diagnostics) = parse_trace(FileId::default(), text, &chart);
+    places(text, &diagnostics);
+    if diagnostics.has_errors() {
         return;
     }
     assert!(stimuli.windows(2).all(|pair| pair[0].t_ms <= pair[1].t_ms), "time goes back: {stimuli:?}");
@@ -61,14 +61,14 @@ pub fn trace(text: &str) {
 /// A chart: messages at places of it; if it is accepted, every encoding gives a program that verifies, the exact ones
 /// do what the simulator does, and the backends write the program or say why not.
 pub fn pipeline(text: &str) {
-    let (tree, said) = grafc_syntax::parse(FileId::default(), text);
-    places(text, &said);
-    if said.has_errors() {
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), text);
+    places(text, &diagnostics);
+    if diagnostics.has_errors() {
         return;
     }
-    let (chart, said) = grafc_model::check(&tree, "fuzzed");
-    places(text, &said);
-    assert_eq!(chart.is_none(), said.has_errors(), "a chart exactly if there is no error: {said:?}");
+    let (chart, diagnostics) = grafc_model::check(&tree, "fuzzed");
+    places(text, &diagnostics);
+    assert_eq!(chart.is_none(), diagnostics.has_errors(), "a chart exactly if there is no error: {diagnostics:?}");
     let Some(chart) = chart else { return };
     let profile = profile(text.len() as u64);
     let stimuli = drawn_trace(text.len() as u64, &chart, ROWS);
@@ -91,9 +91,9 @@ pub fn pipeline(text: &str) {
 
 /// The program of an accepted chart, which verifies and is written by all backends or refused with a reason.
 fn accepted(text: &str, chart: &Chart, options: &Options) -> Option<grafc_logic::scan::Program> {
-    let (program, said) = lowered(chart, options);
-    places(text, &said);
-    if said.has_errors() {
+    let (program, diagnostics) = lowered(chart, options);
+    places(text, &diagnostics);
+    if diagnostics.has_errors() {
         return None;
     }
     assert_eq!(grafc_logic::scan::verify(&program), Ok(()), "{}", options.encoding.name());
@@ -112,8 +112,8 @@ fn accepted(text: &str, chart: &Chart, options: &Options) -> Option<grafc_logic:
 }
 
 /// Every message lies in the text, at the bounds of characters.
-fn places(text: &str, said: &Diagnostics) {
-    for message in said {
+fn places(text: &str, diagnostics: &Diagnostics) {
+    for message in diagnostics {
         for label in std::iter::once(&message.primary).chain(&message.secondary) {
             assert!(text.get(label.span.range()).is_some(), "{message:?} is not at a place of the text");
         }

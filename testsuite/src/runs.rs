@@ -18,18 +18,18 @@ pub fn simulate(chart: &Chart, profile: Profile, stimuli: &[Stimulus]) -> Vec<Re
 
 /// The scan program of a chart, or the messages of the stages.
 pub fn compile(chart: &Chart, options: &Options) -> Result<Program, String> {
-    let (program, said) = lowered(chart, options);
-    if said.has_errors() { Err(charts::render(&chart.name, "", &said)) } else { Ok(program) }
+    let (program, diagnostics) = lowered(chart, options);
+    if diagnostics.has_errors() { Err(charts::render(&chart.name, "", &diagnostics)) } else { Ok(program) }
 }
 
 /// The scan program of a chart, and what the stages say.
 pub fn lowered(chart: &Chart, options: &Options) -> (Program, Diagnostics) {
-    let mut said = Diagnostics::new();
+    let mut diagnostics = Diagnostics::new();
     let mut net = grafc_net::build(chart);
-    grafc_net::passes::run(&mut net, options.encoding.overlaps(), &mut said);
+    grafc_net::passes::run(&mut net, options.encoding.overlaps(), &mut diagnostics);
     let (program, more) = grafc_logic::compile(Analysis::new(net), options);
-    said.append(more);
-    (program, said)
+    diagnostics.append(more);
+    (program, diagnostics)
 }
 
 /// What the scan program of a chart does.
@@ -45,11 +45,11 @@ pub fn run(program: &Program, stimuli: &[Stimulus]) -> Vec<Response> {
 
 /// The program in an encoding whose steps overlap, and whether the compiler warns that the overlap can be seen.
 pub fn overlapping(chart: &Chart, options: &Options) -> Result<(Program, bool), String> {
-    let (program, said) = lowered(chart, options);
-    if said.has_errors() {
-        return Err(charts::render(&chart.name, "", &said));
+    let (program, diagnostics) = lowered(chart, options);
+    if diagnostics.has_errors() {
+        return Err(charts::render(&chart.name, "", &diagnostics));
     }
-    Ok((program, said.iter().any(|message| message.code == Code::W0413)))
+    Ok((program, diagnostics.iter().any(|message| message.code == Code::W0413)))
 }
 
 /// The situations after each call in an encoding whose steps overlap, if the compiler has no warning that the overlap

@@ -225,10 +225,10 @@ mod tests {
 
     fn chart(shape: &ScalingShape, size: usize) -> Chart {
         let text = (shape.write)(size);
-        let (ast, said) = grafc_syntax::parse(FileId::default(), &text);
-        assert!(!said.has_errors(), "{} {size}: {said:#?}\n{text}", shape.name);
-        let (chart, said) = grafc_model::check(&ast, "scaling");
-        assert!(!said.has_errors(), "{} {size}: {said:#?}\n{text}", shape.name);
+        let (ast, diagnostics) = grafc_syntax::parse(FileId::default(), &text);
+        assert!(!diagnostics.has_errors(), "{} {size}: {diagnostics:#?}\n{text}", shape.name);
+        let (chart, diagnostics) = grafc_model::check(&ast, "scaling");
+        assert!(!diagnostics.has_errors(), "{} {size}: {diagnostics:#?}\n{text}", shape.name);
         chart.expect("a chart without errors")
     }
 

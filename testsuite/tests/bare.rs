@@ -73,8 +73,8 @@ fn write(folder: &Path, runtime: Runtime, charts: &[(String, String)], extra: &s
                 Options { encoding, ..Options::default() },
                 grafc::Product::Code(Target::Rust(product)),
             );
-            let (code, said) = grafc::compile(FileId(0), text, name, &options);
-            library.push_str(&code.unwrap_or_else(|| panic!("{name}: {said:#?}")).text);
+            let (code, diagnostics) = grafc::compile(FileId(0), text, name, &options);
+            library.push_str(&code.unwrap_or_else(|| panic!("{name}: {diagnostics:#?}")).text);
         }
     }
     library.push_str(extra);

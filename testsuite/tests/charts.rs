@@ -56,9 +56,9 @@ fn the_scan_programs_agree() {
 #[test]
 fn every_chart_is_in_canonical_format() {
     each(|case| {
-        let (tree, said) = grafc_syntax::parse(FileId::default(), &case.text);
-        if said.has_errors() {
-            return Err(format!("{said:?}"));
+        let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), &case.text);
+        if diagnostics.has_errors() {
+            return Err(format!("{diagnostics:?}"));
         }
         compare(&case.text, &grafc_syntax::format(&case.text, &tree))
     });
@@ -71,7 +71,7 @@ fn every_chart_compiles_to_structured_text_in_every_encoding() {
         for encoding in Encoding::ALL {
             let options = Options { profile: case.profile, encoding, simplify: true };
             let program = runs::compile(&chart, &options)?;
-            let text = st::emit(&program, &st::Options::default()).map_err(|said| format!("{said:?}"))?;
+            let text = st::emit(&program, &st::Options::default()).map_err(|diagnostics| format!("{diagnostics:?}"))?;
             if !text.contains("FUNCTION_BLOCK") {
                 return Err(text);
             }

@@ -25,10 +25,10 @@ fn charts_are_correct() {
     for (path, page) in book().iter().filter(|(path, _)| !is_error_page(path)) {
         for block in blocks(page).iter().filter(|b| b.language == "gct") {
             charts += 1;
-            let (_, said) = grafc::check(FileId(0), &block.text, "example");
-            if said.has_errors() != block.has("wrong") || (!said.is_empty() && !block.has("wrong")) {
-                let said: Vec<_> = said.iter().map(|d| format!("{:?} {}", d.code, d.message)).collect();
-                faults.push(format!("{}:{}: {said:?}", path.display(), block.line));
+            let (_, diagnostics) = grafc::check(FileId(0), &block.text, "example");
+            if diagnostics.has_errors() != block.has("wrong") || (!diagnostics.is_empty() && !block.has("wrong")) {
+                let diagnostics: Vec<_> = diagnostics.iter().map(|d| format!("{:?} {}", d.code, d.message)).collect();
+                faults.push(format!("{}:{}: {diagnostics:?}", path.display(), block.line));
             }
         }
     }

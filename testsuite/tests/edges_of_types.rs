@@ -186,10 +186,10 @@ fn what_leaves_its_type_is_an_error_of_check() {
         assert!(outside.len() >= 10, "{name}: {} expressions", outside.len());
         for expression in outside {
             let text = format!("input x : {name} output o : bool initial step 1 {{ o if [x < {}] }}", expression.text);
-            let (tree, said) = grafc_syntax::parse(FileId(0), &text);
-            assert!(!said.has_errors(), "{text}");
-            let (chart, said) = grafc_model::check(&tree, "edges");
-            let codes: Vec<Code> = said.iter().map(|one| one.code).collect();
+            let (tree, diagnostics) = grafc_syntax::parse(FileId(0), &text);
+            assert!(!diagnostics.has_errors(), "{text}");
+            let (chart, diagnostics) = grafc_model::check(&tree, "edges");
+            let codes: Vec<Code> = diagnostics.iter().map(|one| one.code).collect();
             assert!(chart.is_none() && codes == [Code::E0210], "{text}: {codes:?}");
         }
     }

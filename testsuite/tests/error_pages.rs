@@ -45,10 +45,10 @@ fn chart_of(blocks: &[FencedBlock]) -> Option<&FencedBlock> {
 /// What is said about a recording of a chart without inputs: its times are the trace.
 fn compared(chart: &Chart, recording: &str) -> Diagnostics {
     let times: Vec<&str> = recording.lines().filter_map(|line| line.split(',').next()).collect();
-    let (stimuli, mut said) = grafc_model::trace::parse_trace(FileId(1), &times.join("\n"), chart);
+    let (stimuli, mut diagnostics) = grafc_model::trace::parse_trace(FileId(1), &times.join("\n"), chart);
     let responses = simulate(chart, Profile::default(), &stimuli);
-    said.append(grafc_model::trace::compare_trace(FileId(1), recording, chart, &stimuli, &responses).1);
-    said
+    diagnostics.append(grafc_model::trace::compare_trace(FileId(1), recording, chart, &stimuli, &responses).1);
+    diagnostics
 }
 
 /// What is said about the example: of a chart, of its import, of a trace for it, or of its way to Structured Text.
@@ -57,11 +57,12 @@ fn diagnose(code: Code, chart: &FencedBlock, trace: Option<&FencedBlock>) -> BTr
         let options = grafc_import::Options::default();
         return codes(&grafc_import::import(FileId(0), &chart.text, options).1);
     }
-    let (checked, mut said) = grafc::check(FileId(0), &chart.text, "example");
+    let (checked, mut diagnostics) = grafc::check(FileId(0), &chart.text, "example");
     match trace {
         Some(trace) => {
-            let checked = checked.unwrap_or_else(|| panic!("{code:?}: the chart of the trace has errors: {said:?}"));
-            said.append(match code {
+            let checked =
+                checked.unwrap_or_else(|| panic!("{code:?}: the chart of the trace has errors: {diagnostics:?}"));
+            diagnostics.append(match code {
                 Code::E0605 => compared(&checked, &trace.text),
                 _ => grafc_model::trace::parse_trace(FileId(1), &trace.text, &checked).1,
             });
@@ -72,11 +73,11 @@ fn diagnose(code: Code, chart: &FencedBlock, trace: Option<&FencedBlock>) -> BTr
             }
         }
     }
-    codes(&said)
+    codes(&diagnostics)
 }
 
-fn codes(said: &Diagnostics) -> BTreeSet<Code> {
-    said.iter().map(|d| d.code).collect()
+fn codes(diagnostics: &Diagnostics) -> BTreeSet<Code> {
+    diagnostics.iter().map(|d| d.code).collect()
 }
 
 /// The codes that compiling gives, as the user sees them.
@@ -159,14 +160,15 @@ fn fixes_of_wrong_examples_cure_them() {
     for code in Code::ALL {
         let wrong = examples(*code, "Wrong");
         let Some(chart) = only(&wrong, "gct") else { continue };
-        let said = grafc::check(FileId(0), &chart.text, "example").1;
-        for diagnostic in &said {
-            let errors = |said: &Diagnostics| said.iter().filter(|d| d.code.severity() == Severity::Error).count();
+        let diagnostics = grafc::check(FileId(0), &chart.text, "example").1;
+        for diagnostic in &diagnostics {
+            let errors =
+                |diagnostics: &Diagnostics| diagnostics.iter().filter(|d| d.code.severity() == Severity::Error).count();
             let is_error = usize::from(diagnostic.code.severity() == Severity::Error);
             for fix in &diagnostic.fixes {
                 let fixed = apply(FileId(0), &chart.text, &fix.edits).unwrap_or_else(|e| panic!("{code:?}: {e}"));
                 let now = grafc::check(FileId(0), &fixed, "example").1;
-                assert!(errors(&now) <= errors(&said) - is_error, "{code:?}: {fix:?} gives {now:#?}\n{fixed}");
+                assert!(errors(&now) <= errors(&diagnostics) - is_error, "{code:?}: {fix:?} gives {now:#?}\n{fixed}");
                 let is_left = now.iter().any(|d| d.code == *code && d.message == diagnostic.message);
                 assert!(!is_left, "{code:?}: {fix:?} does not help\n{fixed}");
                 tried.insert(*code);

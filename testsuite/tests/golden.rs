@@ -52,8 +52,8 @@ impl Golden {
     /// What a chart becomes.
     fn made(&self, case: &Case, encoding: Encoding, simplify: bool, product: Product) -> String {
         let options = Options::new(Lowering { profile: case.profile, encoding, simplify }, product);
-        let (made, said) = grafc::compile(FileId::default(), &case.text, &case.name, &options);
-        made.unwrap_or_else(|| panic!("{}: {said:?}", case.name)).text
+        let (made, diagnostics) = grafc::compile(FileId::default(), &case.text, &case.name, &options);
+        made.unwrap_or_else(|| panic!("{}: {diagnostics:?}", case.name)).text
     }
 
     /// The languages of PLCs; the name of the file has no ending yet.

@@ -23,29 +23,33 @@ struct Codes {
 
 /// All codes, or nothing and at least one error.
 fn compile(text: &str, encoding: Encoding) -> Result<Codes, Diagnostics> {
-    let (tree, mut said) = grafc_syntax::parse(FileId::default(), text);
-    if said.has_errors() {
-        return Err(said);
+    let (tree, mut diagnostics) = grafc_syntax::parse(FileId::default(), text);
+    if diagnostics.has_errors() {
+        return Err(diagnostics);
     }
     let (chart, more) = grafc_model::check(&tree, "hostile");
-    said.append(more);
-    assert_eq!(chart.is_none(), said.has_errors(), "a chart exactly if there is no error: {said:?}");
-    let Some(chart) = chart else { return Err(said) };
+    diagnostics.append(more);
+    assert_eq!(chart.is_none(), diagnostics.has_errors(), "a chart exactly if there is no error: {diagnostics:?}");
+    let Some(chart) = chart else { return Err(diagnostics) };
     let mut net = grafc_net::build(&chart);
-    grafc_net::passes::run(&mut net, false, &mut said);
-    if said.has_errors() {
-        return Err(said);
+    grafc_net::passes::run(&mut net, false, &mut diagnostics);
+    if diagnostics.has_errors() {
+        return Err(diagnostics);
     }
     let (program, more) = grafc_logic::compile(Analysis::new(net), &Options { encoding, ..Options::default() });
-    said.append(more);
-    if said.has_errors() {
-        return Err(said);
+    diagnostics.append(more);
+    if diagnostics.has_errors() {
+        return Err(diagnostics);
     }
     let text = st::emit(&program, &st::Options::default())?;
     let awl = match awl::emit(&program, &awl::Options::default()) {
         Ok(text) => Some(text),
-        Err(said) if said.iter().all(|one| matches!(one.code, Code::E0504 | Code::E0505 | Code::E0506)) => None,
-        Err(said) => return Err(said),
+        Err(diagnostics)
+            if diagnostics.iter().all(|one| matches!(one.code, Code::E0504 | Code::E0505 | Code::E0506)) =>
+        {
+            None
+        }
+        Err(diagnostics) => return Err(diagnostics),
     };
     let list = Program { name: format!("{}_il", program.name), ..program };
     Ok(Codes { iec: text + &il::emit(&list, &il::Options::default())?, awl })
@@ -59,9 +63,9 @@ fn survives(text: &str) -> Result<Codes, Diagnostics> {
     assert_eq!(result.is_ok(), state_by_state.is_ok(), "taken in one encoding, refused in the other");
     let took = started.elapsed();
     assert!(took < Duration::from_secs(60), "{took:?} for {} bytes", text.len());
-    if let Err(said) = &result {
-        assert!(said.has_errors(), "refused without an error");
-        for one in said {
+    if let Err(diagnostics) = &result {
+        assert!(diagnostics.has_errors(), "refused without an error");
+        for one in diagnostics {
             let places = std::iter::once(&one.primary).chain(&one.secondary);
             for place in places {
                 let range = place.span.range();
@@ -85,7 +89,7 @@ fn awlsim() -> Option<&'static awlsim::Tools> {
 }
 
 fn taken(text: &str) {
-    let codes = survives(text).unwrap_or_else(|said| panic!("{said:?}\n{text}"));
+    let codes = survives(text).unwrap_or_else(|diagnostics| panic!("{diagnostics:?}\n{text}"));
     // Where the tool is missing the code has at least been written.
     if let Some(tools) = matiec() {
         accepts(tools, &codes.iec).unwrap_or_else(|said| panic!("{said}\n{}", codes.iec));

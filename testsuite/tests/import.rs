@@ -19,9 +19,9 @@ use std::time::Instant;
 const AS_IT_IS: Options = Options { delays: false };
 
 fn import(text: &str, options: Options) -> Result<(String, Diagnostics), Diagnostics> {
-    let (chart, said) = grafc_import::import(FileId::default(), text, options);
-    assert_eq!(chart.is_none(), said.has_errors(), "a chart exactly if there is no error: {said:?}");
-    chart.map(|chart| (chart, said.clone())).ok_or(said)
+    let (chart, diagnostics) = grafc_import::import(FileId::default(), text, options);
+    assert_eq!(chart.is_none(), diagnostics.has_errors(), "a chart exactly if there is no error: {diagnostics:?}");
+    chart.map(|chart| (chart, diagnostics.clone())).ok_or(diagnostics)
 }
 
 /// Code and place of a message, as a report has it.
@@ -31,25 +31,25 @@ fn line(text: &str, message: &Diagnostic) -> String {
     format!("{} {}:{column}", message.code.as_str(), before.matches('\n').count() + 1)
 }
 
-fn lines(text: &str, said: &Diagnostics) -> Vec<String> {
-    let mut said = said.clone();
-    said.sort_by_place();
-    said.iter().map(|message| line(text, message)).collect()
+fn lines(text: &str, diagnostics: &Diagnostics) -> Vec<String> {
+    let mut diagnostics = diagnostics.clone();
+    diagnostics.sort_by_place();
+    diagnostics.iter().map(|message| line(text, message)).collect()
 }
 
 /// Errors of an import, where they are.
 fn faults(text: &str) -> Vec<String> {
-    let said = import(text, AS_IT_IS).expect_err("it has errors");
+    let diagnostics = import(text, AS_IT_IS).expect_err("it has errors");
     assert!(
-        said.iter().all(|d| d.help.is_some() || d.code.as_str().starts_with('W')),
-        "an error without help: {said:?}"
+        diagnostics.iter().all(|d| d.help.is_some() || d.code.as_str().starts_with('W')),
+        "an error without help: {diagnostics:?}"
     );
-    lines(text, &said)
+    lines(text, &diagnostics)
 }
 
 fn is_canonical(text: &str) {
-    let (tree, said) = grafc_syntax::parse(FileId::default(), text);
-    assert!(said.is_empty(), "{said:?}\n{text}");
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), text);
+    assert!(diagnostics.is_empty(), "{diagnostics:?}\n{text}");
     assert_eq!(grafc_syntax::format(text, &tree), text);
 }
 
@@ -60,9 +60,10 @@ fn charts_and_reports_are_as_written_by_hand() {
     for name in ["structure", "actions", "delays"] {
         let text = read(format!("{name}.grafcet"));
         let options = Options { delays: name.starts_with("delays") };
-        let (chart, said) = import(&text, options).unwrap_or_else(|said| panic!("{name}: {said:?}"));
+        let (chart, diagnostics) =
+            import(&text, options).unwrap_or_else(|diagnostics| panic!("{name}: {diagnostics:?}"));
         assert_eq!(chart, read(format!("{name}.gct")), "{name}");
-        assert_eq!(lines(&text, &said), read(format!("{name}.report")).lines().collect::<Vec<_>>(), "{name}");
+        assert_eq!(lines(&text, &diagnostics), read(format!("{name}.report")).lines().collect::<Vec<_>>(), "{name}");
         is_canonical(&chart);
         assert!(grafc::check(FileId(0), &chart, name).0.is_some(), "{name}");
     }
@@ -71,9 +72,9 @@ fn charts_and_reports_are_as_written_by_hand() {
 #[test]
 fn a_variable_called_like_a_delay_is_offered_one() {
     let text = std::fs::read_to_string(binary::root().join("testsuite/imports/delays.grafcet")).expect("the chart");
-    let (chart, said) = import(&text, AS_IT_IS).expect("a chart");
+    let (chart, diagnostics) = import(&text, AS_IT_IS).expect("a chart");
     assert!(chart.contains("var `2s/X1` : bool") && chart.contains(": `2s/X1`\n"), "{chart}");
-    let offers: Vec<_> = said.iter().filter_map(|d| d.help.as_deref()).collect();
+    let offers: Vec<_> = diagnostics.iter().filter_map(|d| d.help.as_deref()).collect();
     assert!(offers.iter().any(|offer| offer.contains("--delays") && offer.contains("`2s/X1`")), "{offers:?}");
 }
 
@@ -101,8 +102,8 @@ fn ring_with(inside: &str, behind: &str) -> (Vec<Code>, String) {
         arc("steps.1", "transitions.1"),
         arc("transitions.1", "steps.0"),
     ));
-    let (chart, said) = import(&text, AS_IT_IS).unwrap_or_else(|said| panic!("{said:?}\n{text}"));
-    (said.iter().map(|message| message.code).collect(), chart)
+    let (chart, diagnostics) = import(&text, AS_IT_IS).unwrap_or_else(|diagnostics| panic!("{diagnostics:?}\n{text}"));
+    (diagnostics.iter().map(|message| message.code).collect(), chart)
 }
 
 /// The rest of a term that is the input.
@@ -332,9 +333,9 @@ fn damage(runs: u64) {
                 is_canonical(&chart);
                 checked += usize::from(grafc::check(FileId(0), &chart, "damaged").0.is_some());
             }
-            Err(said) => {
+            Err(diagnostics) => {
                 errors += 1;
-                for message in &said {
+                for message in &diagnostics {
                     assert_ne!(message.code, Code::E0901, "seed {seed}: {message:?}\n{text}");
                     let range = message.primary.span.range();
                     assert!(text.get(range.clone()).is_some(), "seed {seed}: no such place: {range:?}");
@@ -391,12 +392,13 @@ fn run_collection(rows: usize) {
     let Some(collection) = xmi::collection_or_skip() else { return };
     assert!(collection.len() >= 15, "only {} charts", collection.len());
     for (name, text) in &collection {
-        let (chart, said) = import(text, AS_IT_IS).unwrap_or_else(|said| panic!("{name}: {said:?}"));
-        let mut said = said;
-        said.sort_by_place();
-        let codes: Vec<Code> = said.iter().map(|d| d.code).collect();
+        let (chart, diagnostics) =
+            import(text, AS_IT_IS).unwrap_or_else(|diagnostics| panic!("{name}: {diagnostics:?}"));
+        let mut diagnostics = diagnostics;
+        diagnostics.sort_by_place();
+        let codes: Vec<Code> = diagnostics.iter().map(|d| d.code).collect();
         if let Some((_, expected)) = REPORTS.iter().find(|(known, _)| known == name) {
-            assert_eq!(codes, *expected, "{name}: {said:?}");
+            assert_eq!(codes, *expected, "{name}: {diagnostics:?}");
         }
         is_canonical(&chart);
         runs(name, &chart, rows);
@@ -409,8 +411,8 @@ fn run_collection(rows: usize) {
 
 /// The chart is sound, and each exact encoding is written as Structured Text and does what the simulator does.
 fn runs(name: &str, text: &str, rows: usize) {
-    let (chart, said) = grafc::check(FileId(0), text, name);
-    let chart: Chart = chart.unwrap_or_else(|| panic!("{name}: {said:?}"));
+    let (chart, diagnostics) = grafc::check(FileId(0), text, name);
+    let chart: Chart = chart.unwrap_or_else(|| panic!("{name}: {diagnostics:?}"));
     let profile = Profile::default();
     let stimuli = random::trace(7, &chart, rows);
     let expected = simulate(&chart, profile, &stimuli);
@@ -428,8 +430,8 @@ fn runs(name: &str, text: &str, rows: usize) {
 /// Long charts are imported whole; that the time is linear, the ignored test shows.
 #[test]
 fn a_long_chart_is_imported_whole() {
-    let (chart, said) = import(&xmi::ring(2_000), AS_IT_IS).expect("a chart");
-    assert!(said.is_empty());
+    let (chart, diagnostics) = import(&xmi::ring(2_000), AS_IT_IS).expect("a chart");
+    assert!(diagnostics.is_empty());
     assert_eq!(chart.matches("\n  step ").count() + chart.matches("\n  initial step ").count(), 2_000);
     assert!(chart.contains("\n  transition (2000) 2000 -> 1 : b and not a\n"), "{chart}");
     assert!(chart.contains("\n  step 3 { V }\n  step 4\n"), "{chart}");

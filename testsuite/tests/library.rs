@@ -9,17 +9,17 @@ use grafc_testsuite::charts::{cases, charts_folder, vectors_folder};
 use std::collections::BTreeSet;
 use std::process::Command;
 
-fn list(said: &Diagnostics) -> Vec<Diagnostic> {
-    let mut said = said.clone();
-    said.sort_by_place();
-    said.iter().cloned().collect()
+fn list(diagnostics: &Diagnostics) -> Vec<Diagnostic> {
+    let mut diagnostics = diagnostics.clone();
+    diagnostics.sort_by_place();
+    diagnostics.iter().cloned().collect()
 }
 
 /// All that a document says, in order of place.
 fn all(document: &Document) -> Vec<Diagnostic> {
-    let mut said = document.diagnostics().clone();
-    said.append(document.warnings().clone());
-    list(&said)
+    let mut diagnostics = document.diagnostics().clone();
+    diagnostics.append(document.warnings().clone());
+    list(&diagnostics)
 }
 
 #[test]
@@ -37,7 +37,7 @@ fn a_document_makes_what_a_compile_makes() {
             document.set_options(lowering);
             for target in &targets {
                 let options = Options::new(lowering, Product::Code(target.clone()));
-                let (expected, said) = compile(FileId(0), &case.text, &case.name, &options);
+                let (expected, diagnostics) = compile(FileId(0), &case.text, &case.name, &options);
                 let mut found = document.diagnostics().clone();
                 found.append(document.warnings().clone());
                 match document.emit(target) {
@@ -55,7 +55,7 @@ fn a_document_makes_what_a_compile_makes() {
                         refused += 1;
                     }
                 }
-                assert_eq!(list(&found), list(&said), "{} {}", case.name, encoding.name());
+                assert_eq!(list(&found), list(&diagnostics), "{} {}", case.name, encoding.name());
             }
         }
     }

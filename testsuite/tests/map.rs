@@ -19,8 +19,8 @@ impl Mapped {
         let name = format!("{} {} {}", case.name, encoding.name(), target.about().name);
         let lowering = Lowering { profile: case.profile, encoding, simplify: true };
         let options = Options::new(lowering, Product::Mapped(target));
-        let (made, said) = grafc::compile(FileId::default(), &case.text, &case.name, &options);
-        let made = made.unwrap_or_else(|| panic!("{name}: {said:?}"));
+        let (made, diagnostics) = grafc::compile(FileId::default(), &case.text, &case.name, &options);
+        let made = made.unwrap_or_else(|| panic!("{name}: {diagnostics:?}"));
         Mapped { code: made.text, map: made.map.unwrap_or_else(|| panic!("{name}: no map")), name }
     }
 

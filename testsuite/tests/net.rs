@@ -105,10 +105,10 @@ fn same_at_every_stage(chart: &Chart, profile: Profile, stimuli: &[Stimulus]) ->
     };
     let mut net = build(chart);
     look("as built", &net);
-    let mut said = Diagnostics::new();
-    passes::run_and_look(&mut net, false, &mut said, |pass, net| look(pass.name, net));
-    if !said.is_empty() {
-        let _ = writeln!(fault, "  the passes said {said:?}");
+    let mut diagnostics = Diagnostics::new();
+    passes::run_and_look(&mut net, false, &mut diagnostics, |pass, net| look(pass.name, net));
+    if !diagnostics.is_empty() {
+        let _ = writeln!(fault, "  the passes said {diagnostics:?}");
     }
     if fault.is_empty() { Ok(net) } else { Err(fault) }
 }

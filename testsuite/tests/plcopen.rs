@@ -230,8 +230,8 @@ transition Ж1 -> шаг : 2s/a__b or LONG or LONG2
 fn made(case: &Case, product: Product) -> String {
     let lowering = Lowering { profile: case.profile, encoding: Encoding::default(), simplify: true };
     let options = Options::new(lowering, product);
-    let (made, said) = grafc::compile(FileId::default(), &case.text, &case.name, &options);
-    made.unwrap_or_else(|| panic!("{}: {said:?}", case.name)).text
+    let (made, diagnostics) = grafc::compile(FileId::default(), &case.text, &case.name, &options);
+    made.unwrap_or_else(|| panic!("{}: {diagnostics:?}", case.name)).text
 }
 
 fn project(dialect: Dialect, body: Body) -> Product {

@@ -51,8 +51,8 @@ fn ladder(name: &str, text: &str, encoding: Encoding, evolution: Evolution) -> S
     let options = plcopen::Options { body: Body::Ld, header, ..plcopen::Options::default() };
     let lowering = Lowering { profile: Profile { evolution, ..Profile::default() }, encoding, simplify: true };
     let options = Options::new(lowering, Product::Code(Target::Plcopen(options)));
-    let (made, said) = grafc::compile(FileId::default(), text, "chart", &options);
-    made.unwrap_or_else(|| panic!("{name}: {said:?}")).text
+    let (made, diagnostics) = grafc::compile(FileId::default(), text, "chart", &options);
+    made.unwrap_or_else(|| panic!("{name}: {diagnostics:?}")).text
 }
 
 /// All charts as ladders, by name: in both evolutions, the encodings in turn, some charts in all.

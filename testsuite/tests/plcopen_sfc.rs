@@ -52,8 +52,8 @@ fn draw(text: &str, evolution: Evolution, dialect: Dialect) -> Result<String, Ve
     let product =
         Product::Code(Target::Plcopen(plcopen::Options { body: Body::Sfc, dialect, ..plcopen::Options::default() }));
     let options = Options::new(Lowering { profile, encoding: Encoding::default(), simplify: true }, product);
-    let (made, said) = grafc::compile(FileId::default(), text, "chart", &options);
-    made.map(|made| made.text).ok_or_else(|| said.iter().cloned().collect())
+    let (made, diagnostics) = grafc::compile(FileId::default(), text, "chart", &options);
+    made.map(|made| made.text).ok_or_else(|| diagnostics.iter().cloned().collect())
 }
 
 /// All charts that can be drawn in the neutral dialect, by name.
@@ -332,12 +332,12 @@ const NOT_NESTED: &[(&str, &str)] = &[
 fn what_is_not_nested_is_refused_with_its_reason() {
     for (chart, reason) in NOT_NESTED {
         let text = format!("input a, b : bool\n{chart}\n");
-        let said = match draw(&text, Evolution::Scan, Dialect::Codesys) {
+        let diagnostics = match draw(&text, Evolution::Scan, Dialect::Codesys) {
             Ok(_) => panic!("drawn: {chart}"),
-            Err(said) => said,
+            Err(diagnostics) => diagnostics,
         };
-        let found = said.iter().any(|d| d.code == Code::E0503 && d.primary.text.contains(reason));
-        assert!(found, "{chart}: {said:?}");
+        let found = diagnostics.iter().any(|d| d.code == Code::E0503 && d.primary.text.contains(reason));
+        assert!(found, "{chart}: {diagnostics:?}");
     }
 }
 
@@ -460,9 +460,9 @@ const REFUSED: &[(&str, &str)] = &[
 fn what_cannot_be_drawn_is_refused_with_its_reason() {
     let declared = "input a, b : bool\ninput i : int\noutput w : bool\noutput n, m : int\n";
     for (chart, reason) in REFUSED {
-        let said = draw(&format!("{declared}{chart}\n"), Evolution::Scan, Dialect::Neutral).expect_err(chart);
-        let refused: Vec<&Diagnostic> = said.iter().filter(|d| d.code == Code::E0503).collect();
-        let [refused] = refused[..] else { panic!("{chart}: {said:?}") };
+        let diagnostics = draw(&format!("{declared}{chart}\n"), Evolution::Scan, Dialect::Neutral).expect_err(chart);
+        let refused: Vec<&Diagnostic> = diagnostics.iter().filter(|d| d.code == Code::E0503).collect();
+        let [refused] = refused[..] else { panic!("{chart}: {diagnostics:?}") };
         let labels = std::iter::once(&refused.primary).chain(&refused.secondary);
         assert!(labels.clone().any(|label| label.text.contains(reason)), "{chart}: {refused:?}");
         assert!(labels.clone().all(|label| label.span.end > label.span.start), "{chart}: a reason without a place");
@@ -473,8 +473,8 @@ fn what_cannot_be_drawn_is_refused_with_its_reason() {
 fn every_reason_is_named_at_once() {
     let chart = "input a, b : bool\noutput n : int\ninitial step 1\nstep 2 { n := 1 on event ↑b }\n\
                  transition 1 -> 2 : ↑(a and X1)\ntransition 2 -> 1 : 1s/(b or X1)\n";
-    let said = draw(chart, Evolution::Stable, Dialect::Neutral).expect_err("four reasons");
-    let refused = said.iter().find(|d| d.code == Code::E0503).expect("a refusal");
+    let diagnostics = draw(chart, Evolution::Stable, Dialect::Neutral).expect_err("four reasons");
+    let refused = diagnostics.iter().find(|d| d.code == Code::E0503).expect("a refusal");
     let texts: Vec<&str> =
         std::iter::once(&refused.primary).chain(&refused.secondary).map(|label| label.text.as_str()).collect();
     for reason in ["an edge", "a delay", "an action on an event", "several evolutions"] {

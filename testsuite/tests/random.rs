@@ -94,8 +94,8 @@ fn formatting_keeps_the_meaning() {
         let drawn = checked(seed, kind);
         let (tree, _) = grafc_syntax::parse(FileId::default(), &drawn.text);
         let formatted = grafc_syntax::format(&drawn.text, &tree);
-        let (tree, said) = grafc_syntax::parse(FileId::default(), &formatted);
-        assert!(!said.has_errors(), "seed {seed}: {said:?}\n{formatted}");
+        let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), &formatted);
+        assert!(!diagnostics.has_errors(), "seed {seed}: {diagnostics:?}\n{formatted}");
         assert_eq!(grafc_syntax::format(&formatted, &tree), formatted, "seed {seed}: not a fixed point");
         let chart = grafc_model::check(&tree, "random").0.unwrap_or_else(|| panic!("seed {seed}\n{formatted}"));
         let stimuli = trace(seed, &drawn.chart, ROWS);

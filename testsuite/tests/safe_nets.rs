@@ -106,8 +106,8 @@ impl Net {
 
 /// The warnings of what may happen together.
 fn said_of(document: &Document) -> Vec<Code> {
-    let said = document.warnings().iter().map(|message| message.code);
-    said.filter(|code| [Code::W0409, Code::W0410, Code::W0411, Code::W0412].contains(code)).collect()
+    let diagnostics = document.warnings().iter().map(|message| message.code);
+    diagnostics.filter(|code| [Code::W0409, Code::W0410, Code::W0411, Code::W0412].contains(code)).collect()
 }
 
 fn draw(text: &str) -> Result<String, Diagnostics> {
@@ -115,8 +115,8 @@ fn draw(text: &str) -> Result<String, Diagnostics> {
     let body = plcopen::Options { body: Body::Sfc, ..plcopen::Options::default() };
     let lowering = Lowering { profile, encoding: Encoding::default(), simplify: true };
     let options = Options::new(lowering, Product::Code(Target::Plcopen(body)));
-    let (made, said) = grafc::compile(FileId::default(), text, "chart", &options);
-    made.map(|made| made.text).ok_or(said)
+    let (made, diagnostics) = grafc::compile(FileId::default(), text, "chart", &options);
+    made.map(|made| made.text).ok_or(diagnostics)
 }
 
 #[test]

@@ -35,19 +35,19 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The warnings on what a chart may do.
 fn warnings(chart: &Chart) -> Diagnostics {
-    let mut said = Diagnostics::new();
+    let mut diagnostics = Diagnostics::new();
     let mut net = grafc_net::build(chart);
-    grafc_net::passes::run(&mut net, false, &mut said);
-    said.append(grafc_logic::warn(&grafc_logic::Analysis::new(net)));
-    said
+    grafc_net::passes::run(&mut net, false, &mut diagnostics);
+    diagnostics.append(grafc_logic::warn(&grafc_logic::Analysis::new(net)));
+    diagnostics
 }
 
 /// Whether a message of the code shows one of the places.
-fn warned(said: &Diagnostics, code: Code, places: &[Span]) -> bool {
+fn warned(diagnostics: &Diagnostics, code: Code, places: &[Span]) -> bool {
     let shows = |d: &Diagnostic| {
         places.contains(&d.primary.span) || d.secondary.iter().any(|label| places.contains(&label.span))
     };
-    said.iter().any(|d| d.code == code && shows(d))
+    diagnostics.iter().any(|d| d.code == code && shows(d))
 }
 
 /// The steps before a transition, and those after it (M1).
@@ -73,13 +73,13 @@ struct Counts {
 const CODES: [Code; 4] = [Code::W0409, Code::W0410, Code::W0411, Code::W0412];
 
 /// Looks for all that the warnings on a flat net are about.
-fn look(chart: &Chart, watched: &Watched, said: &Diagnostics, counts: &mut Counts) -> Result<(), String> {
+fn look(chart: &Chart, watched: &Watched, diagnostics: &Diagnostics, counts: &mut Counts) -> Result<(), String> {
     let mut shown = BTreeSet::new();
     for seen in &watched.seen {
         let found = [(Code::W0409, diverging(chart, seen)), (Code::W0411, contradicting(chart, seen))];
         let found = found.into_iter().flat_map(|(code, all)| all.into_iter().map(move |places| (code, places)));
         for (code, places) in found.chain(meeting(chart, seen)) {
-            if !warned(said, code, &places) {
+            if !warned(diagnostics, code, &places) {
                 let labels = |a: &Activity| -> Vec<&str> {
                     a.iter_enumerated().filter(|(_, on)| **on).map(|(s, _)| chart.steps[s].label.as_str()).collect()
                 };
@@ -89,12 +89,12 @@ fn look(chart: &Chart, watched: &Watched, said: &Diagnostics, counts: &mut Count
             shown.insert(code);
         }
     }
-    if watched.seen.iter().any(|seen| seen.force_conflict) && said.iter().all(|d| d.code != Code::W0411) {
+    if watched.seen.iter().any(|seen| seen.force_conflict) && diagnostics.iter().all(|d| d.code != Code::W0411) {
         return Err("FORCE_CONFLICT without W0411".to_owned());
     }
     for code in CODES {
         *counts.shown.entry(code).or_default() += usize::from(shown.contains(&code));
-        *counts.silent.entry(code).or_default() += usize::from(said.iter().all(|d| d.code != code));
+        *counts.silent.entry(code).or_default() += usize::from(diagnostics.iter().all(|d| d.code != code));
     }
     Ok(())
 }
@@ -208,12 +208,12 @@ fn a_step_that_is_passed_through_was_warned_of() {
         for seed in 8000..8300 {
             let drawn = checked(seed, kind);
             let chart = &drawn.chart;
-            let said = grafc_model::check(&grafc_syntax::parse(Default::default(), &drawn.text).0, "random").1;
+            let diagnostics = grafc_model::check(&grafc_syntax::parse(Default::default(), &drawn.text).0, "random").1;
             let watched = watch(chart, bounded(profile(seed)), &trace(seed, chart, 30));
             let acting: BTreeSet<StepId> = chart.continuous.iter().map(|action| action.step).collect();
             for s in acting {
                 let spans: Vec<Span> = chart.continuous.iter().filter(|a| a.step == s).map(|a| a.span).collect();
-                let is_warned = warned(&said, Code::W0408, &spans);
+                let is_warned = warned(&diagnostics, Code::W0408, &spans);
                 warned_of += usize::from(is_warned);
                 let lasts = watched.stable.iter().any(|active| active[s]);
                 assert!(

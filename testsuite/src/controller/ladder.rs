@@ -24,7 +24,7 @@ pub fn run(job: &Job) -> Result<Option<Vec<Response>>, String> {
     }
     let emit = |program: &Program| st::emit(program, &st::Options::default());
     let block = FunctionBlock::new(0, job, emit, st::names)?;
-    let project = ld::emit(&block.program, &Options::default()).map_err(|said| format!("{said:#?}"))?;
+    let project = ld::emit(&block.program, &Options::default()).map_err(|diagnostics| format!("{diagnostics:#?}"))?;
     let document = Document::read(&project)?;
     let body = document.all("LD").next().ok_or("no ladder")?;
     let texts = document.within(body).filter(|id| document.name(*id) == "expression");

@@ -95,8 +95,8 @@ fn describe(
 
 /// A text without the holes that shrinking leaves, in the canonical format.
 fn tidy(text: &str) -> String {
-    let (tree, said) = grafc_syntax::parse(grafc_diagnostics::FileId::default(), text);
-    if said.has_errors() { text.to_string() } else { grafc_syntax::format(text, &tree) }
+    let (tree, diagnostics) = grafc_syntax::parse(grafc_diagnostics::FileId::default(), text);
+    if diagnostics.has_errors() { text.to_string() } else { grafc_syntax::format(text, &tree) }
 }
 
 impl Mismatch {

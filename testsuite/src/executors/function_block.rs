@@ -55,7 +55,7 @@ impl FunctionBlock {
         names: impl FnOnce(&Program) -> IndexVec<VarId, EcoString>,
     ) -> Result<Self, String> {
         let program = named(index, &job.program);
-        let text = emit(&program).map_err(|said| format!("{said:#?}"))?;
+        let text = emit(&program).map_err(|diagnostics| format!("{diagnostics:#?}"))?;
         let name = text
             .lines()
             .find_map(|line| line.trim().strip_prefix("FUNCTION_BLOCK "))

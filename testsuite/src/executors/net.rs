@@ -59,13 +59,13 @@ impl Executor for Net {
 impl Net {
     fn run_one(&self, task: &Task) -> Result<Vec<Response>, String> {
         let mut net = grafc_net::build(task.chart);
-        let mut said = Diagnostics::new();
+        let mut diagnostics = Diagnostics::new();
         for pass in ORDER.iter().filter(|pass| !pass.for_overlap).take(self.passes) {
-            (pass.run)(&mut net, &mut said);
+            (pass.run)(&mut net, &mut diagnostics);
             net.facts.extend_from_slice(pass.ensures);
         }
-        if !said.is_empty() {
-            return Err(format!("the passes said {said:?}"));
+        if !diagnostics.is_empty() {
+            return Err(format!("the passes said {diagnostics:?}"));
         }
         let mut steps = NetSteps::new(&net, task.profile);
         Ok(task.stimuli.iter().map(|stimulus| steps.react(stimulus, &mut |_| ())).collect())

@@ -59,13 +59,13 @@ pub fn targets(plant: &Plant, compilers: &Compilers) -> Result<Written, String> 
         for product in products() {
             let lowering = Options { profile: Profile::default(), encoding, simplify: true };
             let options = grafc::Options::new(lowering, product);
-            let (made, said) = grafc::compile(FileId::default(), &plant.text, &plant.name, &options);
+            let (made, diagnostics) = grafc::compile(FileId::default(), &plant.text, &plant.name, &options);
             let Some(made) = made else {
-                if is_drawing(&options.product) && said.iter().any(|message| message.code == Code::E0503) {
+                if is_drawing(&options.product) && diagnostics.iter().any(|message| message.code == Code::E0503) {
                     written.undrawn += 1;
                     continue;
                 }
-                return Err(format!("{:?}, {}: {said:#?}", options.product, encoding.name()));
+                return Err(format!("{:?}, {}: {diagnostics:#?}", options.product, encoding.name()));
             };
             written.texts += 1;
             for (compiler, taken) in taken(compilers, &options.product, &made.text) {

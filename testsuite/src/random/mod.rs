@@ -82,16 +82,16 @@ pub fn checked_draw(seed: u64, draw: Draw) -> Drawn {
     for rejected in 0..100 {
         let seed = if rejected == 0 { seed } else { seed.wrapping_mul(1_000_003).wrapping_add(u64::from(rejected)) };
         let text = text(seed, draw);
-        let (ast, mut said) = grafc_syntax::parse(FileId::default(), &text);
-        if !said.has_errors() {
+        let (ast, mut diagnostics) = grafc_syntax::parse(FileId::default(), &text);
+        if !diagnostics.has_errors() {
             let (chart, more) = grafc_model::check(&ast, "random");
-            said.append(more);
+            diagnostics.append(more);
             if let Some(chart) = chart {
                 return Drawn { seed, text, chart, rejected };
             }
         }
         if complaint.is_empty() {
-            complaint = format!("{said:#?}\n{text}");
+            complaint = format!("{diagnostics:#?}\n{text}");
         }
     }
     panic!("the generator writes charts with errors: {complaint}");

@@ -194,7 +194,7 @@ fn by_grafc(rings: Rings, encoding: Encoding, evolution: Evolution) -> Result<St
     let chart = charts::check("ring", &rings.chart())?;
     let profile = Profile { evolution, ..Profile::default() };
     let program = compile(&chart, &Options { profile, encoding, simplify: true })?;
-    rust::emit(&program, &rust::Options::default()).map_err(|said| format!("{said:#?}"))
+    rust::emit(&program, &rust::Options::default()).map_err(|diagnostics| format!("{diagnostics:#?}"))
 }
 
 fn figures(timed: &[Timed], samples: &[Vec<Sample>], index: usize) -> Figures {

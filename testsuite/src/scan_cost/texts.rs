@@ -77,7 +77,7 @@ fn by_grafc(
     for (evolution, remark) in [(Evolution::Stable, ""), (Evolution::Scan, ", scan")] {
         let profile = Profile { evolution, ..Profile::default() };
         let program = compile(&chart, &Options { profile, encoding, simplify: true })?;
-        let text = st::emit(&program, &st::Options::default()).map_err(|said| format!("{said:#?}"))?;
+        let text = st::emit(&program, &st::Options::default()).map_err(|diagnostics| format!("{diagnostics:#?}"))?;
         let name = format!("{}{remark}", encoding.name());
         spellings.push(Spelling { name, against: Some(against), is_sfc: false, most_steps, text });
     }

@@ -27,8 +27,8 @@ impl Edit {
 
 /// All edits that make a text shorter, the largest first.
 pub(super) fn of(text: &str) -> Vec<Edit> {
-    let (chart, said) = grafc_syntax::parse(FileId::default(), text);
-    if said.has_errors() {
+    let (chart, diagnostics) = grafc_syntax::parse(FileId::default(), text);
+    if diagnostics.has_errors() {
         return Vec::new();
     }
     let mut list: Vec<(Span, String)> = Vec::new();

@@ -49,7 +49,7 @@ fn unit(index: usize, job: &Job) -> Result<Json, String> {
     // Now and then in German.
     let mnemonics = if index % 3 == 2 { awl::Mnemonics::German } else { awl::Mnemonics::English };
     let text = awl::emit(program, &awl::Options { mnemonics, ..awl::Options::default() })
-        .map_err(|said| format!("{said:#?}"))?;
+        .map_err(|diagnostics| format!("{diagnostics:#?}"))?;
     let names = awl::names(program);
     let clock = awl::clock_input(program);
     let mut inputs: Vec<Json> = clock.iter().map(|name| json!([name, "TIME"])).collect();
@@ -121,8 +121,8 @@ fn number(value: Value) -> Json {
 /// the difference of two infinite reals to compare them, which is no number.
 pub fn beyond(job: &Job) -> Option<&'static str> {
     let program = &job.program;
-    if let Err(said) = awl::instructions(program)
-        && said.iter().any(|one| matches!(one.code, Code::E0504 | Code::E0505))
+    if let Err(diagnostics) = awl::instructions(program)
+        && diagnostics.iter().any(|one| matches!(one.code, Code::E0504 | Code::E0505))
     {
         return Some("S7-300 and S7-400 have no `lreal` and no times beyond 24 days (E0504, E0505)");
     }

@@ -64,7 +64,7 @@ fn write(source: &Source, index: usize, job: &Job) -> Result<String, String> {
             plcopen::sfc::emit(&sequence, &options)
         }
     };
-    project.map_err(|said| format!("{said:#?}"))
+    project.map_err(|diagnostics| format!("{diagnostics:#?}"))
 }
 
 /// What is compiled of a project: its function blocks.

@@ -32,7 +32,7 @@ fn unit(index: usize, job: &Job) -> Result<Unit, String> {
     if index % 2 == 1 {
         options.longest_function = 1 + index % 7;
     }
-    let module = rust::emit(&job.program, &options).map_err(|said| format!("{said:#?}"))?;
+    let module = rust::emit(&job.program, &options).map_err(|diagnostics| format!("{diagnostics:#?}"))?;
     let names = rust::names(&job.program);
     Ok(Unit { module, driver: driver::write(index, &job.program, &names, &job.stimuli) })
 }
