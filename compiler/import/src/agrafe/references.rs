@@ -2,12 +2,14 @@
 //!
 //! EMF refers by the way from the root, `//@partialGrafcets.0/@steps.2`: the feature and the place in it, at each
 //! level. Elements with an `xmi:id` are referred to by that. A reference that leads nowhere, or to what it cannot mean,
-//! is an error, since the chart without it would be another.
+//! is an error, since the chart without it would be another. An arc or link that does not say what it joins is left
+//! over in the editor, and reported as lost.
 
 use super::elements::{Entity, FirstReading};
 use super::model::{
     ActionId, ActionKind, ActionLink, Arc, GrafcetId, GrafcetKind, NodeId, NodeKind, TermKind, VariableKind,
 };
+use crate::lost;
 use crate::xml::{Document, Element, ElementId};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use index_vec::IndexVec;
@@ -42,6 +44,16 @@ pub fn resolve(document: &Document, roots: &[ElementId], found: &mut FirstReadin
                 | NodeKind::Transition(_)
                 | NodeKind::Synchronization => {}
             },
+            // The editor leaves such things behind when what they were drawn between is deleted; they show nothing.
+            Entity::Arc
+                if is_leftover(element, ["source", "target"], "an arc without an end", resolver.diagnostics) => {}
+            Entity::ActionLink
+                if is_leftover(
+                    element,
+                    ["step", "actionType"],
+                    "a link between a step and an action",
+                    resolver.diagnostics,
+                ) => {}
             Entity::Arc => {
                 let source = resolver.required(element, "source", "a step, transition or synchronisation", as_node);
                 let target = resolver.required(element, "target", "a step, transition or synchronisation", as_node);
@@ -79,6 +91,18 @@ pub fn resolve(document: &Document, roots: &[ElementId], found: &mut FirstReadin
         }
     }
     check_steps(document, found, diagnostics);
+}
+
+/// Reports an element that does not say what it joins as lost.
+fn is_leftover(element: &Element, ends: [&str; 2], what: &str, said: &mut Diagnostics) -> bool {
+    let missing: Vec<String> =
+        ends.iter().filter(|end| element.attribute(end).is_none()).map(|end| format!("`{end}`")).collect();
+    if missing.is_empty() {
+        return false;
+    }
+    let message = format!("{what} is lost: it has no {}", missing.join(" and no "));
+    said.push(lost(element.span, message).help("delete it in the tool that made the chart, or draw it again"));
+    true
 }
 
 /// References to nodes that must be steps of a kind.
