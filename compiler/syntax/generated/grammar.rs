@@ -1,5 +1,5 @@
 // auto-generated: "lalrpop 0.23.2"
-// sha3: 996967f846ecdb2ceb3a0547ca62473be40f27153579ee062a76dfb90d204a08
+// sha3: 1e1d9495409580a82482e804bdb5e396aa530276a01ed094b05974b05b719b26
 // features: 
 use crate::ast::*;
 use crate::builder::{Builder, Parsed};
@@ -57,7 +57,7 @@ mod __parse__Items {
         Variant26(alloc::vec::Vec<StepWord>),
         Variant27((Option<ExprId>, Option<Text>)),
         Variant28(Option<Text>),
-        Variant29((Type, grafc_diagnostics::Span)),
+        Variant29((Option<Type>, grafc_diagnostics::Span)),
     }
     const __ACTION: &[i16] = &[
         // State 0
@@ -4929,7 +4929,7 @@ mod __parse__Items {
     fn __pop_Variant29<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
-    ) -> (u32, (Type, grafc_diagnostics::Span), u32)
+    ) -> (u32, (Option<Type>, grafc_diagnostics::Span), u32)
      {
         match __symbols.pop() {
             Some((__l, __Symbol::Variant29(__v), __r)) => (__l, __v, __r),
@@ -10597,7 +10597,7 @@ fn __action5<
     (_, kind, _): (u32, DeclarationKind, u32),
     (_, names, _): (u32, Vec<DeclaredName>, u32),
     (_, _, _): (u32, Token, u32),
-    (_, ty, _): (u32, (Type, grafc_diagnostics::Span), u32),
+    (_, ty, _): (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     (_, tail, _): (u32, (Option<ExprId>, Option<Text>), u32),
     (_, r, _): (u32, u32, u32),
 ) -> Parsed
@@ -10921,7 +10921,7 @@ fn __action26<
     (_, l, _): (u32, u32, u32),
     (_, _, _): (u32, Token, u32),
     (_, r, _): (u32, u32, u32),
-) -> (Type, grafc_diagnostics::Span)
+) -> (Option<Type>, grafc_diagnostics::Span)
 {
     b.ty(l, r)
 }
@@ -13558,7 +13558,7 @@ fn __action180<
     __1: (u32, DeclarationKind, u32),
     __2: (u32, Vec<DeclaredName>, u32),
     __3: (u32, Token, u32),
-    __4: (u32, (Type, grafc_diagnostics::Span), u32),
+    __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Text>), u32),
     __6: (u32, u32, u32),
 ) -> Parsed
@@ -14091,7 +14091,7 @@ fn __action197<
     b: &mut Builder<'text>,
     __0: (u32, Token, u32),
     __1: (u32, u32, u32),
-) -> (Type, grafc_diagnostics::Span)
+) -> (Option<Type>, grafc_diagnostics::Span)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -15000,7 +15000,7 @@ fn __action230<
     __1: (u32, DeclarationKind, u32),
     __2: (u32, Vec<DeclaredName>, u32),
     __3: (u32, Token, u32),
-    __4: (u32, (Type, grafc_diagnostics::Span), u32),
+    __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Text>), u32),
 ) -> Parsed
 {
@@ -15498,7 +15498,7 @@ fn __action247<
 >(
     b: &mut Builder<'text>,
     __0: (u32, Token, u32),
-) -> (Type, grafc_diagnostics::Span)
+) -> (Option<Type>, grafc_diagnostics::Span)
 {
     let __start0 = __0.2.clone();
     let __end0 = __0.2.clone();
@@ -15716,7 +15716,7 @@ fn __action254<
     __1: (u32, Token, u32),
     __2: (u32, Vec<DeclaredName>, u32),
     __3: (u32, Token, u32),
-    __4: (u32, (Type, grafc_diagnostics::Span), u32),
+    __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Text>), u32),
 ) -> Parsed
 {
@@ -15749,7 +15749,7 @@ fn __action255<
     __1: (u32, Token, u32),
     __2: (u32, Vec<DeclaredName>, u32),
     __3: (u32, Token, u32),
-    __4: (u32, (Type, grafc_diagnostics::Span), u32),
+    __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Text>), u32),
 ) -> Parsed
 {
@@ -15782,7 +15782,7 @@ fn __action256<
     __1: (u32, Token, u32),
     __2: (u32, Vec<DeclaredName>, u32),
     __3: (u32, Token, u32),
-    __4: (u32, (Type, grafc_diagnostics::Span), u32),
+    __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Text>), u32),
 ) -> Parsed
 {
@@ -15815,7 +15815,7 @@ fn __action257<
     __1: (u32, Token, u32),
     __2: (u32, Vec<DeclaredName>, u32),
     __3: (u32, Token, u32),
-    __4: (u32, (Type, grafc_diagnostics::Span), u32),
+    __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Text>), u32),
 ) -> Parsed
 {
@@ -21458,7 +21458,7 @@ fn __action404<
     __1: (u32, Token, u32),
     __2: (u32, Vec<DeclaredName>, u32),
     __3: (u32, Token, u32),
-    __4: (u32, (Type, grafc_diagnostics::Span), u32),
+    __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Text>), u32),
 ) -> Parsed
 {
@@ -21490,7 +21490,7 @@ fn __action405<
     __0: (u32, Token, u32),
     __1: (u32, Vec<DeclaredName>, u32),
     __2: (u32, Token, u32),
-    __3: (u32, (Type, grafc_diagnostics::Span), u32),
+    __3: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __4: (u32, (Option<ExprId>, Option<Text>), u32),
 ) -> Parsed
 {
@@ -21524,7 +21524,7 @@ fn __action406<
     __1: (u32, Token, u32),
     __2: (u32, Vec<DeclaredName>, u32),
     __3: (u32, Token, u32),
-    __4: (u32, (Type, grafc_diagnostics::Span), u32),
+    __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Text>), u32),
 ) -> Parsed
 {
@@ -21556,7 +21556,7 @@ fn __action407<
     __0: (u32, Token, u32),
     __1: (u32, Vec<DeclaredName>, u32),
     __2: (u32, Token, u32),
-    __3: (u32, (Type, grafc_diagnostics::Span), u32),
+    __3: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __4: (u32, (Option<ExprId>, Option<Text>), u32),
 ) -> Parsed
 {
@@ -21590,7 +21590,7 @@ fn __action408<
     __1: (u32, Token, u32),
     __2: (u32, Vec<DeclaredName>, u32),
     __3: (u32, Token, u32),
-    __4: (u32, (Type, grafc_diagnostics::Span), u32),
+    __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Text>), u32),
 ) -> Parsed
 {
@@ -21622,7 +21622,7 @@ fn __action409<
     __0: (u32, Token, u32),
     __1: (u32, Vec<DeclaredName>, u32),
     __2: (u32, Token, u32),
-    __3: (u32, (Type, grafc_diagnostics::Span), u32),
+    __3: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __4: (u32, (Option<ExprId>, Option<Text>), u32),
 ) -> Parsed
 {
@@ -21656,7 +21656,7 @@ fn __action410<
     __1: (u32, Token, u32),
     __2: (u32, Vec<DeclaredName>, u32),
     __3: (u32, Token, u32),
-    __4: (u32, (Type, grafc_diagnostics::Span), u32),
+    __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Text>), u32),
 ) -> Parsed
 {
@@ -21688,7 +21688,7 @@ fn __action411<
     __0: (u32, Token, u32),
     __1: (u32, Vec<DeclaredName>, u32),
     __2: (u32, Token, u32),
-    __3: (u32, (Type, grafc_diagnostics::Span), u32),
+    __3: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __4: (u32, (Option<ExprId>, Option<Text>), u32),
 ) -> Parsed
 {

@@ -113,8 +113,8 @@ pub struct Declaration {
     pub kind: DeclarationKind,
     /// The names, each with its attached comment.
     pub names: Vec<DeclaredName>,
-    /// The type.
-    pub ty: Type,
+    /// The type; none if what is written there is none, and has been reported.
+    pub ty: Option<Type>,
     /// Where the type is written.
     pub ty_span: Span,
     /// `:= value`.

@@ -1,8 +1,10 @@
 //! What the grammar's actions do: they make tree nodes, and find the faults that a grammar says badly.
 
 use crate::ast::*;
+use crate::habits::words::{TYPES, ours};
 use crate::lexer::MOST_FAULTS;
 use crate::numeral::{self, Numeral};
+use crate::spelling::distance;
 use grafc_diagnostics::{Code, Diagnostic, FileId, Fix, Span};
 
 /// What one item of the token stream turned out to be. The parser moves it about, so it is small.
@@ -131,21 +133,32 @@ impl<'text> Builder<'text> {
         Text { text: self.slice(start, end).into(), span: self.span(start, end) }
     }
 
-    pub(crate) fn ty(&mut self, start: u32, end: u32) -> (Type, Span) {
+    pub(crate) fn ty(&mut self, start: u32, end: u32) -> (Option<Type>, Span) {
         let word = self.slice(start, end);
         let span = self.span(start, end);
         if let Some(ty) = type_of(word) {
-            return (ty, span);
+            return (Some(ty), span);
         }
         let shown = crate::shown::shorten(word);
         let mut fault = Diagnostic::new(Code::E0107, span, format!("expected a type, found `{shown}`"))
             .note("the types are `bool`, `int`, `dint`, `uint`, `udint`, `real`, `lreal` and `time`");
-        if let Some(known) = type_of(&word.to_lowercase()).map(|_| word.to_lowercase()) {
-            let fix = Fix::certain(format!("write `{known}`")).replace(span, known.as_str());
-            fault = fault.help(format!("write `{known}`")).fix(fix);
-        }
+        let lower = word.to_lowercase();
+        fault = match TYPES.iter().map(|(known, _)| *known).find(|known| *known == lower).or_else(|| ours(TYPES, word))
+        {
+            Some(known) => {
+                let fix = Fix::certain(format!("write `{known}`")).replace(span, known);
+                fault.help(format!("write `{known}`")).fix(fix)
+            }
+            None => match TYPES.iter().find(|(known, _)| distance(&lower, known, 1).is_some()) {
+                Some((near, _)) => {
+                    let fix = Fix::maybe(format!("write `{near}`")).replace(span, *near);
+                    fault.help(format!("did you mean `{near}`?")).fix(fix)
+                }
+                None => fault.help("choose one of these: a text, an array or a structure has no place in a chart"),
+            },
+        };
         self.fault(fault);
-        (Type::Bool, span)
+        (None, span)
     }
 
     pub(crate) fn step(
@@ -164,7 +177,9 @@ impl<'text> Builder<'text> {
             if let Some(first) = seen.iter().find(|s| s.meaning == word.meaning) {
                 let name = self.slice(word.span.start, word.span.end);
                 let fault = Diagnostic::new(Code::E0107, word.span, format!("`{name}` appears twice before `step`"))
-                    .also(first.span, "first here");
+                    .also(first.span, "first here")
+                    .help("leave it out")
+                    .fix(Fix::certain("leave it out").delete(word.span));
                 self.fault(fault);
                 continue;
             }
@@ -176,10 +191,13 @@ impl<'text> Builder<'text> {
             };
             if kind != StepKind::Plain {
                 let message = "a step is either an enclosing step or a macro-step";
-                self.fault(Diagnostic::new(Code::E0107, word.span, message));
+                let help = format!("leave out `{}`", self.slice(word.span.start, word.span.end));
+                let fix = Fix::maybe(help.clone()).delete(word.span);
+                self.fault(Diagnostic::new(Code::E0107, word.span, message).help(help).fix(fix));
             }
             kind = new_kind;
         }
+        let actions = self.without_if_and_then(actions);
         Step { kind, words: seen, label, comment, actions, allows, span: self.span(start, end) }
     }
 
@@ -192,6 +210,38 @@ impl<'text> Builder<'text> {
         Allow { code, about, reason, span: self.span(start, end) }
     }
 
+    /// `IF a THEN K` is read as four actions, since none of its words is ours.
+    fn without_if_and_then(&mut self, mut actions: Vec<Action>) -> Vec<Action> {
+        let word = |action: &Action, word: &str| match &action.kind {
+            ActionKind::Continuous { target, condition: None } => {
+                !target.quoted && target.text.eq_ignore_ascii_case(word)
+            }
+            _ => false,
+        };
+        let Some(first) = actions.iter().position(|action| word(action, "if")) else { return actions };
+        let Some(then) = actions[first..].iter().position(|action| word(action, "then")) else { return actions };
+        let (condition, target) = match &actions[first..][..then.max(1)] {
+            [_, condition @ ..] if !condition.is_empty() => (condition, actions.get(first + then + 1)),
+            _ => return actions,
+        };
+        let place = actions[first].span;
+        let shown = self.slice(place.start, place.end);
+        let mut fault = Diagnostic::new(Code::E0107, place, format!("expected an action, found `{shown}`"));
+        let condition = condition[0].span.to(condition[condition.len() - 1].span);
+        fault = match target.map(|target| &target.kind) {
+            Some(ActionKind::Continuous { target, condition: None }) => {
+                let after = actions.get(first + then + 2).filter(|after| word(after, "end_if"));
+                let whole = place.to(after.map_or(target.span, |after| after.span));
+                let right = format!("{} if {}", target.text, self.slice(condition.start, condition.end));
+                fault.help(format!("write `{right}`")).fix(Fix::maybe(format!("write `{right}`")).replace(whole, right))
+            }
+            _ => fault.help("the condition stands behind the output: `… if …`"),
+        };
+        self.fault(fault);
+        actions.truncate(first);
+        actions
+    }
+
     pub(crate) fn action(&self, start: u32, end: u32, kind: ActionKind) -> Option<Action> {
         Some(Action { kind, span: self.span(start, end) })
     }
@@ -199,6 +249,16 @@ impl<'text> Builder<'text> {
     /// In a step, the standard has no action that assigns without saying when (4.8.3).
     pub(crate) fn assignment_without_event(&mut self, assignment: Assignment) -> Option<Action> {
         let target = crate::shown::shorten(&assignment.target.text);
+        let end = assignment.span.end as usize;
+        let gap = self.text[end..].len() - self.text[end..].trim_start().len();
+        let word = self.text[end + gap..].split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
+        if word != "on" && word.eq_ignore_ascii_case("on") {
+            let place = self.span((end + gap) as u32, (end + gap + word.len()) as u32);
+            let fault = Diagnostic::new(Code::E0107, place, format!("expected `on`, found `{word}`"));
+            let help = "words of the language are in lower case: `on`";
+            self.fault(fault.help(help).fix(Fix::certain("write `on`").replace(place, "on")));
+            return None;
+        }
         self.fault(
             Diagnostic::new(
                 Code::E0108,
@@ -258,19 +318,28 @@ impl<'text> Builder<'text> {
         }
     }
 
-    /// `3/a` where `3s/a` was meant is a slip that is better named here than as a wrong type.
+    /// `3/a` where `3s/a` was meant, and `5s/1` where `5s/X1` was, are slips that are better named here than as wrong
+    /// types.
     pub(crate) fn delay(&mut self, start: u32, end: u32, parts: Vec<ExprId>) -> ExprId {
+        let has_time = parts.iter().any(|&part| matches!(self.exprs[part].kind, ExprKind::Duration(_)));
         for &part in &parts {
             let span = self.exprs[part].span;
+            let shown = crate::shown::shorten(self.slice(span.start, span.end));
             let (what, cure, fix) = match self.exprs[part].kind {
+                ExprKind::Integer(_) if has_time => {
+                    let (place, right) =
+                        self.counted_time(start, end, &parts, &shown).unwrap_or((span, format!("X{shown}")));
+                    let fix = Fix::maybe(format!("write `{right}`")).replace(place, right.as_str());
+                    ("number", format!("the activity of step `{shown}` is delayed: `{right}`"), fix)
+                }
                 ExprKind::Integer(_) | ExprKind::Real(_) => (
                     "number",
-                    format!("a delay has a unit: `{}s`", crate::shown::shorten(self.slice(span.start, span.end))),
+                    format!("a delay has a unit: `{shown}s`"),
                     Fix::maybe("give it the unit `s`").replace(span.behind(), "s"),
                 ),
                 ExprKind::Bool(_) => (
                     "constant",
-                    "put the operand in parentheses".to_owned(),
+                    format!("put the operand in parentheses: `({shown})`"),
                     Fix::certain("put it in parentheses").replace(span.before(), "(").replace(span.behind(), ")"),
                 ),
                 ExprKind::Name(_)
@@ -285,7 +354,6 @@ impl<'text> Builder<'text> {
                 | ExprKind::Delay(_)
                 | ExprKind::Error => continue,
             };
-            let shown = crate::shown::shorten(self.slice(span.start, span.end));
             self.fault(
                 Diagnostic::new(Code::E0107, span, format!("expected a duration or a variable, found the {what} `{shown}`"))
                     .note("outside brackets, `/` makes a time-dependent variable such as `3s/a/7s`; division stands in brackets")
@@ -295,6 +363,14 @@ impl<'text> Builder<'text> {
             self.exprs[part].kind = ExprKind::Error;
         }
         self.expr(start, end, ExprKind::Delay(parts.into()))
+    }
+
+    /// `t/1/5s`: as the first edition of the standard wrote that step 1 has been active for 5 s.
+    fn counted_time(&self, start: u32, end: u32, parts: &[ExprId], step: &str) -> Option<(Span, String)> {
+        let &[letter, _, time] = parts else { return None };
+        let ExprKind::Name(letter) = &self.exprs[letter].kind else { return None };
+        let time = self.exprs[time].span;
+        (letter == "t").then(|| (self.span(start, end), format!("{}/X{step}", self.slice(time.start, time.end))))
     }
 }
 

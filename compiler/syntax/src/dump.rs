@@ -81,7 +81,8 @@ impl Dump<'_> {
             DeclarationKind::Constant => "const",
         };
         let retain = if declaration.retain.is_some() { "retain " } else { "" };
-        self.line(&format!("{retain}{kind} : {}", format!("{:?}", declaration.ty).to_lowercase()));
+        let ty = declaration.ty.map_or("error".to_owned(), |ty| format!("{ty:?}").to_lowercase());
+        self.line(&format!("{retain}{kind} : {ty}"));
         self.level += 1;
         for declared in &declaration.names {
             self.line(&(name(&declared.name) + &comment(&declared.comment)));

@@ -5,12 +5,12 @@
 //!
 //! The patterns need no look-ahead beyond a few bytes, so the time is linear whatever the text is.
 
+use crate::characters::{self, Run, comment_end, is_visible};
 use crate::context;
 use crate::numeral;
 use crate::token::{Lexeme, Token, declares};
 use grafc_diagnostics::{Code, Diagnostic, FileId, Fix, Span};
 use logos::Logos;
-use std::ops::Range;
 
 /// What [`lex`] returns.
 #[derive(Default)]
@@ -40,6 +40,16 @@ pub(crate) fn lex(file: FileId, text: &str) -> Lexed {
         let token = match result {
             Err(()) => {
                 out.wrong_characters(file, text, start, end);
+                if slice == "#" {
+                    if let Some(end) = comment_end(text, range.start) {
+                        tokens.bump(end - range.end);
+                        out.skipped(end as u32);
+                    }
+                }
+                continue;
+            }
+            Ok(Token::ForeignComment) => {
+                out.fault(span, foreign_comment(span, slice));
                 continue;
             }
             Ok(Token::LineComment) => {
@@ -60,10 +70,15 @@ pub(crate) fn lex(file: FileId, text: &str) -> Lexed {
                     out.fault(
                         span,
                         Diagnostic::new(Code::E0104, span, "the name in backquotes does not end on its line")
-                            .here("this backquote has no partner"),
+                            .here("this backquote has no partner")
+                            .help("add a backquote behind the name"),
                     );
                 } else if slice.len() == 2 {
-                    out.fault(span, Diagnostic::new(Code::E0104, span, "the name in backquotes is empty"));
+                    out.fault(
+                        span,
+                        Diagnostic::new(Code::E0104, span, "the name in backquotes is empty")
+                            .help("write a name between the backquotes"),
+                    );
                 }
                 Token::Name
             }
@@ -79,6 +94,7 @@ pub(crate) fn lex(file: FileId, text: &str) -> Lexed {
                         span,
                         Diagnostic::new(Code::E0103, span, "the string does not end on its line")
                             .here("this quotation mark has no partner")
+                            .help("add `\"` behind the comment")
                             .note("a quotation mark inside a string is doubled: `\"say \"\"go\"\"\"`"),
                     );
                 }
@@ -129,8 +145,8 @@ pub(crate) fn may_end_item(token: Token) -> bool {
         Chart | Input | Output | Var | Const | Grafcet | Expansion | Step | Transition | Initial | Activated
         | Enclosing | Macro | If | On | Force | And | Or | Xor | Not | Rise | Fall | Mod | Plus | Minus | Star
         | Slash | Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual | Assign | Colon | Comma | Arrow
-        | OpenParen | OpenBracket | Numeral | LineComment | BlockComment | Activation | Deactivation | Event | At
-        | Retain | Allow | AllowInside | End => false,
+        | OpenParen | OpenBracket | Numeral | LineComment | BlockComment | ForeignComment | Activation
+        | Deactivation | Event | At | Retain | Allow | AllowInside | End => false,
     }
 }
 
@@ -142,28 +158,54 @@ impl Lexed {
         }
     }
 
+    /// Whether the fault before offers to change this place as well: it is the second of two quotation marks.
+    fn is_changed_already(&self, place: Span) -> bool {
+        let fixes = self.faults.last().into_iter().flat_map(|fault| &fault.fixes);
+        fixes.flat_map(|fix| &fix.edits).any(|edit| edit.span == place)
+    }
+
+    /// What is behind the last fault, up to a place, belongs to it.
+    fn skipped(&mut self, end: u32) {
+        if let Some(last) = self.bad.last_mut() {
+            last.1 = end;
+        }
+    }
+
     /// Wrong characters in a run are one fault.
     fn wrong_characters(&mut self, file: FileId, text: &str, start: u32, end: u32) {
         let run = match self.bad.last() {
             Some(&(first, last)) if last == start => first,
             _ => {
                 let span = Span::new(file, start as usize, end as usize);
+                if self.is_changed_already(span) {
+                    self.bad.push((start, end));
+                    return;
+                }
                 self.fault(span, Diagnostic::new(Code::E0101, span, String::new()));
                 start
             }
         };
         let at = self.bad.len() - 1;
         self.bad[at].1 = end;
-        let Some(fault) = self.faults.last_mut().filter(|f| f.primary.span.start == run) else { return };
+        let is_it = |fault: &&mut Diagnostic| fault.primary.span.start == run && fault.code == Code::E0101;
+        let Some(fault) = self.faults.last_mut().filter(is_it) else { return };
         // The headline names the first characters only, so it need not be written again for a long run.
         if end - run <= 64 || fault.message.is_empty() {
             fault.message = unexpected_characters(&text[run as usize..end as usize]);
         }
         fault.primary.span.end = end;
-        let range = run as usize..end as usize;
-        let cure = cure(&text[range.clone()]);
-        fault.help = cure.map(|(words, _)| words.to_owned());
-        fault.fixes = cure.and_then(|(_, instead)| fix(file, text, range, instead)).into_iter().collect();
+        if end - run <= 64 {
+            let range = run as usize..end as usize;
+            let cure = characters::cure(&Run { file, text, range, before: &self.lexemes });
+            // What an address lacks stands before it, and `at` is none without that.
+            if let Some(before) = self.lexemes.len().checked_sub(2).map(|before| self.lexemes[before])
+                && &text[before.start as usize..before.end as usize] == "at"
+            {
+                self.bad[at].0 = before.start;
+            }
+            fault.help = Some(cure.words);
+            fault.fixes = cure.fix.into_iter().collect();
+        }
     }
 }
 
@@ -188,9 +230,25 @@ fn is_closed_comment(comment: &str) -> bool {
     depth == 0
 }
 
+/// `/* … */`
+fn foreign_comment(span: Span, comment: &str) -> Diagnostic {
+    let opening = Span { end: span.start + 2, ..span };
+    let inner = &comment[2..];
+    let fault = Diagnostic::new(Code::E0101, opening, "unexpected characters `/*`");
+    let fault = fault.help("a comment is written `(* … *)`, or `// …` to the end of the line");
+    match inner.strip_suffix("*/").filter(|inner| !inner.contains("*)") && !inner.contains("(*")) {
+        Some(_) => {
+            let closing = Span { start: span.end - 2, ..span };
+            fault.fix(Fix::certain("write `(* … *)`").replace(opening, "(*").replace(closing, "*)"))
+        }
+        None => fault,
+    }
+}
+
 fn unterminated_comment(opening: Span) -> Diagnostic {
     Diagnostic::new(Code::E0102, opening, "the comment is never closed")
         .here("`*)` is missing for this")
+        .help("add `*)` where the comment ends")
         .note("comments nest: each `(*` needs its own `*)`")
 }
 
@@ -215,52 +273,5 @@ fn unexpected_characters(run: &str) -> String {
 
 fn visible(c: char) -> String {
     // Format characters such as U+200B would leave an empty pair of backquotes.
-    if c.is_control() || ('\u{200B}'..='\u{200F}').contains(&c) || ('\u{2028}'..='\u{202F}').contains(&c) {
-        String::new()
-    } else {
-        format!("`{c}` ")
-    }
-}
-
-/// What helps with wrong characters, in words, and what to write instead.
-fn cure(run: &str) -> Option<(&'static str, &'static str)> {
-    Some(match run {
-        ";" => ("leave it out: items and actions need no separator", ""),
-        "∧" | "•" | "∙" => ("write `and`, `·` or `&`", "·"),
-        "∨" => ("write `or`, `+` or `|`", "|"),
-        "⊕" | "^" => ("write `xor`", " xor "),
-        "~" => ("write `not`, `!` or `¬`", "!"),
-        "×" => ("multiplication is written `*`", "*"),
-        "−" | "–" | "—" => ("the minus sign is written `-`", "-"),
-        "÷" => ("division is written `/`", "/"),
-        quote if is_quote(quote) => ("an attached comment stands in straight quotation marks: `\"…\"`", "\""),
-        _ => return None,
-    })
-}
-
-fn is_quote(run: &str) -> bool {
-    matches!(run, "“" | "”" | "„" | "«" | "»" | "'" | "‘" | "’")
-}
-
-/// The change that a hint asks for. Quotation marks are changed two by two.
-fn fix(file: FileId, text: &str, run: Range<usize>, instead: &str) -> Option<Fix> {
-    let whole = |range: Range<usize>| Span::new(file, range.start, range.end);
-    if !is_quote(&text[run.clone()]) {
-        let title = if instead.is_empty() { "leave it out".to_owned() } else { format!("write `{}`", instead.trim()) };
-        return Some(Fix::certain(title).replace(whole(run), instead));
-    }
-    let line = text[..run.start].rfind('\n').map_or(0, |n| n + 1);
-    let rest = text[line..].find('\n').map_or(text.len(), |n| line + n);
-    let quotes = |range: Range<usize>| {
-        let from = range.start;
-        let marks = text[range].char_indices().map(move |(at, c)| from + at..from + at + c.len_utf8());
-        marks.filter(|mark| is_quote(&text[mark.clone()])).take(MOST_FAULTS)
-    };
-    let before = quotes(line..run.start);
-    // The first of two opens the comment, whatever their shapes: they are not the same in all languages.
-    let (odd, last) = before.fold((false, None), |(odd, _), mark| (!odd, Some(mark)));
-    let (open, close) = if odd { (last?, run) } else { (run.clone(), quotes(run.end..rest).next()?) };
-    (!text[open.end..close.start].contains('"')).then(|| {
-        Fix::certain("write straight quotation marks").replace(whole(open), instead).replace(whole(close), instead)
-    })
+    if is_visible(c) { format!("`{c}` ") } else { String::new() }
 }

@@ -7,11 +7,12 @@
 
 pub mod ast;
 mod builder;
+mod characters;
 mod context;
-mod cure;
 pub mod dump;
 mod expected;
 mod format;
+pub mod habits;
 mod items;
 mod lexer;
 mod numeral;

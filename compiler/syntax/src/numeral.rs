@@ -3,6 +3,8 @@
 //! The lexer takes any run that begins with a digit or `T#` as one word, so that a slip inside of it is one fault with
 //! a reason, and not a row of puzzling tokens.
 
+use crate::habits::words::{UNITS, ours};
+use crate::habits::{Cure, named};
 use crate::token::Token;
 use grafc_diagnostics::{Code, Diagnostic, Span};
 
@@ -61,31 +63,93 @@ const LONGEST: u128 = i32::MAX as u128;
 impl Fault {
     /// The message for a word.
     pub(crate) fn diagnostic(self, span: Span, word: &str) -> Diagnostic {
-        let word = crate::shown::shorten(word);
-        let number = |m: String| Diagnostic::new(Code::E0105, span, m);
-        let duration = |m: String| Diagnostic::new(Code::E0106, span, m);
+        let shown = crate::shown::shorten(word);
+        let number = |message: String| Diagnostic::new(Code::E0105, span, message);
+        let duration = |message: String| Diagnostic::new(Code::E0106, span, message);
         match self {
-            Fault::Number => number(format!("`{word}` is not a number"))
-                .note("numbers are written `3`, `-2`, `8.5`, `1.5e-3`, `16#FF`; names begin with a letter"),
-            Fault::Digits(base) => number(format!("`{word}` is not a number in base {base}")),
-            Fault::Base => number(format!("`{word}` has an unknown base")).note("the bases are `2#`, `8#` and `16#`"),
-            Fault::Separator => number(format!("`_` in `{word}` is not between two digits")),
-            Fault::TooLarge => number(format!("the number `{word}` is too large")),
-            Fault::Unit => duration(format!("`{word}` is not a duration"))
-                .note("each part of a duration has a unit: `d`, `h`, `min`, `s` or `ms`, as in `1min30s`; `T#1m30s` has `m` for minutes"),
-            Fault::NoDuration => duration(format!("`{word}` has no value")).note("the IEC form is `T#1m30s`"),
-            Fault::UnitOrder => {
-                duration(format!("the units of `{word}` are not in order")).note("units go from large to small, each once: `1h5min2s`")
+            Fault::Number => {
+                let fault = number(format!("`{shown}` is not a number"))
+                    .note("numbers are written `3`, `-2`, `8.5`, `1.5e-3`, `16#FF`; names begin with a letter");
+                match based_of_c(word) {
+                    Some(right) => rewritten(fault, span, &right),
+                    None => with(fault, named(word, span)),
+                }
             }
-            Fault::Fraction => {
-                duration(format!("`{word}` has a fraction before its last part")).note("only the last part may have one: `1min2.5s`")
+            Fault::Digits(base) => number(format!("`{shown}` is not a number in base {base}"))
+                .help(format!("base {base} has the digits {}", digits_of(base))),
+            Fault::Base => number(format!("`{shown}` has an unknown base"))
+                .note("the bases are `2#`, `8#` and `16#`")
+                .help("write the number in base 10, without `#`"),
+            Fault::Separator => {
+                let right = word.split('_').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("_");
+                let fault = number(format!("`_` in `{shown}` is not between two digits"));
+                if read(&right).is_ok() { rewritten(fault, span, &right) } else { fault.help("leave the `_` out") }
             }
-            Fault::TooFine => duration(format!("the duration `{word}` is finer than a millisecond")),
-            Fault::TooLong => {
-                duration(format!("the duration `{word}` is too long")).note("the longest is 2147483647 ms, about 24 days and 20 hours")
+            Fault::TooLarge => number(format!("the number `{shown}` is too large"))
+                .help("a whole number has 64 bits here, and 32 at most in a variable"),
+            Fault::Unit => {
+                let fault = duration(format!("`{shown}` is not a duration"))
+                    .note("each part of a duration has a unit: `d`, `h`, `min`, `s` or `ms`, as in `1min30s`; `T#1m30s` has `m` for minutes");
+                match in_our_units(word) {
+                    Some(right) => rewritten(fault, span, &right),
+                    None => fault.help("give each part one of these units"),
+                }
             }
+            Fault::NoDuration => {
+                duration(format!("`{shown}` has no value")).help("write the time behind it, as in `T#1m30s`")
+            }
+            Fault::UnitOrder => duration(format!("the units of `{shown}` are not in order"))
+                .help("units go from large to small, each once, as in `1h5min2s`"),
+            Fault::Fraction => duration(format!("`{shown}` has a fraction before its last part"))
+                .help("only the last part may have a fraction, as in `1min2.5s`"),
+            Fault::TooFine => duration(format!("the duration `{shown}` is finer than a millisecond"))
+                .help("write whole milliseconds, `1ms` at least"),
+            Fault::TooLong => duration(format!("the duration `{shown}` is too long"))
+                .note("the longest is 2147483647 ms, about 24 days and 20 hours")
+                .help("count the days in a variable"),
         }
     }
+}
+
+fn with(fault: Diagnostic, cure: Cure) -> Diagnostic {
+    Diagnostic { fixes: cure.fix.into_iter().collect(), ..fault.help(cure.words) }
+}
+
+fn rewritten(fault: Diagnostic, span: Span, right: &str) -> Diagnostic {
+    with(fault, Cure::guess(format!("write `{right}`"), span, right))
+}
+
+/// `0xFF` and `0b101` as `16#FF` and `2#101`.
+fn based_of_c(word: &str) -> Option<String> {
+    let lower = word.to_lowercase();
+    let (prefix, base) =
+        [("0x", "16#"), ("0b", "2#"), ("0o", "8#")].into_iter().find(|(prefix, _)| lower.starts_with(prefix))?;
+    let right = format!("{base}{}", &word[prefix.len()..]);
+    read(&right).is_ok().then_some(right)
+}
+
+fn digits_of(base: u32) -> &'static str {
+    match base {
+        2 => "`0` and `1`",
+        8 => "`0` to `7`",
+        _ => "`0` to `9` and `A` to `F`",
+    }
+}
+
+/// `3sec` and `1m30s` as `3s` and `1min30s`: the same with our names of the units.
+fn in_our_units(word: &str) -> Option<String> {
+    let mut right = String::new();
+    let mut rest = word;
+    while !rest.is_empty() {
+        let value_end = rest.find(|c: char| !c.is_ascii_digit() && c != '.')?;
+        let (value, after) = rest.split_at(value_end);
+        let unit_end = after.find(|c: char| c.is_ascii_digit()).unwrap_or(after.len());
+        let (unit, after) = after.split_at(unit_end);
+        right.push_str(value);
+        right.push_str(ours(UNITS, unit.trim_end_matches(['_', '.']))?);
+        rest = after;
+    }
+    read(&right).is_ok().then_some(right)
 }
 
 /// Reads a word that begins with a digit or with `T#`.
@@ -176,14 +240,20 @@ fn real(word: &str) -> Result<Numeral, Fault> {
 
 /// `1min30s`
 fn own_duration(word: &str) -> Result<Numeral, Fault> {
-    duration(word, |unit| match unit {
+    let read = duration(word, |unit| match unit {
         "d" => Some(DAY),
         "h" => Some(HOUR),
         "min" => Some(MINUTE),
         "s" => Some(SECOND),
         "ms" => Some(1),
         _ => None,
-    })
+    });
+    // `1M1` is what a valve is called on a drawing.
+    let is_designation = word.contains(|c: char| c.is_ascii_uppercase()) && in_our_units(word).is_none();
+    match read {
+        Err(Fault::Unit) if is_designation => Err(Fault::Number),
+        read => read,
+    }
 }
 
 /// What follows `T#` or `TIME#`; letters of either case, `_` between the parts (IEC 61131-3, 6.3.5).

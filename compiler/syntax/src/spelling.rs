@@ -22,9 +22,44 @@ fn sole_token(text: &str) -> Option<Token> {
     (tokens.span() == (0..text.len())).then_some(token)
 }
 
+/// Insertions, deletions, substitutions and swaps of neighbours that lead from one text to another, if at most `reach`.
+pub fn distance(a: &str, b: &str, reach: usize) -> Option<usize> {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    if a.len().abs_diff(b.len()) > reach {
+        return None;
+    }
+    let mut before: Vec<usize> = Vec::new();
+    let mut above: Vec<usize> = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let substituted = above[j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let mut best = substituted.min(above[j] + 1).min(row[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                best = best.min(before[j - 2] + 1);
+            }
+            row.push(best);
+        }
+        if row.iter().all(|&d| d > reach) {
+            return None;
+        }
+        before = std::mem::replace(&mut above, row);
+    }
+    above.last().copied().filter(|&d| d <= reach)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{is_reserved, written};
+    use super::{distance, is_reserved, written};
+
+    #[test]
+    fn slips_of_the_finger_are_counted() {
+        assert_eq!(distance("transtion", "transition", 2), Some(1));
+        assert_eq!(distance("stpe", "step", 1), Some(1));
+        assert_eq!(distance("step", "step", 0), Some(0));
+        assert_eq!(distance("motor", "valve", 2), None);
+        assert_eq!(distance("", "ab", 2), Some(2));
+    }
 
     #[test]
     fn words_of_the_language_are_reserved() {

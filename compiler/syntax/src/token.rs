@@ -148,6 +148,9 @@ pub(crate) enum Token {
     LineComment,
     #[token("(*", block_comment)]
     BlockComment,
+    /// `/* … */`, which is none of our comments, but was meant as one.
+    #[token("/*", foreign_comment)]
+    ForeignComment,
 
     // Words only where they have a meaning; elsewhere they are names.
     /// `activation` after `on`
@@ -259,4 +262,11 @@ fn block_comment(lexer: &mut logos::Lexer<'_, Token>) {
         }
     }
     lexer.bump(at);
+}
+
+/// Moves behind the `*/` of a comment of C, or to the end of the line if there is none.
+fn foreign_comment(lexer: &mut logos::Lexer<'_, Token>) {
+    let rest = lexer.remainder();
+    let end = rest.find("*/").map(|at| at + 2).or_else(|| rest.find('\n')).unwrap_or(rest.len());
+    lexer.bump(end);
 }

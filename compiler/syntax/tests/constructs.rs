@@ -64,7 +64,7 @@ fn declarations() {
         ("var r : lreal := true", DeclarationKind::Variable, Type::Lreal, vec!["r"], Some("true"), None),
     ] {
         let (chart, Item::Declaration(declaration)) = only(text) else { panic!("a declaration was written: {text}") };
-        assert_eq!((declaration.kind, declaration.ty), (kind, ty), "{text}");
+        assert_eq!((declaration.kind, declaration.ty), (kind, Some(ty)), "{text}");
         assert_eq!(declaration.names.iter().map(|n| n.name.text.as_str()).collect::<Vec<_>>(), names, "{text}");
         assert_eq!(declaration.initial.map(|i| show(&chart, i)).as_deref(), initial, "{text}");
         assert_eq!(declaration.address.as_ref().map(|a| a.text.as_str()), address, "{text}");

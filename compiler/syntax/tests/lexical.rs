@@ -31,7 +31,7 @@ fn words_are_names_where_they_cannot_mean_anything_else() {
 #[test]
 fn operators_and_constants_may_be_in_capitals() {
     assert_eq!(condition("NOT a AND TRUE OR b XOR FALSE"), "(or (and (not a) true) (xor b false))");
-    assert_eq!(value("[a AND NOT b]"), "[(and a (not b))]");
+    assert_eq!(value("[a AND NOT b]"), "(predicate (and a (not b)))");
     assert_eq!(condition("`OR` or `NOT`"), "(or OR NOT)");
     for word in ["AND", "OR", "XOR", "NOT", "TRUE", "FALSE"] {
         let found = faults(&format!("input {word} : bool"));

@@ -101,6 +101,7 @@ fn report(chart: &Tables, circle: &[TransitionId]) -> Diagnostic {
     }
     diagnostic
         .note("IEC 60848, 4.9.3: a token in it is never at rest; a reaction stops at its bound and raises LIVELOCK")
+        .help("give one of these transitions a condition that is not always true")
 }
 
 #[cfg(test)]

@@ -36,9 +36,14 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                 .note("an expansion is entered by its entry step and left by its exit step, through the macro-step")
                 .help(format!("name the macro-step `{macro_step}` instead"))
                 .fix(name_instead(name.span, macro_step)),
-            None => diagnostic.note(
-                "IEC 60848, 7: grafcets act on each other by conditions, by forcing and by enclosing, not by arcs",
-            ),
+            None => diagnostic
+                .note(
+                    "IEC 60848, 7: grafcets act on each other by conditions, by forcing and by enclosing, not by arcs",
+                )
+                .help(format!(
+                    "leave out `{}`; what is to wait for it reads its activity, `X{}`",
+                    name.text, name.text
+                )),
         });
     }
 }

@@ -25,7 +25,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                 Diagnostic::new(Code::E0412, action.span, message)
                     .here("the stored action")
                     .also(other, "the continuous action")
-                    .note("IEC 60848, 4.10.5, note 1: an output is either assigned or allocated"),
+                    .note("IEC 60848, 4.10.5, note 1: an output is either assigned or allocated")
+                    .help(format!("set `{name}` by stored actions alone, or by continuous ones alone")),
             );
         }
     }

@@ -112,7 +112,9 @@ fn report(chart: &Tables, circle: &[&Edge]) -> Diagnostic {
     for edge in others.iter().take(SHOWN) {
         diagnostic = diagnostic.also(edge.span, say(edge));
     }
-    diagnostic.note("IEC 60848, 7.3 and 7.4: forcing and enclosing make a hierarchy, which has no circles")
+    diagnostic
+        .note("IEC 60848, 7.3 and 7.4: forcing and enclosing make a hierarchy, which has no circles")
+        .help("leave out one of these orders, or let conditions do what it does")
 }
 
 #[cfg(test)]

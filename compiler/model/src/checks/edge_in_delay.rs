@@ -20,7 +20,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
             diagnostics.push(
                 Diagnostic::new(Code::E0415, exprs[edge].span, "an edge inside a delay")
                     .also(expr.span, "the delay")
-                    .note("IEC 60848, symbol 17: what is delayed is true for a time, and an edge is not"),
+                    .note("IEC 60848, symbol 17: what is delayed is true for a time, and an edge is not")
+                    .help("delay what the edge is of, without `↑` or `↓`"),
             );
         }
     }

@@ -20,7 +20,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
             diagnostics.push(
                 Diagnostic::new(Code::E0413, exprs[inner].span, "an edge inside an edge")
                     .also(expr.span, "the edge around it")
-                    .note("IEC 60848, 4.6.1: an edge is an event, of a Boolean variable or expression"),
+                    .note("IEC 60848, 4.6.1: an edge is an event, of a Boolean variable or expression")
+                    .help("leave out one of the two"),
             );
         }
     }

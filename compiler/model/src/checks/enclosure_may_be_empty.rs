@@ -29,7 +29,11 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         if empties {
             let name = &chart.grafcets[order.grafcet].name;
             let message = format!("the order empties the enclosure `{name}`, whose enclosing step stays active");
-            diagnostics.push(Diagnostic::new(Code::W0404, order.span, message).note(MEANING));
+            diagnostics.push(
+                Diagnostic::new(Code::W0404, order.span, message)
+                    .note(MEANING)
+                    .help("force at least one step, or force the enclosing step away"),
+            );
         }
     }
     let mut sinks: IndexVec<GrafcetId, Option<TransitionId>> = index_vec![None; chart.grafcets.len()];
@@ -48,7 +52,11 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         if let Some(sink) = sinks[id].filter(|_| one_at_a_time) {
             let message =
                 format!("the transition empties the enclosure `{}`, whose enclosing step stays active", grafcet.name);
-            diagnostics.push(Diagnostic::new(Code::W0404, chart.transitions[sink].span, message).note(MEANING));
+            diagnostics.push(
+                Diagnostic::new(Code::W0404, chart.transitions[sink].span, message)
+                    .note(MEANING)
+                    .help("let the transition lead to a step"),
+            );
         }
     }
 }

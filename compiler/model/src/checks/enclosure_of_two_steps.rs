@@ -34,7 +34,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
             diagnostics.push(
                 Diagnostic::new(Code::E0311, enclosing.span, format!("`{name}` is enclosed by two steps"))
                     .also(other.span, "enclosed by this step already")
-                    .note("IEC 60848, 7.4: an enclosure belongs to one enclosing step"),
+                    .note("IEC 60848, 7.4: an enclosure belongs to one enclosing step")
+                    .help("give this enclosure, and its steps, names of their own"),
             );
         }
     }

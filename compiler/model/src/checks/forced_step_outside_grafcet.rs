@@ -34,7 +34,8 @@ fn check_order(resolved: &Resolved, grafcet: &ast::Name, names: &[ast::Name], di
             diagnostics.push(
                 Diagnostic::new(Code::E0315, name.span, message)
                     .also(step.span, "the step is here")
-                    .note("IEC 60848, symbol 37: a situation names steps of the forced grafcet"),
+                    .note("IEC 60848, symbol 37: a situation names steps of the forced grafcet")
+                    .help(format!("leave out `{}`, or force `{owner}` by an order of its own", name.text)),
             );
         }
     }

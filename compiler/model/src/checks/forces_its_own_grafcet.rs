@@ -20,7 +20,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                     order.span,
                     format!("step `{}` forces `{name}`, to which it belongs", step.label),
                 )
-                .note("IEC 60848, 7.3: a grafcet is forced from a higher level of the hierarchy"),
+                .note("IEC 60848, 7.3: a grafcet is forced from a higher level of the hierarchy")
+                .help("put the order into a step of another grafcet"),
             );
         }
     }

@@ -24,7 +24,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                 Diagnostic::new(Code::E0309, grafcet.span, message)
                     .also(enclosing.span, "initial")
                     .note("IEC 60848, table 10, symbol 5: each enclosure of an initial enclosing step has an initial step")
-                    .note("activation links do not act at the start"),
+                    .note("activation links do not act at the start")
+.help("mark the steps that are active at the start as `initial`"),
             );
         }
     }

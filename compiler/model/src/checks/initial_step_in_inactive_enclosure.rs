@@ -20,7 +20,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                 Diagnostic::new(Code::E0308, step.span, message)
                     .also(enclosing.span, "not initial")
                     .note("IEC 60848, table 10, symbol 5: initial steps stand in the enclosures of initial enclosing steps")
-                    .note("`activated` marks the steps that the enclosing step activates"),
+                    .note("`activated` marks the steps that the enclosing step activates")
+.help("write `activated` in place of `initial`, or make the enclosing step initial as well"),
             );
         }
     }

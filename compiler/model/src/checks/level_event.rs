@@ -19,7 +19,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
             Event::Event(_, event) if truths[event] != Truth::Never => diagnostics.push(
                 Diagnostic::new(Code::W0402, chart.exprs[event].span, "this event can hold without an edge")
                     .note("the action is done with every input event while it holds")
-                    .note("IEC 60848, symbol 29: the expression of an event should have one or more edges"),
+                    .note("IEC 60848, symbol 29: the expression of an event should have one or more edges")
+                    .help("write the edge that is meant, with `↑` or `↓`"),
             ),
             Event::Event(..) | Event::Deactivation(_) | Event::Clearing(_) | Event::Activation(_) => {}
         }

@@ -106,7 +106,8 @@ fn check_expansion(resolved: &Resolved, macro_step: MacroId, expansion: Expansio
         );
         diagnostics.push(
             Diagnostic::new(Code::E0306, name.span, message)
-                .also(chart.macro_steps[macro_step].span, "the macro-step is here"),
+                .also(chart.macro_steps[macro_step].span, "the macro-step is here")
+                .help(format!("move it into `{}`", chart.grafcets[owner].name)),
         );
     }
     let Some(rest) = rest(&name.text) else { return };
@@ -119,8 +120,11 @@ fn check_expansion(resolved: &Resolved, macro_step: MacroId, expansion: Expansio
         let missing = |elsewhere: Option<(Span, String)>| {
             let diagnostic = Diagnostic::new(Code::E0306, name.span, &*message);
             match elsewhere {
-                Some((span, text)) => diagnostic.also(span, text).note(ONE_OF_EACH),
-                None => diagnostic.note(ONE_OF_EACH),
+                Some((span, text)) => diagnostic
+                    .also(span, text)
+                    .note(ONE_OF_EACH)
+                    .help(format!("move it into the expansion, or call it otherwise and add `step {label}`")),
+                None => diagnostic.note(ONE_OF_EACH).help(format!("add `step {label}`, or call its {role} step so")),
             }
         };
         let fault = match resolved.scope.label(&label) {
@@ -147,13 +151,15 @@ fn second_expansion(resolved: &Resolved, part: &ExpansionPart, first: ExpansionI
     let name = &part.ast.macro_step;
     Diagnostic::new(Code::E0306, name.span, format!("`{}` has a second expansion", name.text))
         .also(resolved.parts.expansions[first].ast.macro_step.span, "the first is here")
+        .help("join the two, or call this one after a macro-step of its own")
 }
 
 fn not_a_macro_step(resolved: &Resolved, part: &ExpansionPart) -> Option<Diagnostic> {
     let name = &part.ast.macro_step;
     let label = resolved.scope.label(&name.text)?; // E0301 if there is none
     let message = format!("`{}` is a {} and has no expansion", name.text, kind(label));
-    let diagnostic = Diagnostic::new(Code::E0306, name.span, message);
+    let help = format!("declare it as `macro step {}`, or call the expansion otherwise", name.text);
+    let diagnostic = Diagnostic::new(Code::E0306, name.span, message).help(help);
     Some(match label {
         Label::Step(id) => diagnostic.also(resolved.chart.steps[id].span, "declared here"),
         Label::Grafcet(id) => diagnostic.also(resolved.chart.grafcets[id].span, "declared here"),
@@ -183,7 +189,8 @@ fn check_nesting(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                     macro_steps[id].span,
                     format!("the macro-step `{label}` is in its own expansion"),
                 )
-                .note("an expansion replaces its macro-step, and this would never end"),
+                .note("an expansion replaces its macro-step, and this would never end")
+                .help("move the macro-step out of it"),
             );
         }
     }

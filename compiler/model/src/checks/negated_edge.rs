@@ -49,6 +49,7 @@ fn report(negation: Span, edge: Span) -> Diagnostic {
         .also(edge, "the edge")
         .note("IEC 60848, 4.6.1: an edge is an event and has no duration")
         .note("the opposite edge is written `↓a`, the absence of the variable `not a`")
+        .help("write the opposite edge, or negate what the edge is of")
 }
 
 #[cfg(test)]

@@ -26,7 +26,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
             diagnostics.push(
                 Diagnostic::new(Code::W0401, expr.span, format!("the output `{}` is read", variable.name))
                     .also(variable.span, "declared here")
-                    .note("its value is that of the current situation, even if transient, and not the published one"),
+                    .note("its value is that of the current situation, even if transient, and not the published one")
+                    .help("if the published value is meant, read a variable that stored actions set"),
             );
         }
     }

@@ -32,7 +32,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                     .also(step.span, "this step stays active")
                     .also(place, "this runs on, or is not done")
                     .note("IEC 60848, 4.5.6: a step that is activated and deactivated at once remains active")
-                    .note("an assignment on clearing, in the braces of the transition, is done every time"),
+                    .note("an assignment on clearing, in the braces of the transition, is done every time")
+                    .help("lead the transition over another step, or put the action into its braces"),
             );
         }
     }

@@ -27,7 +27,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                 diagnostic = diagnostic.also(step.span, format!("step `{}` is held active", step.label));
             }
             let note = "IEC 60848, 6.3.3, note 1: a source transition is always enabled; it is best given an edge";
-            diagnostics.push(diagnostic.note(note));
+            let help = "put `↑` before the variable whose change is meant";
+            diagnostics.push(diagnostic.note(note).help(help));
         }
     }
 }

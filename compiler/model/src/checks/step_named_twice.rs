@@ -32,7 +32,11 @@ fn check_names(names: &[ast::Name], role: &str, diagnostics: &mut Diagnostics) {
         let first = *seen.entry(name.text.as_str()).or_insert(name.span);
         if first != name.span {
             let message = format!("step `{}` {role} twice", name.text);
-            diagnostics.push(Diagnostic::new(Code::E0303, name.span, message).also(first, "named here already"));
+            diagnostics.push(
+                Diagnostic::new(Code::E0303, name.span, message)
+                    .also(first, "named here already")
+                    .help(format!("leave out the second `{}`", name.text)),
+            );
         }
     }
 }

@@ -48,7 +48,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                 )
                 .also(chart.steps[action.step].span, "this step")
                 .also(chart.transitions[transition].span, "always true, and after no other step")
-                .note("IEC 60848, 4.9.4: a continuous action is not done in a step that is passed through"),
+                .note("IEC 60848, 4.9.4: a continuous action is not done in a step that is passed through")
+                .help("wait in the step, by a condition or a delay; or make it a stored action, `:= 1 on activation`"),
             );
         }
     }

@@ -14,7 +14,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         if transition.from.is_empty() && transition.to.is_empty() {
             diagnostics.push(
                 Diagnostic::new(Code::E0304, transition.span, "the transition has no step before and none after it")
-                    .note("IEC 60848, 4.4: steps and transitions alternate"),
+                    .note("IEC 60848, 4.4: steps and transitions alternate")
+                    .help("name the steps before and after it: `transition … -> … : …`"),
             );
         }
     }

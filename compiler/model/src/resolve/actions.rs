@@ -1,6 +1,7 @@
 //! The interpretation: transition-conditions, actions and forcing orders, in source order.
 
 use super::expressions::{self, Context, Need, Scratch};
+use super::habits::{self, Stray};
 use super::parts::{Holder, Parts};
 use super::scope::{Label, Reference, Scope, kind};
 use super::types;
@@ -9,7 +10,7 @@ use crate::chart::{
     Type, Value, VariableId, VariableKind,
 };
 use crate::symbols::{Form, Role, Symbols, Wanted};
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix, Span};
 use grafc_syntax::ast;
 use index_vec::IndexVec;
 
@@ -31,13 +32,20 @@ pub fn interpret<'a>(
         symbols,
         diagnostics,
         scratch: Scratch::default(),
+        step: None,
         complete: true,
     };
     for holder in &parts.holders {
         match *holder {
             Holder::Step(index) => {
                 let part = &parts.steps[index];
-                for action in &part.ast.actions {
+                interpretation.step = Some(&part.ast.label.text);
+                let mut actions = part.ast.actions.iter();
+                while let Some(action) = actions.next() {
+                    if interpretation.stray_word(action, actions.as_slice().first(), &part.ast.label.text) {
+                        actions.next();
+                        continue;
+                    }
                     match part.node {
                         Node::Step(step) => interpretation.action(step, action),
                         Node::Macro(_) => interpretation.action_on_macro_step(action),
@@ -60,11 +68,17 @@ struct Interpretation<'i, 'a> {
     symbols: &'i mut Symbols,
     diagnostics: &'i mut Diagnostics,
     scratch: Scratch,
+    /// The step whose actions are read, or the only one before the transition.
+    step: Option<&'a str>,
     complete: bool,
 }
 
-impl Interpretation<'_, '_> {
-    fn transition(&mut self, id: TransitionId, transition: &ast::Transition) {
+impl<'a> Interpretation<'_, 'a> {
+    fn transition(&mut self, id: TransitionId, transition: &'a ast::Transition) {
+        self.step = match transition.from.as_slice() {
+            [only] => Some(&only.text),
+            _ => None,
+        };
         let condition = self.expression(transition.condition, Need::Condition);
         self.chart.transitions[id].condition = condition;
         for assignment in &transition.actions {
@@ -109,6 +123,34 @@ impl Interpretation<'_, '_> {
         }
     }
 
+    /// `N fill`, `K when a`: a word of other languages, and what it was said of, are one mistake. Gives back whether they
+    /// are.
+    fn stray_word(&mut self, action: &ast::Action, next: Option<&ast::Action>, step: &str) -> bool {
+        let ast::ActionKind::Continuous { target: name, condition: None } = &action.kind else { return false };
+        if name.quoted || self.scope.reference(&name.text).is_some() {
+            return false;
+        }
+        let Some(next) = next else { return false };
+        let Some(stray) = habits::stray(&name.text, next, step) else { return false };
+        self.symbols.missed(name.span, Wanted::Target);
+        let diagnostic = Diagnostic::new(Code::E0201, name.span, format!("nothing is called `{}`", name.text));
+        let whole = name.span.to(next.span);
+        self.fault(match stray {
+            Stray::If => diagnostic.help("write `if`").fix(Fix::maybe("write `if`").replace(name.span, "if")),
+            Stray::Qualifier(Some(right), words) => {
+                diagnostic.help(words).fix(Fix::maybe(format!("write `{right}`")).replace(whole, right))
+            }
+            Stray::Qualifier(None, words) => diagnostic.help(words),
+        });
+        if let ast::ActionKind::Continuous { target, .. } = &next.kind {
+            match self.scope.reference(&target.text).map(Reference::entity) {
+                Some((entity, form)) => self.symbols.used(target.span, entity, form, Role::Assigned),
+                None => self.symbols.missed(target.span, Wanted::Target),
+            }
+        }
+        true
+    }
+
     /// A macro-step has no actions (E0307); what is in them is resolved all the same, and then forgotten.
     fn action_on_macro_step(&mut self, action: &ast::Action) {
         let before = (self.chart.continuous.len(), self.chart.stored.len(), self.chart.orders.len());
@@ -119,7 +161,7 @@ impl Interpretation<'_, '_> {
     }
 
     fn assignment(&mut self, assignment: &ast::Assignment, event: Event, span: Span) {
-        let Some(target) = self.target(&assignment.target) else {
+        let Some(target) = self.target(&assignment.target).filter(|target| self.scope.is_typed(*target)) else {
             // Nothing is known of the type that the value is to have, so only its names are looked at.
             return expressions::note_names(self.tree, self.scope, assignment.value, self.symbols);
         };
@@ -154,7 +196,7 @@ impl Interpretation<'_, '_> {
 
     /// A variable that conditions can be assigned to.
     fn condition_target(&mut self, name: &ast::Name) -> Option<VariableId> {
-        let target = self.target(name)?;
+        let target = self.target(name).filter(|target| self.scope.is_typed(*target))?;
         let variable = &self.chart.variables[target];
         if variable.ty == Type::Bool {
             return Some(target);
@@ -186,18 +228,22 @@ impl Interpretation<'_, '_> {
                 };
                 Diagnostic::new(Code::E0207, name.span, format!("`{}` is {what} and cannot be assigned to", name.text))
                     .also(variable.span, "declared here")
+                    .help(format!("what the chart sets is declared as `output` or `var`, as in `output {}`", name.text))
             }
             Some(Reference::Activity(label)) => {
                 let what = kind(label);
                 let message = format!("`{}` is the activity of a {what} and cannot be assigned to", name.text);
                 Diagnostic::new(Code::E0207, name.span, message)
                     .note("steps are activated by the clearing of transitions, by forcing and by enclosing steps")
+                    .help("an arc to the step is a transition: `transition … -> … : …`")
             }
             Some(Reference::Duration(_)) => {
                 let message = format!("`{}` is the duration of a step and cannot be assigned to", name.text);
                 Diagnostic::new(Code::E0207, name.span, message)
+                    .note("it counts from the activation of the step, and is 0 otherwise")
+                    .help("what is to be set is a variable of its own, as in `var … : time`")
             }
-            None => self.scope.unknown_name(&name.text, name.span),
+            None => self.scope.unknown_target(&name.text, name.span),
         };
         self.fault(diagnostic);
         None
@@ -205,8 +251,13 @@ impl Interpretation<'_, '_> {
 
     /// An expression, or a stand-in if it is faulty.
     fn expression(&mut self, written: ast::ExprId, need: Need) -> ExprId {
-        let context =
-            Context { tree: self.tree, scope: self.scope, variables: &self.chart.variables, constants: self.constants };
+        let context = Context {
+            tree: self.tree,
+            scope: self.scope,
+            variables: &self.chart.variables,
+            constants: self.constants,
+            step: self.step,
+        };
         context
             .resolve(written, need, &mut self.chart.exprs, &mut self.scratch, self.symbols, self.diagnostics)
             .unwrap_or_else(|| {

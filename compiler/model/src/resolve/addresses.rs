@@ -42,7 +42,9 @@ pub fn assign(parts: &Parts, variables: &mut IndexVec<VariableId, Variable>, dia
             let Some(address) = next else {
                 let message = format!("no address is left for `{}` after `{}`", variables[id].name, text.text);
                 diagnostics.push(
-                    Diagnostic::new(Code::E0212, variables[id].span, message).also(text.span, "counted on from here"),
+                    Diagnostic::new(Code::E0212, variables[id].span, message)
+                        .also(text.span, "counted on from here")
+                        .help("give it an address of its own, in another declaration"),
                 );
                 break;
             };
@@ -55,7 +57,8 @@ pub fn assign(parts: &Parts, variables: &mut IndexVec<VariableId, Variable>, dia
                 diagnostics.push(
                     Diagnostic::new(Code::E0213, variables[id].span, message)
                         .also(variables[other].span, format!("`{}` has it already", variables[other].name))
-                        .note("several names of one declaration get consecutive addresses"),
+                        .note("several names of one declaration get consecutive addresses")
+                        .help("give one of them another address"),
                 );
             }
             next = following(&address);
@@ -128,16 +131,17 @@ fn misfit(address: &Address, declaration: &ast::Declaration, span: Span) -> Opti
             true => "a constant has no place in memory".to_owned(),
             false => format!("{what} is at {}", allowed.join(" or ")),
         };
-        return Some(Diagnostic::new(Code::E0212, span, message).note(note));
+        return Some(with_area(Diagnostic::new(Code::E0212, span, message).note(note), address, areas, span));
     }
-    let size = match declaration.ty {
+    let ty = declaration.ty?;
+    let size = match ty {
         Type::Bool => 'X',
         Type::Int | Type::Uint => 'W',
         Type::Dint | Type::Udint | Type::Real | Type::Time => 'D',
         Type::Lreal => 'L',
     };
     if address.size != size {
-        let ty = types::name(declaration.ty);
+        let ty = types::name(ty);
         let message = format!("a variable of type `{ty}` cannot be at `%{}{}`", address.area, address.size);
         let written = resized(address, size);
         return Some(
@@ -166,11 +170,32 @@ fn example(size: char) -> &'static str {
     if size == 'X' { "0.0" } else { "0" }
 }
 
+/// Offers the area that was meant, if there is one: `E` and `A` are the inputs and outputs of STEP 7 in German.
+fn with_area(diagnostic: Diagnostic, address: &Address, areas: &[char], span: Span) -> Diagnostic {
+    let Some(area) = areas.first() else { return diagnostic.help("leave the address out") };
+    let written = resized(&Address { area: *area, ..address.clone() }, address.size);
+    diagnostic.help(format!("write `{written}`")).fix(Fix::maybe(format!("write `{written}`")).replace(span, written))
+}
+
 fn malformed(text: &ast::Text) -> Diagnostic {
-    Diagnostic::new(Code::E0212, text.span, format!("`{}` is not an address", text.text)).note(
+    let diagnostic = Diagnostic::new(Code::E0212, text.span, format!("`{}` is not an address", text.text)).note(
         "an address is `%`, the area `I`, `Q` or `M`, the size `X`, `B`, `W`, `D` or `L`, and numbers: `%IX0.7`, `%QW3`; \
          bits go from 0 to 7",
-    )
+    );
+    let mnemonic = text.text.get(1..2).map(str::to_uppercase);
+    let area = match mnemonic.as_deref() {
+        Some("E") => "I",
+        Some("A") => "Q",
+        _ => return diagnostic.help("write an address of this form"),
+    };
+    let written = format!("%{area}{}", &text.text[2..]);
+    match parse(&written) {
+        Some(_) => diagnostic
+            .note("`E` and `A` are German for `I` and `Q`")
+            .help(format!("write `{written}`"))
+            .fix(Fix::maybe(format!("write `{written}`")).replace(text.span, written)),
+        None => diagnostic.help("write an address of this form"),
+    }
 }
 
 /// The kind of variable that a keyword declares.

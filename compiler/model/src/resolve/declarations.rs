@@ -16,6 +16,9 @@ use grafc_syntax::ast;
 use index_vec::IndexVec;
 use rustc_hash::FxHashSet;
 
+/// The type of a variable whose type could not be read; nothing is said of how it is used (see [`Scope::is_typed`]).
+const STAND_IN: Type = Type::Bool;
+
 /// The variables as declared, all zero.
 pub fn variables(parts: &Parts) -> IndexVec<VariableId, Variable> {
     let mut variables = IndexVec::with_capacity(parts.declarations.iter().map(|d| d.names.len()).sum());
@@ -25,8 +28,8 @@ pub fn variables(parts: &Parts) -> IndexVec<VariableId, Variable> {
                 name: declared.name.text.clone(),
                 comment: declared.comment.as_ref().map(|comment| comment.text.clone()),
                 kind: addresses::kind(declaration.kind),
-                ty: declaration.ty,
-                initial: types::zero(declaration.ty),
+                ty: declaration.ty.unwrap_or(STAND_IN),
+                initial: types::zero(declaration.ty.unwrap_or(STAND_IN)),
                 initial_given: declaration.initial.is_some(),
                 retain: declaration.retain.is_some(),
                 address: None,
@@ -122,7 +125,10 @@ impl Evaluation<'_, '_> {
                     let name = &self.parts.declarations[next].names[0].name;
                     let message = format!("the value of `{}` depends on itself", name.text);
                     self.diagnostics.push(
-                        Diagnostic::new(Code::E0208, self.tree[place].span, message).also(name.span, "declared here"),
+                        Diagnostic::new(Code::E0208, self.tree[place].span, message)
+                            .also(name.span, "declared here")
+                            .note("the value of a declaration is known before the chart runs")
+                            .help("write it as a number"),
                     );
                     // Done without a value: what depends on it keeps silent.
                     self.values.complete = false;
@@ -184,12 +190,20 @@ impl Evaluation<'_, '_> {
             return;
         }
         let ids = self.ids(index);
+        let Some(ty) = declaration.ty else {
+            // Reported by the parser: whatever the value is, it may be right.
+            self.values.complete = false;
+            if let Some(initial) = declaration.initial {
+                note_names(self.tree, self.scope, initial, self.symbols);
+            }
+            return;
+        };
         let Some(initial) = declaration.initial else {
             for id in ids {
                 let variable = &self.variables[id];
                 let message = format!("the constant `{}` has no value", variable.name);
                 let diagnostic = Diagnostic::new(Code::E0211, variable.span, message);
-                let zero = match declaration.ty {
+                let zero = match ty {
                     Type::Bool => "false",
                     Type::Int | Type::Dint | Type::Uint | Type::Udint => "0",
                     Type::Real | Type::Lreal => "0.0",
@@ -197,7 +211,7 @@ impl Evaluation<'_, '_> {
                 };
                 let fix = Fix::maybe(format!("give it the value `{zero}`"))
                     .replace(declaration.ty_span.behind(), format!(" := {zero}"));
-                self.diagnostics.push(diagnostic.help("give it one: `:= value` after the type").fix(fix));
+                self.diagnostics.push(diagnostic.help(format!("give it one, such as `:= {zero}`")).fix(fix));
             }
             return;
         };
@@ -206,11 +220,12 @@ impl Evaluation<'_, '_> {
             scope: self.scope,
             variables: self.variables,
             constants: &self.values.constants,
+            step: None,
         };
         let mut pool = IndexVec::new();
         let root = context.resolve(
             initial,
-            Need::Value(declaration.ty),
+            Need::Value(ty),
             &mut pool,
             &mut Scratch::default(),
             self.symbols,

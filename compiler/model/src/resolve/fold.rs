@@ -140,14 +140,20 @@ fn number(value: Value) -> i64 {
 fn not_constant(expr: &Expr, message: &str) -> Box<Diagnostic> {
     Box::new(
         Diagnostic::new(Code::E0208, expr.span, message)
-            .note("the value of a declaration is made of literals and of constants"),
+            .note("the value of a declaration is made of literals and of constants")
+            .help("write the value itself, or make a `const` of what it is made of"),
     )
 }
 
 fn division_by_zero(expr: &Expr) -> Box<Diagnostic> {
-    Box::new(Diagnostic::new(Code::E0208, expr.span, "a division by zero has no value"))
+    Box::new(
+        Diagnostic::new(Code::E0208, expr.span, "a division by zero has no value").help("divide by something else"),
+    )
 }
 
 fn out_of_range(expr: &Expr) -> Box<Diagnostic> {
-    Box::new(Diagnostic::new(Code::E0210, expr.span, format!("the value does not fit `{}`", types::name(expr.ty))))
+    Box::new(
+        Diagnostic::new(Code::E0210, expr.span, format!("the value does not fit `{}`", types::name(expr.ty)))
+            .help(types::larger(expr.ty)),
+    )
 }

@@ -10,6 +10,7 @@ mod declarations;
 mod definitions;
 mod expressions;
 pub mod fold;
+mod habits;
 pub mod parts;
 pub mod scope;
 mod structure;

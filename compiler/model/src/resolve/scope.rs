@@ -3,13 +3,15 @@
 //! Names are case-sensitive here and not on IEC targets, so two names that differ only by case are refused (E0203); of
 //! two equal ones the first keeps the name (E0202), and what an implicit variable is called nobody may declare (E0204).
 
+use super::habits;
 use super::parts::Parts;
 use super::suggest::Suggestions;
 use crate::chart::{GrafcetId, MacroId, Node, StepId, VariableId};
 use crate::fixes::name_instead;
 use crate::symbols::{Entity, Form};
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix, Span};
 use grafc_syntax::ast;
+use grafc_syntax::spelling::written;
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 use std::borrow::Cow;
 use std::collections::hash_map::Entry;
@@ -57,6 +59,9 @@ impl From<Label> for Entity {
     }
 }
 
+/// So many labels are listed beside one that is missing.
+const NEIGHBOURS: usize = 4;
+
 /// The name of a grafcet in a file without grafcet blocks.
 pub const IMPLIED_GRAFCET: &str = "G1";
 
@@ -64,6 +69,8 @@ pub const IMPLIED_GRAFCET: &str = "G1";
 pub struct Scope<'a> {
     variables: FxHashMap<&'a str, VariableId>,
     labels: FxHashMap<&'a str, Label>,
+    /// The variables whose types could not be read.
+    untyped: FxHashSet<VariableId>,
     /// The labels that were given twice (E0202): who names one may mean another than the first.
     ambiguous: FxHashSet<&'a str>,
     /// Both again in order of declaration, for suggestions.
@@ -78,6 +85,7 @@ impl<'a> Scope<'a> {
         let mut scope = Scope {
             variables: FxHashMap::default(),
             labels: FxHashMap::default(),
+            untyped: FxHashSet::default(),
             ambiguous: FxHashSet::default(),
             variable_names: Vec::new(),
             label_names: Vec::new(),
@@ -95,13 +103,17 @@ impl<'a> Scope<'a> {
         self.variables = hash_map(count);
         self.variable_names.reserve(count);
         let mut suspects = Vec::new();
-        let names = parts.declarations.iter().flat_map(|declaration| &declaration.names);
-        for (index, declared) in names.enumerate() {
+        let names = parts.declarations.iter().flat_map(|item| item.names.iter().map(|name| (item.ty, name)));
+        for (index, (ty, declared)) in names.enumerate() {
             let name = &declared.name;
+            if ty.is_none() {
+                self.untyped.insert(VariableId::new(index));
+            }
             match first_of.entry(folded(&name.text)) {
                 Entry::Occupied(first) if first.get().text == name.text => diagnostics.push(
                     Diagnostic::new(Code::E0202, name.span, format!("`{}` is declared twice", name.text))
-                        .also(first.get().span, "first declared here"),
+                        .also(first.get().span, "first declared here")
+                        .help("leave one of them out, or give it another name"),
                 ),
                 Entry::Occupied(first) => diagnostics.push(differ_by_case(name, &first.get().text, first.get().span)),
                 Entry::Vacant(place) => {
@@ -171,6 +183,12 @@ impl<'a> Scope<'a> {
         }
     }
 
+    /// Whether the type of a variable is known; if not, that has been reported, and whatever is done with the variable
+    /// may be right.
+    pub fn is_typed(&self, variable: VariableId) -> bool {
+        !self.untyped.contains(&variable)
+    }
+
     /// Whether the label was given twice, so that rules on what it stands for had better keep silent.
     pub fn is_ambiguous(&self, text: &str) -> bool {
         self.ambiguous.contains(text)
@@ -192,10 +210,23 @@ impl<'a> Scope<'a> {
 
     /// The error on a name that means nothing in an expression.
     pub fn unknown_name(&self, text: &str, span: Span) -> Diagnostic {
+        self.unknown(text, span, "input")
+    }
+
+    /// The error on a name that means nothing, and is assigned to.
+    pub fn unknown_target(&self, text: &str, span: Span) -> Diagnostic {
+        self.unknown(text, span, "output")
+    }
+
+    /// `word` declares it.
+    fn unknown(&self, text: &str, span: Span, word: &str) -> Diagnostic {
         let diagnostic = Diagnostic::new(Code::E0201, span, format!("nothing is called `{text}`"));
         match text.strip_prefix('T').and_then(|rest| self.label(rest)) {
-            Some(Label::Macro(_)) => return diagnostic.note("a macro-step has no duration, only its steps have"),
-            Some(Label::Grafcet(_)) => return diagnostic.note("a grafcet has no duration, only its steps have"),
+            Some(label @ (Label::Macro(_) | Label::Grafcet(_))) => {
+                return diagnostic
+                    .note(format!("a {} has no duration, only its steps have", kind(label)))
+                    .help("write the duration of a step, `T…`");
+            }
             Some(Label::Step(_)) | None => {}
         }
         if let Some(label) = self.label(text) {
@@ -204,12 +235,20 @@ impl<'a> Scope<'a> {
                 .help(format!("the activity of the {what} `{text}` is written `X{text}`"))
                 .fix(name_instead(span, &format!("X{text}")));
         }
+        if let Some(habit) = habits::name(text, |name| self.reference(name).is_some()) {
+            return diagnostic
+                .help(habit.words)
+                .fix(Fix::maybe(format!("write `{}`", habit.instead)).replace(span, habit.instead));
+        }
         if let Some(near) = self.suggestions.nearest(text, self.variable_names.iter().copied()) {
             return diagnostic.help(format!("did you mean `{near}`?")).fix(name_instead(span, near));
         }
+        let declaration = format!("declare it, as in `{word} {} : …`", written(text));
         let implicit = ['X', 'T'].into_iter().find_map(|prefix| Some((prefix, text.strip_prefix(prefix)?)));
-        let Some((prefix, rest)) = implicit else {
-            return diagnostic.note("every variable is declared: `input`, `output`, `var` or `const`");
+        let Some((prefix, rest)) = implicit.filter(|(_, rest)| !rest.is_empty()) else {
+            return diagnostic
+                .note("every variable is declared: `input`, `output`, `var` or `const`")
+                .help(declaration);
         };
         let candidates = self.label_names.iter().filter(|(_, label)| prefix == 'X' || matches!(label, Label::Step(_)));
         match self.suggestions.nearest(rest, candidates.map(|&(name, _)| name)) {
@@ -217,7 +256,11 @@ impl<'a> Scope<'a> {
                 let near = format!("{prefix}{near}");
                 diagnostic.help(format!("did you mean `{near}`?")).fix(name_instead(span, &near))
             }
-            None => diagnostic.note(format!("no variable is declared by this name, and no step is labelled `{rest}`")),
+            None => {
+                let diagnostic =
+                    diagnostic.note(format!("no variable is declared by this name, and no step is labelled `{rest}`"));
+                self.with_neighbours(diagnostic, rest).help(declaration)
+            }
         }
     }
 
@@ -225,7 +268,9 @@ impl<'a> Scope<'a> {
     pub fn unknown_step(&self, text: &str, span: Span) -> Diagnostic {
         let diagnostic = Diagnostic::new(Code::E0301, span, format!("there is no step `{text}`"));
         if let Some(Label::Grafcet(_)) = self.label(text) {
-            return diagnostic.note(format!("`{text}` is a grafcet"));
+            return self
+                .with_neighbours(diagnostic.note(format!("`{text}` is a grafcet")), text)
+                .help("name a step of it");
         }
         if let Some(rest) = text.strip_prefix('X')
             && self.node(rest).is_some()
@@ -233,21 +278,58 @@ impl<'a> Scope<'a> {
             return diagnostic.help(format!("a step is named by its label: `{rest}`")).fix(name_instead(span, rest));
         }
         let candidates = self.label_names.iter().filter(|(_, label)| !matches!(label, Label::Grafcet(_)));
-        self.with_suggestion(diagnostic, text, candidates)
+        let declaration = format!("declare it, as in `step {}`", written(text));
+        let diagnostic = self.with_suggestion(diagnostic, text, candidates, declaration);
+        if diagnostic.fixes.is_empty() { self.with_neighbours(diagnostic, text) } else { diagnostic }
     }
 
     /// The error on a name that is none of a grafcet, where a step of the grafcet `own` forces it.
     pub fn unknown_grafcet(&self, text: &str, span: Span, own: Option<GrafcetId>) -> Diagnostic {
         let diagnostic = Diagnostic::new(Code::E0302, span, format!("there is no grafcet `{text}`"));
-        match self.label(text) {
+        let diagnostic = match self.label(text) {
             Some(label @ (Label::Step(_) | Label::Macro(_))) => {
-                return diagnostic.note(format!("`{text}` is a {}", kind(label)));
+                diagnostic.note(format!("`{text}` is a {}", kind(label)))
             }
-            Some(Label::Grafcet(_)) | None => {}
-        }
+            Some(Label::Grafcet(_)) | None => diagnostic,
+        };
         let is_meant = |label: &Label| matches!(label, Label::Grafcet(id) if Some(*id) != own);
         let candidates = self.label_names.iter().filter(|(_, label)| is_meant(label));
-        self.with_suggestion(diagnostic, text, candidates)
+        let declaration = match self.label(text) {
+            Some(_) => "name a grafcet, as in `force G2{INIT}`".to_owned(),
+            None => format!("what is forced is a block of its own: `grafcet {} {{ … }}`", written(text)),
+        };
+        self.with_suggestion(diagnostic, text, candidates, declaration)
+    }
+
+    /// Says which labels of steps are near one that is missing: numbers that are not far, else the first of all.
+    fn with_neighbours(&self, diagnostic: Diagnostic, text: &str) -> Diagnostic {
+        if !self.suggestions.is_patient() {
+            return diagnostic;
+        }
+        let steps = self.label_names.iter().filter(|(_, label)| !matches!(label, Label::Grafcet(_)));
+        let mut near: Vec<&str> = match text.parse::<u64>() {
+            Ok(wanted) => {
+                let numbers = steps.filter_map(|(name, _)| Some((name.parse::<u64>().ok()?.abs_diff(wanted), *name)));
+                let mut numbers: Vec<(u64, &str)> = numbers.collect();
+                numbers.sort_by_key(|&(distance, _)| distance);
+                numbers.into_iter().map(|(_, name)| name).take(NEIGHBOURS).collect()
+            }
+            Err(_) => Vec::new(),
+        };
+        if near.is_empty() {
+            near = self.steps_from_the_first();
+        }
+        let listed: Vec<String> = near.iter().map(|name| format!("`{name}`")).collect();
+        match listed.split_last() {
+            None => diagnostic,
+            Some((only, [])) => diagnostic.note(format!("the only step near is {only}")),
+            Some((last, others)) => diagnostic.note(format!("steps near are {} and {last}", others.join(", "))),
+        }
+    }
+
+    fn steps_from_the_first(&self) -> Vec<&'a str> {
+        let steps = self.label_names.iter().filter(|(_, label)| !matches!(label, Label::Grafcet(_)));
+        steps.map(|&(name, _)| name).take(NEIGHBOURS).collect()
     }
 
     fn with_suggestion<'n>(
@@ -255,6 +337,7 @@ impl<'a> Scope<'a> {
         diagnostic: Diagnostic,
         text: &str,
         candidates: impl Iterator<Item = &'n (&'a str, Label)>,
+        otherwise: String,
     ) -> Diagnostic
     where
         'a: 'n,
@@ -264,7 +347,7 @@ impl<'a> Scope<'a> {
                 let fix = name_instead(diagnostic.primary.span, near);
                 diagnostic.help(format!("did you mean `{near}`?")).fix(fix)
             }
-            None => diagnostic,
+            None => diagnostic.help(otherwise),
         }
     }
 }
@@ -308,6 +391,7 @@ fn differ_by_case(name: &ast::Name, first: &str, first_span: Span) -> Diagnostic
     Diagnostic::new(Code::E0203, name.span, format!("`{}` and `{first}` differ only by case", name.text))
         .also(first_span, format!("`{first}` is here"))
         .note("IEC 61131-3 does not tell capital letters from small ones: the two would be one name")
+        .help("give one of them another name")
 }
 
 fn taken(name: &ast::Name, implicit: &str, what: &str, label: &str, label_span: Span) -> Diagnostic {
@@ -315,13 +399,13 @@ fn taken(name: &ast::Name, implicit: &str, what: &str, label: &str, label_span: 
     if name.text == implicit {
         Diagnostic::new(Code::E0204, name.span, format!("`{implicit}` already names the {what} of {label}"))
             .also(label_span, place)
-            .help("give the variable another name")
+            .help(format!("give the variable another name than `{}`", name.text))
     } else {
         let message = format!("`{}` and `{implicit}`, the {what} of {label}, differ only by case", name.text);
         Diagnostic::new(Code::E0203, name.span, message)
             .also(label_span, place)
             .note("IEC 61131-3 does not tell capital letters from small ones: the two would be one name")
-            .help("give the variable another name")
+            .help(format!("give the variable another name than `{}`", name.text))
     }
 }
 
@@ -343,12 +427,13 @@ fn declared_twice(
     }
     let diagnostic = Diagnostic::new(Code::E0202, span, format!("the label `{text}` is given twice"));
     Some(match first {
-        Label::Grafcet(id) if parts.grafcets[id].ast.is_none() => {
-            diagnostic.note(format!("a file without `grafcet` blocks is one grafcet named `{IMPLIED_GRAFCET}`"))
-        }
+        Label::Grafcet(id) if parts.grafcets[id].ast.is_none() => diagnostic
+            .note(format!("a file without `grafcet` blocks is one grafcet named `{IMPLIED_GRAFCET}`"))
+            .help("give the step another label"),
         Label::Grafcet(_) | Label::Step(_) | Label::Macro(_) => diagnostic
             .also(first_span, format!("here it labels a {}", kind(first)))
-            .note("steps, macro-steps and grafcets share their labels, over the whole chart"),
+            .note("steps, macro-steps and grafcets share their labels, over the whole chart")
+            .help("give one of them another label"),
     })
 }
 
@@ -378,12 +463,10 @@ mod tests {
         assert_eq!(near("input valve : bool initial step 1 transition 1 -> 1 : valev"), "did you mean `valve`?");
         assert_eq!(near("initial step Filling transition Filling -> Filling : XFiling"), "did you mean `XFilling`?");
         assert_eq!(near("initial step Filling transition Filling -> Filing : 1"), "did you mean `Filling`?");
-        assert_eq!(near("initial step 1 { force Mian{} }"), "");
-        assert_eq!(
-            near("grafcet Main { initial step 1 { force Mian{} } }"),
-            "",
-            "a step does not force its own grafcet"
-        );
+        let block = "what is forced is a block of its own: `grafcet Mian { … }`";
+        assert_eq!(near("initial step 1 { force Mian{} }"), block);
+        // A step does not force its own grafcet.
+        assert_eq!(near("grafcet Main { initial step 1 { force Mian{} } }"), block);
         let forced = "grafcet Main { initial step 1 } grafcet G2 { initial step 2 { force Mian{} } }";
         assert_eq!(near(forced), "did you mean `Main`?");
         assert_eq!(

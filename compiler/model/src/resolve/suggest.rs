@@ -3,6 +3,7 @@
 //! Every look goes over all names of the chart, so only the first few unknown names get one: a file of 100,000 unknown
 //! names must not cost 100,000 looks.
 
+use grafc_syntax::spelling::distance;
 use std::cell::Cell;
 
 /// How many unknown names are looked at.
@@ -19,55 +20,31 @@ impl Suggestions {
         Suggestions { left: Cell::new(LOOKS) }
     }
 
+    /// Whether it still looks.
+    pub fn is_patient(&self) -> bool {
+        self.left.get() > 0
+    }
+
     /// The candidate nearest to `wanted`, the first one of equals; none if all are too far off.
     pub fn nearest<'n>(&self, wanted: &str, candidates: impl Iterator<Item = &'n str>) -> Option<&'n str> {
         let left = self.left.get().checked_sub(1)?;
         self.left.set(left);
-        let folded: Vec<char> = wanted.to_lowercase().chars().collect();
+        let folded = wanted.to_lowercase();
         // Numbers are all near to each other, and nearness says nothing there.
-        if folded.iter().all(char::is_ascii_digit) {
+        if folded.bytes().all(|byte| byte.is_ascii_digit()) {
             return None;
         }
-        let reach = match folded.len() {
+        let reach = match folded.chars().count() {
             0..=2 => 0,
             3..=5 => 1,
             _ => 2,
         };
         candidates
             .filter(|candidate| candidate.len().abs_diff(wanted.len()) <= 8)
-            .filter_map(|candidate| {
-                let other: Vec<char> = candidate.to_lowercase().chars().collect();
-                let distance = distance(&folded, &other, reach)?;
-                Some((distance, candidate))
-            })
+            .filter_map(|candidate| Some((distance(&folded, &candidate.to_lowercase(), reach)?, candidate)))
             .min_by_key(|&(distance, _)| distance)
             .map(|(_, candidate)| candidate)
     }
-}
-
-/// Insertions, deletions, substitutions and swaps of neighbours that lead from `a` to `b`, if at most `reach`.
-fn distance(a: &[char], b: &[char], reach: usize) -> Option<usize> {
-    if a.len().abs_diff(b.len()) > reach {
-        return None;
-    }
-    let mut before: Vec<usize> = Vec::new();
-    let mut above: Vec<usize> = (0..=b.len()).collect();
-    for i in 1..=a.len() {
-        let mut row = vec![i];
-        for j in 1..=b.len() {
-            let substituted = above[j - 1] + usize::from(a[i - 1] != b[j - 1]);
-            let mut best = substituted.min(above[j] + 1).min(row[j - 1] + 1);
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                best = best.min(before[j - 2] + 1);
-            }
-            row.push(best);
-        }
-        if row.iter().all(|&d| d > reach) {
-            return None;
-        }
-        before = std::mem::replace(&mut above, row);
-    }
-    above.last().copied().filter(|&d| d <= reach)
 }
 
 #[cfg(test)]

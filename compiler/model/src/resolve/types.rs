@@ -95,6 +95,16 @@ pub fn operator(op: BinaryOp) -> &'static str {
     }
 }
 
+/// What helps where a value does not fit a type.
+pub fn larger(ty: Type) -> String {
+    match ty {
+        Type::Int | Type::Uint => "declare it with a larger type, `dint` or `udint`".to_owned(),
+        Type::Dint | Type::Udint => "a larger value has place in a `lreal`, not exactly".to_owned(),
+        Type::Real => "declare it with a larger type, `lreal`".to_owned(),
+        Type::Bool | Type::Lreal | Type::Time => "there is no larger type: give it a smaller value".to_owned(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,7 +5,7 @@ use super::reader::{BlockItem, Frame, Reader};
 use crate::ast::Item;
 use crate::builder::Parsed;
 use crate::token::{Token, is_prefix};
-use grafc_diagnostics::{Code, Diagnostic};
+use grafc_diagnostics::{Code, Diagnostic, Fix, Span};
 
 /// Expansions within expansions beyond this depth are reported. Nobody draws so many, and a tree of bounded depth can be
 /// walked and dropped by recursion.
@@ -21,9 +21,13 @@ impl Reader<'_> {
                 if run.start != 0 {
                     let mut fault =
                         Diagnostic::new(Code::E0107, heading.span, "the heading of the chart is not its first item");
-                    if let Some(first) = &self.heading {
-                        fault = fault.also(first.span, "there is one already");
-                    }
+                    fault = match &self.heading {
+                        Some(first) => fault
+                            .also(first.span, "there is one already")
+                            .help("leave it out")
+                            .fix(Fix::maybe("leave it out").delete(heading.span)),
+                        None => fault.help("move it to the beginning of the text"),
+                    };
                     self.fault(fault);
                 }
                 self.heading.get_or_insert(heading);
@@ -58,13 +62,24 @@ impl Reader<'_> {
         if self.stack.is_empty() || (too_many && goes_on) {
             if !self.stray_reported && !self.is_near_bad(self.at) {
                 let span = self.builder.span(brace.start, brace.end);
-                self.fault(Diagnostic::new(Code::E0107, span, "expected an item, found a `}` without its `{`"));
+                self.fault(
+                    Diagnostic::new(Code::E0107, span, "expected an item, found a `}` without its `{`")
+                        .help("leave out `}`")
+                        .fix(Fix::maybe("leave out `}`").delete(span.to(self.last_brace_of_row()))),
+                );
             }
             self.stray_reported = true;
         } else {
             self.close(brace.end);
         }
         self.at += 1;
+    }
+
+    /// Outside of all blocks, each `}` behind one too many is too many as well.
+    fn last_brace_of_row(&self) -> Span {
+        let braces = self.lexed.lexemes[self.at..].iter().take_while(|lexeme| lexeme.token == Token::CloseBrace);
+        let most = if self.stack.is_empty() { usize::MAX } else { 1 };
+        braces.take(most).last().map_or(self.end_before(), |brace| self.builder.span(brace.start, brace.end))
     }
 
     fn close(&mut self, end: u32) {
@@ -114,6 +129,12 @@ impl Reader<'_> {
         }
     }
 
+    /// Behind the last token that was read.
+    fn end_before(&self) -> Span {
+        let end = self.at.checked_sub(1).map_or(0, |before| self.lexed.lexemes[before].end);
+        self.builder.span(end, end)
+    }
+
     pub(super) fn unclosed_block(&mut self) {
         if self.is_near_bad(self.at) {
             return;
@@ -121,7 +142,9 @@ impl Reader<'_> {
         let Some(frame) = self.stack.last() else { return };
         let fault =
             Diagnostic::new(Code::E0107, frame.opened, format!("the `{{` of {} is never closed", frame.block.title()))
-                .also(self.place_of(self.at), "`}` is missing before this");
+                .also(self.place_of(self.at), "`}` is missing before this")
+                .help("add `}`")
+                .fix(Fix::maybe("add `}`").replace(self.end_before(), "\n}"));
         self.fault(fault);
     }
 }

@@ -70,12 +70,19 @@ impl Cutter<'_> {
                         return Run { start, end: end + 1, open: None };
                     }
                 }
+                Token::Initial if self.is_forced_situation(end) => {}
                 token if begins_item(token) => break,
                 _ => {}
             }
             end += 1;
         }
         Run { start, end, open: open.first().copied() }
+    }
+
+    /// Whether this is the whole of `{initial}` behind `force G1`: a mistake, but no item.
+    fn is_forced_situation(&self, at: usize) -> bool {
+        let token = |at: Option<usize>| at.and_then(|at| self.lexemes.get(at)).map(|lexeme| lexeme.token);
+        token(at.checked_sub(3)) == Some(Token::Force) && token(Some(at + 1)) == Some(Token::CloseBrace)
     }
 
     /// Whether a `}` that could close an item's braces is rather its block's: one is missing further on, and this one

@@ -5,8 +5,8 @@
 use super::attempt::Stop;
 use super::cut::Run;
 use super::reader::Reader;
-use crate::cure::{self, Slip};
 use crate::expected;
+use crate::habits::{self, Slip, Spot};
 use crate::shown::shorten;
 use crate::token::{Token, begins_item};
 use grafc_diagnostics::{Code, Diagnostic, Fix};
@@ -26,7 +26,9 @@ impl Reader<'_> {
             let open = lexemes[open];
             let fault =
                 Diagnostic::new(Code::E0107, self.builder.span(open.start, open.end), "this `{` is never closed")
-                    .also(self.place_of(stop.at), "`}` is missing before this");
+                    .also(self.place_of(stop.at), "`}` is missing before this")
+                    .help("add `}`")
+                    .fix(Fix::maybe("add `}`").replace(self.builder.span(previous.end, previous.end), " }"));
             return self.fault(fault);
         }
         // What is missing at the end of a line is shown there, and not at the item that follows.
@@ -47,12 +49,12 @@ impl Reader<'_> {
             file: self.file,
             text: self.text,
             lexemes,
-            item: lexemes[run.start].token,
+            run: run.start..run.end,
             at: stop.at,
             is_found: next.is_some() && (on_this_line || stop.at < run.end),
             expected: &stop.expected,
         };
-        if let Some(cure) = cure::of(&slip) {
+        if let Some(cure) = habits::cure(&slip) {
             fault = fault.help(cure.words);
             fault.fixes.extend(cure.fix);
         }
@@ -85,30 +87,15 @@ impl Reader<'_> {
         };
         let found = &self.text[span.range()];
         let mut fault = Diagnostic::new(Code::E0107, span, format!("expected {what}, found `{}`", shorten(found)));
-        let lower = found.to_lowercase();
-        if first.token == Token::Name && lower == "retain" {
-            fault = fault.help("`retain` stands before `var` or `output`: `retain var n : int`");
-        } else if first.token == Token::Name && lower != found && ITEM_WORDS.contains(&lower.as_str()) {
-            let fix = Fix::certain(format!("write `{lower}`")).replace(span, lower.as_str());
-            fault = fault.help(format!("words of the language are in lower case: `{lower}`")).fix(fix);
+        let next = self.lexed.lexemes.get(start + 1).map(|next| next.token);
+        let spot = Spot { token: first.token, span, word: found };
+        match habits::opening(found, next).filter(|_| first.token == Token::Name) {
+            Some(opening) => {
+                fault.fixes.extend(opening.fix(spot));
+                fault = fault.help(opening.words);
+            }
+            None => fault = fault.help("an item begins with a word such as `step`, `transition` or `input`"),
         }
         self.fault(fault);
     }
 }
-
-/// The words that begin an item, as they are written.
-const ITEM_WORDS: [&str; 13] = [
-    "chart",
-    "input",
-    "output",
-    "var",
-    "const",
-    "grafcet",
-    "expansion",
-    "step",
-    "transition",
-    "initial",
-    "activated",
-    "enclosing",
-    "macro",
-];

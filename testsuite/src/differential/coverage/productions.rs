@@ -211,7 +211,7 @@ impl FoundProductions<'_> {
         );
         self.see(
             true,
-            match declaration.ty {
+            match declaration.ty.expect("the chart is whole") {
                 Type::Bool => "type bool",
                 Type::Int => "type int",
                 Type::Dint => "type dint",

@@ -6,8 +6,10 @@ use super::Work;
 use crate::chart::{DelayTime, Type, Value, VariableId, VariableKind};
 use crate::fixes::name_instead;
 use crate::resolve::scope::{Label, Reference};
-use grafc_diagnostics::{Code, Diagnostic, Span};
+use crate::resolve::types;
+use grafc_diagnostics::{Code, Diagnostic, Fix, Span};
 use grafc_syntax::ast;
+use grafc_syntax::spelling::written;
 
 const NO_DELAY: DelayTime = DelayTime { ms: 0, constant: None };
 
@@ -19,6 +21,8 @@ enum Part {
     Faulty,
     /// Of type `time`, but no constant.
     Variable(VariableId),
+    /// A variable whose type could not be read.
+    Unknown,
     /// Anything else: the operand, if it stands in the right place.
     Other,
 }
@@ -28,6 +32,11 @@ impl Work<'_, '_, '_> {
     pub(super) fn read_delay(&mut self, place: usize, parts: &[ast::ExprId]) -> Option<ast::ExprId> {
         let span = self.written(place).span;
         let kinds: Vec<Part> = parts.iter().map(|&part| self.part(part)).collect();
+        if kinds.iter().any(|part| matches!(part, Part::Unknown)) {
+            parts.iter().for_each(|&part| self.note(part));
+            self.nodes[place].faulty = true;
+            return None;
+        }
         let (on, operand, off) = match (&kinds[..], parts) {
             ([on, Part::Other], [_, operand]) if !matches!(on, Part::Other) => (on, *operand, &Part::Time(NO_DELAY)),
             ([Part::Other, off], [operand, _]) if !matches!(off, Part::Other) => (&Part::Time(NO_DELAY), *operand, off),
@@ -43,8 +52,8 @@ impl Work<'_, '_, '_> {
             }
         };
         parts.iter().filter(|&&part| part != operand).for_each(|&part| self.note(part));
-        let on = self.time(place, on, span);
-        let off = self.time(place, off, span);
+        let on = self.time(place, on, span, operand);
+        let off = self.time(place, off, span, operand);
         if let (Some(on), Some(off)) = (on, off) {
             self.nodes[place].detail = super::Detail::Delay { on, off };
         } else {
@@ -67,7 +76,9 @@ impl Work<'_, '_, '_> {
         match &self.context.tree[id].kind {
             ast::ExprKind::Duration(ms) => Part::Time(DelayTime { ms: *ms, constant: None }),
             ast::ExprKind::Name(name) => match self.context.scope.reference(name) {
-                Some(Reference::Variable(id)) => self.variable(id),
+                Some(Reference::Variable(id)) if self.context.scope.is_typed(id) => self.variable(id),
+                // It may have been meant as a time, or as what is delayed.
+                Some(Reference::Variable(_)) => Part::Unknown,
                 Some(Reference::Activity(_) | Reference::Duration(_)) | None => Part::Other,
             },
             ast::ExprKind::Error
@@ -98,26 +109,48 @@ impl Work<'_, '_, '_> {
     }
 
     /// The time of a part, which stands in a place for times.
-    fn time(&mut self, place: usize, part: &Part, span: Span) -> Option<DelayTime> {
+    fn time(&mut self, place: usize, part: &Part, span: Span, operand: ast::ExprId) -> Option<DelayTime> {
         match part {
             Part::Time(time) if time.ms >= 0 => return Some(*time),
             Part::Time(DelayTime { constant, .. }) => {
                 let name = constant.map_or("it", |id| self.context.variables[id].name.as_str());
                 let message = format!("a delay cannot be negative, as `{name}` is");
-                self.report(place, Diagnostic::new(Code::E0210, span, message));
+                let help = format!("give `{name}` a value that is not");
+                self.report(place, Diagnostic::new(Code::E0210, span, message).help(help));
             }
             Part::Variable(id) => {
                 let variable = &self.context.variables[*id];
                 let message = format!("`{}` is not constant, and a delay is", variable.name);
                 let diagnostic = Diagnostic::new(Code::E0209, span, message)
                     .also(variable.span, "declared here")
-                    .note("a delay is a duration or a constant of type `time`")
-                    .help(format!("compare a duration with it, as in `[T1 >= {}]`", variable.name));
+                    .note("a delay is a duration or a constant of type `time`");
+                let diagnostic = self.with_comparison(diagnostic, span, operand, &variable.name);
                 self.report(place, diagnostic);
             }
-            Part::Faulty | Part::Other => {}
+            Part::Faulty | Part::Unknown | Part::Other => {}
         }
         None
+    }
+
+    /// What helps where a time is not constant: of a step, its duration can be compared with it.
+    fn with_comparison(&self, diagnostic: Diagnostic, span: Span, operand: ast::ExprId, time: &str) -> Diagnostic {
+        let operand = &self.context.tree[operand];
+        let step = match &operand.kind {
+            ast::ExprKind::Name(name) => match self.context.scope.reference(name) {
+                Some(Reference::Activity(Label::Step(_))) => name.strip_prefix('X'),
+                _ => None,
+            },
+            _ => None,
+        };
+        let Some(step) = step else {
+            return diagnostic.help(format!("declare it as a constant, `const {time} : time := …`"));
+        };
+        let comparison = format!("[{} >= {}]", written(&format!("T{step}")), written(time));
+        let diagnostic = diagnostic.help(format!("compare the duration of the step with it: `{comparison}`"));
+        match span.start < operand.span.start && span.end == operand.span.end {
+            true => diagnostic.fix(Fix::maybe(format!("write `{comparison}`")).replace(span, comparison)),
+            false => diagnostic,
+        }
     }
 
     /// The error on parts in the wrong places.
@@ -125,15 +158,71 @@ impl Work<'_, '_, '_> {
         if let Some(diagnostic) = self.path_notation(span, parts) {
             return diagnostic;
         }
+        if let Some(diagnostic) = self.counted_time(span, kinds, parts) {
+            return diagnostic;
+        }
         let times = kinds.iter().filter(|part| !matches!(part, Part::Other)).count();
-        let message = match times {
-            0 => "there is no time before or after the `/`",
-            _ if times == kinds.len() => "there is nothing here that is delayed",
-            _ => "the time before or after the `/` is missing",
+        let written: Vec<&str> = parts.iter().map(|&part| self.spelling(part)).collect();
+        let operand = kinds.iter().position(|part| matches!(part, Part::Other)).map_or("…", |at| written[at]);
+        let (message, help) = match times {
+            0 => (
+                "there is no time before or after the `/`",
+                format!("say how long: `…/{}`", written[written.len() - 1]),
+            ),
+            _ if times == kinds.len() => {
+                ("there is nothing here that is delayed", format!("say what is delayed, as in `{}/…`", written[0]))
+            }
+            _ => ("the time before or after the `/` is missing", format!("say both times: `…/{operand}/…`")),
         };
-        Diagnostic::new(Code::E0209, span, message)
-            .note("IEC 60848, symbols 17 and 18: `3s/a/7s` delays by 3 s on and 7 s off, `3s/a` on alone, `a/7s` off alone")
-            .note("a delay is a duration or a constant of type `time`")
+        let diagnostic = Diagnostic::new(Code::E0209, span, message).note(
+            "IEC 60848, symbols 17 and 18: `3s/a/7s` delays by 3 s on and 7 s off, `3s/a` on alone, `a/7s` off alone",
+        );
+        let number = parts.iter().find_map(|&part| match &self.context.tree[part].kind {
+            ast::ExprKind::Name(name) => match self.context.scope.reference(name)? {
+                Reference::Variable(id) if types::is_number(self.context.variables[id].ty) => Some(id),
+                Reference::Variable(_) | Reference::Activity(_) | Reference::Duration(_) => None,
+            },
+            _ => None,
+        });
+        match number.map(|id| &self.context.variables[id]) {
+            Some(number) => {
+                diagnostic.also(number.span, format!("this is `{}`, not a time", types::name(number.ty))).help(format!(
+                    "a delay is a duration or a constant of type `time`: `const {} : time := …`",
+                    number.name
+                ))
+            }
+            None => diagnostic.note("a delay is a duration or a constant of type `time`").help(help),
+        }
+    }
+
+    /// A part as it is written, if it is one word.
+    fn spelling(&self, part: ast::ExprId) -> &str {
+        match &self.context.tree[part].kind {
+            ast::ExprKind::Name(name) => name,
+            _ => "…",
+        }
+    }
+
+    /// `t/X1/5s`: as the first edition of the standard wrote that step 1 has been active for 5 s.
+    fn counted_time(&self, span: Span, kinds: &[Part], parts: &[ast::ExprId]) -> Option<Diagnostic> {
+        let ([Part::Other, Part::Other, Part::Time(time)], &[letter, operand, _]) = (kinds, parts) else { return None };
+        let (ast::ExprKind::Name(letter), ast::ExprKind::Name(operand)) =
+            (&self.context.tree[letter].kind, &self.context.tree[operand].kind)
+        else {
+            return None;
+        };
+        let is_unknown = letter == "t" && self.context.scope.reference(letter).is_none();
+        let time = match time.constant {
+            Some(id) => self.context.variables[id].name.to_string(),
+            None => same_duration(time.ms),
+        };
+        is_unknown.then(|| {
+            let right = format!("{time}/{operand}");
+            Diagnostic::new(Code::E0209, span, "there is no time before the first `/`")
+                .note("the first edition of IEC 60848 wrote `t/…/5s`; since the second, the time stands in front")
+                .help(format!("write `{right}`"))
+                .fix(Fix::maybe(format!("write `{right}`")).replace(span, right))
+        })
     }
 
     /// `X4/X25/X12`, `X9/G4`: where in the hierarchy something is. As a condition, its last part says as much.
@@ -165,4 +254,9 @@ impl Work<'_, '_, '_> {
             .fix(name_instead(span, &meant))
         })
     }
+}
+
+/// A duration in one unit.
+fn same_duration(ms: i64) -> String {
+    if ms % 1000 == 0 { format!("{}s", ms / 1000) } else { format!("{ms}ms") }
 }

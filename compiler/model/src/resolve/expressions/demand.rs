@@ -5,8 +5,9 @@ use crate::chart::Type;
 use crate::fixes::{name_instead, with_unit};
 use crate::resolve::scope::Reference;
 use crate::resolve::types;
-use grafc_diagnostics::{Code, Diagnostic};
+use grafc_diagnostics::{Code, Diagnostic, Fix, Span};
 use grafc_syntax::ast::{BinaryOp, ExprKind};
+use grafc_syntax::spelling;
 
 impl Work<'_, '_, '_> {
     /// Gives every node its need.
@@ -117,7 +118,18 @@ impl Work<'_, '_, '_> {
                         )),
                         false => diagnostic,
                     };
-                    self.report(node, diagnostic);
+                    let help = match (from, to) {
+                        (Type::Bool, _) => {
+                            "a condition has no number: say by conditions when which value is assigned".to_owned()
+                        }
+                        (_, Type::Bool) => format!("make a condition of it: `[{} …]`", self.spelled(node)),
+                        _ => format!(
+                            "declare one of the two as the other: `{}` or `{}`",
+                            types::name(from),
+                            types::name(to)
+                        ),
+                    };
+                    self.report(node, diagnostic.help(help));
                 }
             }
             (OwnKind::Whole | OwnKind::Fraction, Need::Condition) => {
@@ -137,14 +149,13 @@ impl Work<'_, '_, '_> {
                     self.report(
                         node,
                         match to {
-                            Type::Time => {
-                                let diagnostic = diagnostic.help("a time has a unit, as in `3s` or `500ms`");
-                                self.with_unit(diagnostic, node)
-                            }
-                            Type::Bool => diagnostic.note("only the numbers `0` and `1` are Boolean constants"),
-                            Type::Int | Type::Dint | Type::Uint | Type::Udint => {
-                                diagnostic.note("a fraction has no place in a whole number")
-                            }
+                            Type::Time => self.with_unit(diagnostic, node),
+                            Type::Bool => diagnostic
+                                .note("only the numbers `0` and `1` are Boolean constants")
+                                .help("write `1` for true, or declare the variable with a type of numbers"),
+                            Type::Int | Type::Dint | Type::Uint | Type::Udint => diagnostic
+                                .note("a fraction has no place in a whole number")
+                                .help("round it, or declare the variable as `real`"),
                             Type::Real | Type::Lreal => diagnostic,
                         },
                     );
@@ -170,6 +181,7 @@ impl Work<'_, '_, '_> {
                 Some((least, most)) => diagnostic.note(format!("`{}` goes from {least} to {most}", types::name(ty))),
                 None => diagnostic,
             }
+            .help(types::larger(ty))
         })
     }
 
@@ -195,15 +207,52 @@ impl Work<'_, '_, '_> {
         let written = self.written(node);
         let message = format!("{} is `{}`, not a condition", self.spell(node), types::name(ty));
         let diagnostic = Diagnostic::new(Code::E0206, written.span, message);
+        if let ExprKind::Duration(_) = written.kind {
+            return self.counted_from_a_step(diagnostic, written.span);
+        }
         match (&written.kind, self.nodes[node].detail) {
             (ExprKind::Name(name), Detail::Reference(Reference::Duration(_))) => {
                 diagnostic.help(format!("compare it in brackets, as in `[{name} >= 3s]`"))
             }
             (ExprKind::Name(name), _) => {
                 let example = if ty == Type::Time { "3s" } else { "3" };
-                diagnostic.help(format!("compare it in brackets, as in `[{name} = {example}]`"))
+                diagnostic.help(format!("compare it in brackets, as in `[{} = {example}]`", spelling::written(name)))
             }
-            _ => diagnostic.note("a number becomes a condition by a comparison in brackets, as in `[C = 3]`"),
+            _ => diagnostic
+                .note("a number becomes a condition by a comparison in brackets")
+                .help("compare it in brackets: `[…]`"),
+        }
+    }
+
+    /// A duration alone: it is counted from the activation of the step that the condition belongs to.
+    fn counted_from_a_step(&self, diagnostic: Diagnostic, span: Span) -> Diagnostic {
+        let step = self.context.step.unwrap_or("…");
+        let activity = spelling::written(&format!("X{step}"));
+        let diagnostic = diagnostic.help(format!("a time is counted from something: `…/{activity}`"));
+        match self.context.step {
+            Some(_) => diagnostic
+                .fix(Fix::maybe(format!("count it from `{activity}`")).replace(span.behind(), format!("/{activity}"))),
+            None => diagnostic,
+        }
+    }
+
+    /// A name as it is written.
+    fn spelled(&self, node: usize) -> String {
+        match &self.written(self.bare(node)).kind {
+            ExprKind::Name(name) => spelling::written(name),
+            ExprKind::Integer(_)
+            | ExprKind::Real(_)
+            | ExprKind::Duration(_)
+            | ExprKind::Bool(_)
+            | ExprKind::Paren(_)
+            | ExprKind::Predicate(_)
+            | ExprKind::Not(_)
+            | ExprKind::Negate(_)
+            | ExprKind::Rise(_)
+            | ExprKind::Fall(_)
+            | ExprKind::Binary(..)
+            | ExprKind::Delay(_)
+            | ExprKind::Error => "…".to_owned(),
         }
     }
 
@@ -211,7 +260,10 @@ impl Work<'_, '_, '_> {
     pub(super) fn with_unit(&self, diagnostic: Diagnostic, node: usize) -> Diagnostic {
         let node = self.bare(node);
         match self.written(node).kind {
-            ExprKind::Integer(_) | ExprKind::Real(_) => diagnostic.fix(with_unit(self.written(node).span)),
+            ExprKind::Integer(_) | ExprKind::Real(_) => {
+                let number = self.spell(node).replace('`', "");
+                diagnostic.help(format!("a time has a unit: `{number}s`")).fix(with_unit(self.written(node).span))
+            }
             ExprKind::Name(_)
             | ExprKind::Duration(_)
             | ExprKind::Bool(_)
@@ -223,7 +275,7 @@ impl Work<'_, '_, '_> {
             | ExprKind::Fall(_)
             | ExprKind::Binary(..)
             | ExprKind::Delay(_)
-            | ExprKind::Error => diagnostic,
+            | ExprKind::Error => diagnostic.help("a time has a unit, as in `3s`"),
         }
     }
 
@@ -235,7 +287,9 @@ impl Work<'_, '_, '_> {
             ExprKind::Integer(number) if self.context.scope.node(&number.to_string()).is_some() => diagnostic
                 .help(format!("the activity of step `{number}` is written `X{number}`"))
                 .fix(name_instead(written.span, &format!("X{number}"))),
-            _ => diagnostic.note("only the numbers `0` and `1` are Boolean constants"),
+            _ => diagnostic
+                .note("only the numbers `0` and `1` are Boolean constants")
+                .help("write a condition, or compare the number with something in brackets: `[…]`"),
         }
     }
 }

@@ -28,6 +28,10 @@ impl Work<'_, '_, '_> {
                 Some(reference) => {
                     self.nodes[node].detail = Detail::Reference(reference);
                     self.read(written.span, reference);
+                    if matches!(reference, Reference::Variable(id) if !context.scope.is_typed(id)) {
+                        self.nodes[node].faulty = true;
+                        return OwnKind::Faulty;
+                    }
                     OwnKind::Known(match reference {
                         Reference::Variable(id) => context.variables[id].ty,
                         Reference::Activity(_) => Type::Bool,
@@ -87,7 +91,7 @@ impl Work<'_, '_, '_> {
                             .help("the opposite of a condition is `not`")
                             .fix(Fix::certain("write `not`").replace(sign, "not "))
                     } else {
-                        diagnostic
+                        diagnostic.help("declare it with a type that has a sign, `int` or `dint`")
                     },
                 );
                 OwnKind::Faulty
@@ -170,10 +174,11 @@ impl Work<'_, '_, '_> {
             node,
             if (a == time || b == time) && [a, b].contains(&OwnKind::Whole) {
                 let number = if a == OwnKind::Whole { left } else { right };
-                let diagnostic = diagnostic.help("a time has a unit, as in `3s` or `500ms`");
                 match op {
                     // Two times would not go together either.
-                    BinaryOp::Multiply | BinaryOp::Divide | BinaryOp::Modulo => diagnostic,
+                    BinaryOp::Multiply | BinaryOp::Divide | BinaryOp::Modulo => diagnostic
+                        .note(OF_TIMES)
+                        .help("a time is multiplied by a whole number and divided by one: `… / …`"),
                     BinaryOp::Add
                     | BinaryOp::Subtract
                     | BinaryOp::Equal
@@ -187,20 +192,25 @@ impl Work<'_, '_, '_> {
                     | BinaryOp::Xor => self.with_unit(diagnostic, number),
                 }
             } else if a == time || b == time {
-                diagnostic.note(
-                    "times are added, subtracted and compared with times, multiplied and divided by whole numbers",
-                )
+                diagnostic.note(OF_TIMES).help("give both the same type, `time` or a type of numbers")
             } else if a == OwnKind::Known(Type::Bool) || b == OwnKind::Known(Type::Bool) {
-                diagnostic.note("conditions are joined by `and`, `or`, `xor`, and compared by `=` and `<>` only")
+                diagnostic
+                    .note("conditions are joined by `and`, `or`, `xor`, and compared by `=` and `<>` only")
+                    .help("compare numbers with numbers and conditions with conditions, and join the two by `and`")
             } else if fraction_meets_whole {
                 diagnostic
-                    .note("a whole number is not compared or joined with a fraction: declare the variable as `real`")
+                    .note("a whole number is not compared or joined with a fraction")
+                    .help("declare the variable as `real`, or write a whole number")
             } else {
-                diagnostic.note("numbers of different types meet only where one converts to the other without loss")
+                diagnostic
+                    .note("numbers of different types meet only where one converts to the other without loss")
+                    .help("declare both with one type")
             },
         );
     }
 }
+
+const OF_TIMES: &str = "times are added, subtracted and compared with times, multiplied and divided by whole numbers";
 
 /// Whether it is a whole number.
 fn counts(kind: OwnKind) -> bool {

@@ -34,6 +34,8 @@ pub struct Context<'c, 'a> {
     pub variables: &'c IndexVec<VariableId, Variable>,
     /// The values of the constants that are known so far.
     pub constants: &'c IndexVec<VariableId, Option<Value>>,
+    /// The label of the step whose activity a time in the expression would be counted from, for messages.
+    pub step: Option<&'c str>,
 }
 
 /// What the place of an expression asks of it.
