@@ -48,10 +48,10 @@ const STEPS: usize = 256;
 const ARCS: usize = 2_048;
 
 /// The work allowed for each step of a part.
-const WORK: usize = 512;
+const WORK: usize = 64;
 
 /// The work that all parts may share beyond that.
-const SHARED: usize = 2_000_000;
+const SHARED: usize = 1_000_000;
 
 /// The situations of those parts of which they were found.
 #[derive(Clone)]

@@ -88,9 +88,10 @@ struct Search<'a> {
 
 /// All situations of a part; none if that takes too much work.
 pub(super) fn close(question: &Question, allowed: usize) -> Option<Closure> {
+    let search = Search::new(question, true, allowed / 2)?;
+    let reading = search.singles.iter().any(|single| !single.reads.is_empty());
     // What conditions read makes moves of many transitions where it goes criss-cross; without it they stay few.
-    let search = |reading| Search::new(question, reading, allowed / 2).and_then(Search::run);
-    search(true).or_else(|| search(false))
+    search.run().or_else(|| if reading { Search::new(question, false, allowed / 2)?.run() } else { None })
 }
 
 impl<'a> Search<'a> {
@@ -295,6 +296,7 @@ impl<'a> Search<'a> {
                 .extend(single.before.symmetric_difference(&single.after).flat_map(|s| &self.readers[usize::from(*s)]));
             others.extend(single.reads.iter().flat_map(|s| &self.changers[usize::from(*s)]));
         }
+        self.found.sets.spend(1 + others.len())?;
         for other in others {
             if !members.contains(&other) && !members.iter().any(|m| self.exclude(*m, other)) {
                 self.join_with(index, other)?;

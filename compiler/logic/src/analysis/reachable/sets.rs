@@ -51,7 +51,8 @@ impl Sets {
         Sets { nodes: vec![end, end], numbers, unions, work: 0, allowed }
     }
 
-    fn spend(&mut self, work: usize) -> Option<()> {
+    /// Counts work; none if it is more than was allowed.
+    pub(super) fn spend(&mut self, work: usize) -> Option<()> {
         self.work += work;
         (self.work <= self.allowed).then_some(())
     }
