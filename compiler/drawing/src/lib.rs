@@ -1,0 +1,30 @@
+//! A chart drawn by the symbols of IEC 60848.
+//!
+//! [`draw()`] makes pictures of the tables of a chart, also of one with errors; [`svg()`] writes one. A [`Picture`] is
+//! symbols with what they are of, and places in half-pixel-free units: a step is 40 wide. Where steps and transitions stand
+//! is found by `grafc_layout`; this crate knows what they look like and how large they are.
+//!
+//! | file | what |
+//! | --- | --- |
+//! | `font` | the widths of texts, by the font that PDF and PNG embed |
+//! | `wording` | conditions and values as the standard writes them |
+//! | `rich` | such texts broken into lines, and negation drawn over them |
+//! | `symbols` | the symbols, one kind a file, each around its axis |
+//! | `diagram` | the steps and transitions of a grafcet or expansion, with places |
+//! | `panel` | diagrams with their frames, and in these the enclosures and expansions |
+//! | `sheets` | panels on one sheet or on pages, with a title block |
+//! | `svg` | the text |
+
+mod diagram;
+pub mod font;
+mod panel;
+mod picture;
+mod rich;
+mod sheets;
+mod svg;
+mod symbols;
+mod wording;
+
+pub use picture::{Anchor, Group, Picture, Shape, Style};
+pub use sheets::{Options, Page, Refusal, draw};
+pub use svg::svg;
