@@ -1,7 +1,7 @@
 //! What can be asked of grafc.
 
 use crate::choices;
-use crate::commands::{check, compile, completions, explain, fmt, import, man, new, sim, stats};
+use crate::commands::{check, compile, completions, draw, explain, fmt, import, man, new, sim, stats};
 use crate::meant;
 use crate::stream::Stream;
 use clap::error::ErrorKind;
@@ -71,6 +71,8 @@ pub enum Command {
     Check(check::Arguments),
     /// Run a chart over a trace of its inputs with the reference simulator
     Sim(sim::Arguments),
+    /// Draw a chart by the symbols of the standard, as SVG, PDF or PNG
+    Draw(draw::Arguments),
     /// Measure what a chart takes in each encoding
     Stats(stats::Arguments),
     /// Bring charts into the canonical format

@@ -110,7 +110,7 @@ impl Stream {
     }
 
     /// Puts texts into their places: all of them or none, each whole.
-    pub fn write_all(texts: &[(&Stream, &str)]) -> Result<(), Refusal> {
+    pub fn write_all<T: AsRef<[u8]>>(texts: &[(&Stream, T)]) -> Result<(), Refusal> {
         let mut staged = Vec::new();
         for (stream, text) in texts {
             if let Stream::File(path) = stream {

@@ -14,7 +14,7 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Refusal> {
 }
 
 /// Puts a text into a file, whole or not at all.
-pub fn write(path: &Path, text: &str) -> Result<(), Refusal> {
+pub fn write(path: &Path, text: impl AsRef<[u8]>) -> Result<(), Refusal> {
     stage(path, text)?.put()
 }
 
@@ -36,15 +36,15 @@ enum StagedText {
     /// In a file beside the place.
     Temporary(PathBuf),
     /// For a device or a pipe, which cannot be replaced, and where nobody finds half a text later.
-    Device(String),
+    Device(Vec<u8>),
     /// Where it belongs.
     Put,
 }
 
 /// Writes a text beside the place where it is to be.
-pub fn stage(path: &Path, text: &str) -> Result<Staged, Refusal> {
+pub fn stage(path: &Path, text: impl AsRef<[u8]>) -> Result<Staged, Refusal> {
     let name = path.display().to_string();
-    match stage_file(path, text) {
+    match stage_file(path, text.as_ref()) {
         Ok((place, text)) => Ok(Staged { name, place, text }),
         Err(error) => Err(Refusal::to_write(name, error)),
     }
@@ -56,7 +56,7 @@ impl Staged {
         let put = match &self.text {
             StagedText::Temporary(temporary) => fs::rename(temporary, &self.place),
             StagedText::Device(text) => {
-                File::options().write(true).open(&self.place).and_then(|mut file| file.write_all(text.as_bytes()))
+                File::options().write(true).open(&self.place).and_then(|mut file| file.write_all(text))
             }
             StagedText::Put => Ok(()),
         };
@@ -77,15 +77,15 @@ impl Drop for Staged {
 }
 
 /// Prints to standard output. If it was closed early, the reader has seen enough.
-pub fn print(text: &str) -> Result<(), Refusal> {
+pub fn print(text: impl AsRef<[u8]>) -> Result<(), Refusal> {
     let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(text.as_ref()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Refusal::to_write("<stdout>", error)),
         Ok(()) | Err(_) => Ok(()),
     }
 }
 
-fn stage_file(path: &Path, text: &str) -> io::Result<(PathBuf, StagedText)> {
+fn stage_file(path: &Path, text: &[u8]) -> io::Result<(PathBuf, StagedText)> {
     // Follow links, so that the file is replaced and not the link to it.
     let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
     let existing = match fs::metadata(&path) {
@@ -98,7 +98,7 @@ fn stage_file(path: &Path, text: &str) -> io::Result<(PathBuf, StagedText)> {
             return Err(ErrorKind::IsADirectory.into());
         }
         if !metadata.is_file() {
-            return Ok((path, StagedText::Device(text.to_string())));
+            return Ok((path, StagedText::Device(text.to_vec())));
         }
         if metadata.permissions().readonly() {
             return Err(ErrorKind::PermissionDenied.into());
@@ -141,8 +141,8 @@ fn temporary_file(directory: &Path, permissions: Option<&Permissions>) -> io::Re
     Err(refused)
 }
 
-fn fill(mut file: File, text: &str, permissions: Option<Permissions>) -> io::Result<()> {
-    file.write_all(text.as_bytes())?;
+fn fill(mut file: File, text: &[u8], permissions: Option<Permissions>) -> io::Result<()> {
+    file.write_all(text)?;
     if let Some(permissions) = permissions {
         // Said again, because the umask applied when the file was made.
         file.set_permissions(permissions)?;

@@ -12,6 +12,8 @@
 mod build_script;
 mod compile;
 mod document;
+#[cfg(feature = "drawing")]
+mod draw;
 pub mod fault;
 pub mod files;
 mod format;
@@ -24,6 +26,8 @@ mod stages;
 pub use build_script::{Build, BuildError};
 pub use compile::{check, compile};
 pub use document::{Document, chart_name};
+#[cfg(feature = "drawing")]
+pub use draw::draw;
 pub use format::format;
 pub use grafc_backends::rust::Runtime;
 pub use grafc_backends::{Element, Kind, Map, Output, Target};
@@ -39,6 +43,8 @@ pub use sources::add;
 #[doc = include_str!("../../../docs/library.md")]
 struct Book;
 
+#[cfg(feature = "drawing")]
+pub use grafc_drawing as drawing;
 pub use {
     grafc_backends as backends, grafc_diagnostics as diagnostics, grafc_logic as logic, grafc_model as model,
     grafc_net as net, grafc_syntax as syntax,

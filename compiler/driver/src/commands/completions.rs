@@ -23,6 +23,6 @@ pub struct Arguments {
 pub fn run(args: Arguments, mut command: Command) -> Result<Exit, Failure> {
     let mut script = Vec::new();
     generate(args.shell, &mut command, "grafc", &mut script);
-    print(&String::from_utf8_lossy(&script))?;
+    print(&script)?;
     Ok(Exit::Done)
 }

@@ -41,6 +41,6 @@ pub fn run(args: Arguments, root: Command) -> Result<Exit, Failure> {
     // Writing to memory cannot fail.
     let _ =
         Man::new(command).source(concat!("grafc ", env!("CARGO_PKG_VERSION"))).manual("grafc manual").render(&mut page);
-    print(&String::from_utf8_lossy(&page))?;
+    print(&page)?;
     Ok(Exit::Done)
 }
