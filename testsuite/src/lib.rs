@@ -8,6 +8,7 @@ pub mod charts;
 pub mod compare;
 pub mod controller;
 pub mod differential;
+pub mod drawing_lint;
 pub mod drawn_chart;
 pub mod excerpts;
 pub mod executors;
