@@ -75,7 +75,7 @@ fn check_macro_step(resolved: &Resolved, id: MacroId, is_expanded: bool, diagnos
 
 /// An empty expansion behind its macro-step.
 fn expansion(macro_step: &ast::Step, entry: &str, exit: &str) -> Fix {
-    let [name, entry, exit] = [&macro_step.label.text, entry, exit].map(|name| written(name));
+    let [name, entry, exit] = [&macro_step.label.text, entry, exit].map(written);
     let block = format!("\nexpansion {name} {{ step {entry} step {exit} transition {entry} -> {exit} : 1 }}\n");
     Fix::maybe("add an expansion").replace(macro_step.span.behind(), block)
 }

@@ -215,7 +215,7 @@ pub(super) fn function(slip: &Slip<'_>) -> Option<Cure> {
             _ => Cure::new(words),
         });
     }
-    Some(juxtaposed(slip)?)
+    juxtaposed(slip)
 }
 
 /// `a et b`, `a And b`

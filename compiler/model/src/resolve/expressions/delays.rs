@@ -135,12 +135,12 @@ impl Work<'_, '_, '_> {
     /// What helps where a time is not constant: of a step, its duration can be compared with it.
     fn with_comparison(&self, diagnostic: Diagnostic, span: Span, operand: ast::ExprId, time: &str) -> Diagnostic {
         let operand = &self.context.tree[operand];
-        let step = match &operand.kind {
-            ast::ExprKind::Name(name) => match self.context.scope.reference(name) {
-                Some(Reference::Activity(Label::Step(_))) => name.strip_prefix('X'),
-                _ => None,
-            },
-            _ => None,
+        let step = if let ast::ExprKind::Name(name) = &operand.kind
+            && let Some(Reference::Activity(Label::Step(_))) = self.context.scope.reference(name)
+        {
+            name.strip_prefix('X')
+        } else {
+            None
         };
         let Some(step) = step else {
             return diagnostic.help(format!("declare it as a constant, `const {time} : time := …`"));
@@ -177,12 +177,12 @@ impl Work<'_, '_, '_> {
         let diagnostic = Diagnostic::new(Code::E0209, span, message).note(
             "IEC 60848, symbols 17 and 18: `3s/a/7s` delays by 3 s on and 7 s off, `3s/a` on alone, `a/7s` off alone",
         );
-        let number = parts.iter().find_map(|&part| match &self.context.tree[part].kind {
-            ast::ExprKind::Name(name) => match self.context.scope.reference(name)? {
+        let number = parts.iter().find_map(|&part| {
+            let ast::ExprKind::Name(name) = &self.context.tree[part].kind else { return None };
+            match self.context.scope.reference(name)? {
                 Reference::Variable(id) if types::is_number(self.context.variables[id].ty) => Some(id),
                 Reference::Variable(_) | Reference::Activity(_) | Reference::Duration(_) => None,
-            },
-            _ => None,
+            }
         });
         match number.map(|id| &self.context.variables[id]) {
             Some(number) => {
@@ -197,10 +197,7 @@ impl Work<'_, '_, '_> {
 
     /// A part as it is written, if it is one word.
     fn spelling(&self, part: ast::ExprId) -> &str {
-        match &self.context.tree[part].kind {
-            ast::ExprKind::Name(name) => name,
-            _ => "…",
-        }
+        if let ast::ExprKind::Name(name) = &self.context.tree[part].kind { name } else { "…" }
     }
 
     /// `t/X1/5s`: as the first edition of the standard wrote that step 1 has been active for 5 s.
