@@ -1,6 +1,6 @@
 //! What a file name on the command line stands for: a file, or `-` for the standard streams.
 
-use grafc::files::{self, Refusal, print};
+use grafc::files::{self, Refusal, print, print_bytes};
 use std::ffi::OsString;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf, is_separator};
@@ -119,7 +119,7 @@ impl Stream {
         }
         for (stream, text) in texts {
             if let Stream::Standard = stream {
-                print(text)?;
+                print_bytes(text.as_ref())?;
             }
         }
         staged.into_iter().try_for_each(files::Staged::put)

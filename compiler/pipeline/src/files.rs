@@ -77,9 +77,14 @@ impl Drop for Staged {
 }
 
 /// Prints to standard output. If it was closed early, the reader has seen enough.
-pub fn print(text: impl AsRef<[u8]>) -> Result<(), Refusal> {
+pub fn print(text: &str) -> Result<(), Refusal> {
+    print_bytes(text.as_bytes())
+}
+
+/// The same for what need not be a text.
+pub fn print_bytes(bytes: &[u8]) -> Result<(), Refusal> {
     let mut out = io::stdout().lock();
-    match out.write_all(text.as_ref()).and_then(|()| out.flush()) {
+    match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Refusal::to_write("<stdout>", error)),
         Ok(()) | Err(_) => Ok(()),
     }

@@ -4,7 +4,7 @@ use crate::Exit;
 use crate::report::Failure;
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};
-use grafc::files::print;
+use grafc::files::print_bytes;
 
 const AFTER_HELP: &str = "\
 Example:
@@ -23,6 +23,6 @@ pub struct Arguments {
 pub fn run(args: Arguments, mut command: Command) -> Result<Exit, Failure> {
     let mut script = Vec::new();
     generate(args.shell, &mut command, "grafc", &mut script);
-    print(&script)?;
+    print_bytes(&script)?;
     Ok(Exit::Done)
 }

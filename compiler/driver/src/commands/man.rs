@@ -4,7 +4,7 @@ use crate::Exit;
 use crate::report::Failure;
 use clap::{Args, Command};
 use clap_mangen::Man;
-use grafc::files::print;
+use grafc::files::print_bytes;
 
 const AFTER_HELP: &str = "\
 Example:
@@ -41,6 +41,6 @@ pub fn run(args: Arguments, root: Command) -> Result<Exit, Failure> {
     // Writing to memory cannot fail.
     let _ =
         Man::new(command).source(concat!("grafc ", env!("CARGO_PKG_VERSION"))).manual("grafc manual").render(&mut page);
-    print(&page)?;
+    print_bytes(&page)?;
     Ok(Exit::Done)
 }
