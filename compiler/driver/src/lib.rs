@@ -11,6 +11,7 @@ mod meant;
 mod report;
 mod stream;
 mod watch;
+mod waveform;
 
 use clap::CommandFactory;
 use command_line::{Command, CommandLine};

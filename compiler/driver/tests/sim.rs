@@ -127,3 +127,111 @@ fn wrong_use_and_refusals() {
     folder.run(&["sim", "valve.gct", "--trace", "none.csv"]).ends(3, "cannot read `none.csv`");
     assert_eq!(folder.read("in.csv"), TRACE);
 }
+
+/// A second in step 1, half a second in step 2, while `run`.
+const BLINK: &str = "input run : bool
+output lamp : bool
+var n : int
+initial step 1
+step 2 { lamp  n := n + 1 on activation }
+transition 1 -> 2 : run and 1s/X1
+transition 2 -> 1 : [T2 >= 500ms]
+";
+
+#[test]
+fn calls_between_the_rows() {
+    let folder = Folder::new(&[("b.gct", BLINK), ("in.csv", "t_ms,run\n0,1\n2600,0\n5000,\n")]);
+    let sim = |options: &[&str]| folder.run(&[&["sim", "b.gct", "--trace", "in.csv"], options].concat());
+    // Step 1 until 1000, step 2 until 1500, step 1 until 2500, step 2 until 3000, and then nothing any more.
+    let events = "0,0,1,\n1000,1,2,\n1500,0,1,\n2500,1,2,\n2600,1,2,\n3000,0,1,\n4000,0,1,\n5000,0,1,\n";
+    assert_eq!(sim(&["--events"]).is_done().out, format!("t_ms,lamp,situation,flags\n{events}"));
+    // Every 700 ms: the second is over at 1400, the half second at 2100.
+    let scans =
+        "0,0,1,\n700,0,1,\n1400,1,2,\n2100,0,1,\n2600,0,1,\n2800,0,1,\n3500,0,1,\n4200,0,1,\n4900,0,1,\n5000,0,1,\n";
+    assert_eq!(sim(&["--scan", "700ms"]).is_done().out, format!("t_ms,lamp,situation,flags\n{scans}"));
+    let rows = sim(&[]);
+    assert_eq!(rows.out, "t_ms,lamp,situation,flags\n0,0,1,\n2600,0,1,\n5000,0,1,\n");
+    assert!(rows.err.contains("warning[W0601]: at 1000 ms") && rows.err.contains("in.csv:3:1"), "{}", rows.err);
+    sim(&["--scan", "700ms", "--events"]).ends(2, "--events");
+    for wrong in ["5", "0ms", "0.5ms", "ms", "2d"] {
+        sim(&["--scan", wrong]).ends(2, "--scan");
+    }
+    sim(&["--scan", "1ms", "--bound", "2"]).is_done();
+}
+
+#[test]
+fn a_trace_that_sees_each_end_of_a_delay_gets_no_warning() {
+    let trace = "t_ms,run\n0,1\n1000,\n1500,\n1600,0\n2500,\n";
+    let folder = Folder::new(&[("b.gct", BLINK), ("in.csv", trace)]);
+    let run = folder.run(&["sim", "b.gct", "--trace", "in.csv"]);
+    assert_eq!((run.is_done().out.lines().count(), run.err.as_str()), (6, ""));
+}
+
+#[test]
+fn more_columns() {
+    let folder = Folder::new(&[("b.gct", BLINK), ("in.csv", "t_ms,run,restart\n0,1,\n1000,,\n1200,,1\n")]);
+    let sim = |show: &str| folder.run(&["sim", "b.gct", "--trace", "in.csv", "--show", show]);
+    let all = "t_ms,restart,run,lamp,n,X1,X2,T2,XG1,situation,flags
+0,0,1,0,0,1,0,0,1,1,
+1000,0,1,1,1,0,1,0,1,2,
+1200,1,1,0,0,1,0,0,1,1,
+";
+    assert_eq!(sim("inputs,vars,steps,T2,XG1,X1,lamp").is_done().out, all);
+    assert_eq!(sim("T2").out, "t_ms,lamp,T2,situation,flags\n0,0,0,1,\n1000,1,0,2,\n1200,0,0,1,\n");
+    sim("X7").ends(2, "`--show X7`");
+}
+
+#[test]
+fn a_waveform() {
+    let folder = Folder::new(&[("b.gct", BLINK), ("in.csv", "t_ms,run\n5,1\n1005,\n")]);
+    assert_eq!(folder.run(&["sim", "b.gct", "--trace", "in.csv", "-o", "b.vcd"]).is_done().out, "");
+    let text = folder.read("b.vcd");
+    let scopes: Vec<&str> = text.lines().filter_map(|line| line.strip_prefix("$scope module ")).collect();
+    assert_eq!(scopes, ["b $end", "inputs $end", "outputs $end", "variables $end", "G1 $end", "flags $end"]);
+    assert!(text.starts_with("$timescale 1 ms $end\n"), "{text}");
+    let named = |name: &str| {
+        let line = text.lines().find(|line| line.starts_with("$var") && line.ends_with(&format!(" {name} $end")));
+        line.and_then(|line| line.split(' ').nth(3)).expect("it is declared").to_owned()
+    };
+    // At 5 ms all values, at 1005 ms what has changed: the lamp, the number, both steps.
+    let (_, first) = text.split_once("#5\n").expect("the first call");
+    let (first, second) = first.split_once("#1005\n").expect("the second call");
+    assert!(
+        first.contains(&format!("1{}\n", named("X1"))) && first.contains(&format!("0{}\n", named("lamp"))),
+        "{text}"
+    );
+    let mut changes: Vec<&str> = second.lines().collect();
+    changes.sort_unstable();
+    let mut expected = [
+        format!("0{}", named("X1")),
+        format!("1{}", named("X2")),
+        format!("1{}", named("lamp")),
+        format!("b0000000000000001 {}", named("n")),
+    ];
+    expected.sort_unstable();
+    assert_eq!(changes, expected);
+}
+
+#[test]
+fn tables_of_spreadsheets() {
+    let chart = "input a : bool input x : real output V : bool initial step 1 { V if [x > 1.4] and a }";
+    for trace in [
+        "t_ms;a;x\r\n0;WAHR;1,5\r\n10;;1,3\r\n",
+        "sep=;\nt_ms;a;x\n0;1;1,5\n10;;1.3\n",
+        "t_ms\ta\tx\n0\tVRAI\t1,5\n10\t\t1,3\n",
+        "t_ms,a,x\n0,1,\"1,5\"\n10,,1.3\n",
+    ] {
+        let folder = Folder::new(&[("c.gct", chart), ("in.csv", trace)]);
+        let run = folder.run(&["sim", "c.gct", "--trace", "in.csv"]);
+        assert_eq!(run.is_done().out, "t_ms,V,situation,flags\n0,1,1,\n10,0,1,\n", "{trace}");
+    }
+}
+
+#[test]
+fn headers_that_could_be_either() {
+    let chart = "input restart : bool output V : bool initial step 1 { V if restart }";
+    let folder =
+        Folder::new(&[("c.gct", chart), ("in.csv", "t_ms,restart\n0,1\n"), ("q.csv", "t_ms,`restart`\n0,1\n")]);
+    folder.run(&["sim", "c.gct", "--trace", "in.csv"]).ends(1, "stands in backquotes: `restart`");
+    assert_eq!(folder.run(&["sim", "c.gct", "--trace", "q.csv"]).is_done().out, "t_ms,V,situation,flags\n0,1,1,\n");
+}

@@ -1,40 +1,126 @@
 //! A chart over a trace, with the reference simulator.
 
 use crate::compile::check;
-use grafc_diagnostics::{Diagnostics, FileId};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
+use grafc_model::chart::{Chart, VariableKind};
 use grafc_model::reaction::Profile;
-use grafc_model::simulate::Simulator;
-use grafc_model::trace;
+use grafc_model::simulate::{Calls, MOST_CALLS, Probe, Record, run};
+use grafc_model::trace::{self, Shown};
+
+/// How a chart is run over a trace.
+#[derive(Clone, Copy, Default)]
+pub struct Run<'a> {
+    /// How it evolves.
+    pub profile: Profile,
+    /// When it is called.
+    pub calls: Calls,
+    /// What is shown beside the outputs: `inputs`, `vars`, `steps`, and names as in conditions; a name that is one of
+    /// these words stands in backquotes.
+    pub show: &'a [String],
+}
 
 /// What a chart does over a trace.
 pub struct Simulation {
-    /// The trace of its outputs.
-    pub result: String,
+    /// The chart.
+    pub chart: Chart,
+    /// Its calls, and what came of each.
+    pub record: Record,
+    /// What was looked at.
+    pub probes: Vec<Probe>,
     /// Rows of the recording that it was compared with, if there was one.
     pub compared: Option<usize>,
+    /// So many probes, inputs, come before the outputs; and whether restarts are shown.
+    inputs: (usize, bool),
 }
 
-/// A chart and a trace of its inputs to a trace of its outputs, compared with one that was recorded elsewhere.
+impl Simulation {
+    /// The trace of its outputs, and of what else is shown.
+    pub fn csv(&self) -> String {
+        let (before, restarts) = self.inputs;
+        let shown = Shown { restarts, probes: &self.probes, before, values: &self.record.looks };
+        trace::write_shown(&self.chart, &self.record.stimuli, &self.record.responses, shown)
+    }
+}
+
+/// A chart and a trace of its inputs to what it does, compared with a trace that was recorded elsewhere.
+///
+/// # Errors
+/// The first word of [`Run::show`] that the chart has nothing for.
 pub fn simulate(
     chart: (FileId, &str),
     default_name: &str,
     trace: (FileId, &str),
     recorded: Option<(FileId, &str)>,
-    profile: Profile,
-) -> (Option<Simulation>, Diagnostics) {
+    how: Run,
+) -> (Result<Option<Simulation>, String>, Diagnostics) {
     let (chart, mut diagnostics) = check(chart.0, chart.1, default_name);
-    let Some(chart) = chart else { return (None, diagnostics) };
-    let (stimuli, found) = trace::parse_trace(trace.0, trace.1, &chart);
+    let Some(chart) = chart else { return (Ok(None), diagnostics) };
+    let (rows, found) = trace::parse_rows(trace.0, trace.1, &chart);
     diagnostics.append(found);
     if diagnostics.has_errors() {
-        return (None, diagnostics);
+        return (Ok(None), diagnostics);
     }
-    let mut simulator = Simulator::new(&chart, profile);
-    let responses: Vec<_> = stimuli.iter().map(|stimulus| simulator.react(stimulus)).collect();
+    let (probes, before) = match probes(&chart, how.show) {
+        Ok(found) => found,
+        Err(word) => return (Err(word), diagnostics),
+    };
+    let (stimuli, places): (Vec<_>, Vec<_>) = rows.into_iter().unzip();
+    let record = run(&chart, how.profile, &stimuli, how.calls, &probes);
+    said(&record, &places).into_iter().for_each(|one| diagnostics.push(one));
     let compared = recorded.map(|(file, text)| {
-        let (rows, found) = trace::compare_trace(file, text, &chart, &stimuli, &responses);
+        let (rows, found) = trace::compare_trace(file, text, &chart, &record.stimuli, &record.responses);
         diagnostics.append(found);
         rows
     });
-    (Some(Simulation { result: trace::write_trace(&chart, &stimuli, &responses), compared }), diagnostics)
+    let restarts = before > 0 && stimuli.iter().any(|stimulus| stimulus.restart);
+    (Ok(Some(Simulation { chart, record, probes, compared, inputs: (before, restarts) })), diagnostics)
+}
+
+/// What is to be said of a run.
+fn said(record: &Record, places: &[Span]) -> Vec<Diagnostic> {
+    let place = |row: usize| places.get(row).copied().unwrap_or_default();
+    let unseen = record.unseen.map(|(row, at)| {
+        Diagnostic::new(Code::W0601, place(row), format!("at {at} ms a delay ends, and no row shows what follows"))
+            .here("the next row")
+            .also(place(row.saturating_sub(1)), "the row before")
+            .note("a controller is called all the time, and would see it then")
+            .help("add a row at this time, or let the simulation call the chart there: `--events`, or `--scan 20ms`")
+    });
+    let cut = record.cut.map(|row| {
+        let message = format!("before this row there are more than {MOST_CALLS} calls");
+        Diagnostic::new(Code::E0606, place(row), message)
+            .help("scan less often, or only where a delay ends: `--events`")
+    });
+    unseen.into_iter().chain(cut).collect()
+}
+
+/// What the words stand for, each once, inputs first; how many inputs there are. An error is a word that stands for nothing.
+fn probes(chart: &Chart, words: &[String]) -> Result<(Vec<Probe>, usize), String> {
+    let (mut before, mut behind): (Vec<Probe>, Vec<Probe>) = (Vec::new(), Vec::new());
+    for word in words {
+        match word.as_str() {
+            "inputs" => before.extend(Probe::variables(chart, VariableKind::Input)),
+            "vars" => behind.extend(Probe::variables(chart, VariableKind::Internal)),
+            "steps" => behind.extend(Probe::steps(chart)),
+            name => {
+                let name = name.strip_prefix('`').and_then(|rest| rest.strip_suffix('`')).unwrap_or(name);
+                let probe = Probe::of(name, chart).ok_or_else(|| word.clone())?;
+                match probe {
+                    Probe::Variable(id) if chart.variables[id].kind == VariableKind::Input => before.push(probe),
+                    // It has a column in any case.
+                    Probe::Variable(id) if chart.variables[id].kind == VariableKind::Output => {}
+                    Probe::Variable(_) | Probe::Step(_) | Probe::Duration(_) | Probe::Macro(_) | Probe::Grafcet(_) => {
+                        behind.push(probe)
+                    }
+                }
+            }
+        }
+    }
+    for list in [&mut before, &mut behind] {
+        let mut seen = std::collections::BTreeSet::new();
+        list.retain(|probe| seen.insert(*probe));
+    }
+    let inputs = before.len();
+    before.append(&mut behind);
+    Ok((before, inputs))
 }

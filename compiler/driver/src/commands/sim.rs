@@ -5,13 +5,17 @@ use crate::Exit;
 use crate::arguments::{MessageArguments, ProfileArguments};
 use crate::report::{Failure, Report};
 use crate::stream::Stream;
+use crate::waveform;
 use clap::Args;
 use grafc::files::print;
+use grafc_model::simulate::Calls;
 
 const AFTER_HELP: &str = "\
 Example:
   grafc sim valve.gct --trace valve.trace.csv -o valve.result.csv
   grafc sim valve.gct --trace valve.trace.csv --against plc.csv
+  grafc sim valve.gct --trace valve.trace.csv --events --show inputs,steps
+  grafc sim valve.gct --trace valve.trace.csv --scan 20ms -o valve.vcd
 
 A trace is CSV: a header `t_ms,NAME,...` of inputs, then a row a scan, the first for the initial reaction.
 The result has the header `t_ms,OUTPUT,...,situation,flags`; a recording has any of these columns, and the first row
@@ -30,7 +34,16 @@ pub struct Arguments {
     /// A result recorded elsewhere, to compare with; `-` is standard input
     #[arg(long, value_name = "RECORDED.csv")]
     against: Option<Stream>,
-    /// Where to put the result [default: standard output; nowhere with `--against`]
+    /// Call the chart at this period as well, between the rows of the trace
+    #[arg(long, value_name = "PERIOD", value_parser = period)]
+    scan: Option<Period>,
+    /// Call the chart between the rows exactly where a delay ends
+    #[arg(long, conflicts_with = "scan")]
+    events: bool,
+    /// More columns, separated by commas: `inputs`, `vars`, `steps`, and names as in conditions, such as `T5`
+    #[arg(long, value_name = "WHAT,...", value_delimiter = ',')]
+    show: Vec<String>,
+    /// Where to put the result: a table, or with the ending `.vcd` a drawing of all values over time [default: standard output; nowhere with `--against`]
     #[arg(short, long, value_name = "OUT.csv")]
     output: Option<Stream>,
     #[command(flatten)]
@@ -49,6 +62,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         refuse_output_over_input(output, inputs())?;
     }
 
+    let drawn =
+        matches!(&output, Some(Stream::File(path)) if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("vcd")));
     let mut report = Report::new(args.messages.policy()?);
     let chart = report.load(&args.chart)?;
     let trace = report.load(&args.trace)?;
@@ -59,20 +74,57 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     {
         let text = |file| (file, report.sources.file(file).text.as_str());
         let against = against.flatten().map(text);
-        let profile = args.profile.profile();
+        let calls = match args.scan {
+            Some(Period(period)) => Calls::Every(period),
+            None if args.events => Calls::Events,
+            None => Calls::Rows,
+        };
+        // A drawing is of everything.
+        let show = if drawn { [ALL.map(String::from).to_vec(), args.show].concat() } else { args.show };
+        let how = grafc::Run { profile: args.profile.profile(), calls, show: &show };
         let name = args.chart.chart_name();
-        let (simulation, diagnostics) = grafc::simulate(text(chart), &name, text(trace), against, profile);
+        let (simulation, diagnostics) = grafc::simulate(text(chart), &name, text(trace), against, how);
         report.diagnostics.append(diagnostics);
-        made = simulation;
+        made = simulation.map_err(|word| {
+            let help = "there are `inputs`, `vars`, `steps`, and names as in conditions: of variables, `X5`, `T5`";
+            Failure::WrongUse(format!("`--show {word}`: the chart has nothing of this name"), help.into())
+        })?;
     }
     let messages = args.messages.messages();
     let exit = report.tell(messages);
     if let Some(made) = made.filter(|_| !report.has_errors()) {
         match &output {
-            Some(output) => output.write(&made.result)?,
+            Some(output) if drawn => output.write(&waveform::draw(&made))?,
+            Some(output) => output.write(&made.csv())?,
             None if messages.quiet => {}
             None => print(&format!("{} rows agree\n", made.compared.unwrap_or_default()))?,
         }
     }
     Ok(exit)
+}
+
+/// What a drawing shows in any case.
+const ALL: [&str; 3] = ["inputs", "vars", "steps"];
+
+/// Milliseconds between two calls.
+#[derive(Clone, Copy, Debug)]
+struct Period(i64);
+
+/// `20ms`, `0.5s`, `1min`.
+fn period(text: &str) -> Result<Period, String> {
+    let digits = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
+    let (number, unit) = text.split_at(digits);
+    let factor = match unit {
+        "ms" => 1.0,
+        "s" => 1_000.0,
+        "min" | "m" => 60_000.0,
+        "h" => 3_600_000.0,
+        _ => return Err("a period has a unit: `20ms`, `1s`".into()),
+    };
+    let ms = number.parse::<f64>().map_err(|_| "a period begins with a number: `20ms`")? * factor;
+    if ms >= 1.0 && ms.fract() == 0.0 && ms <= f64::from(i32::MAX) {
+        Ok(Period(ms as i64))
+    } else {
+        Err("a period is whole milliseconds, at least 1ms".into())
+    }
 }

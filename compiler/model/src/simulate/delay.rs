@@ -47,6 +47,18 @@ impl Delay {
     }
 }
 
+impl Delay {
+    /// The first instant behind `t` at which it changes while its operand stays as it is.
+    pub fn end(&self, on: i64, off: i64, t: i64) -> Option<i64> {
+        let risen = self.start.map(|start| start.saturating_add(on));
+        let fallen = match self.fall {
+            Fall::At(fall) => Some(fall.saturating_add(off)),
+            Fall::Never | Fall::High => None,
+        };
+        risen.into_iter().chain(fallen).filter(|at| *at > t).min()
+    }
+}
+
 /// The value in a first context: the TON starts now, the TOF remembers nothing.
 pub(super) fn first_value(operand: bool, on: i64) -> bool {
     operand && on <= 0

@@ -9,6 +9,9 @@
 //! | R7 stored actions | `stored` |
 //! | R1, R3, R4, R6, R8 micro-step | `micro_step` |
 //! | R9-R14 reactions | `reaction` |
+//! | R12 when time alone changes something | `events` |
+//!
+//! `run` calls a chart over a whole trace, `probe` looks at more than its outputs.
 //!
 //! It is the oracle of the compiler's tests: plain before fast, and sharing no code with the lowering of charts. It
 //! neither panics nor recurses, whatever the chart.
@@ -16,11 +19,14 @@
 mod arithmetic;
 mod context;
 mod delay;
+mod events;
 mod flat;
 mod micro_step;
 mod orders;
 mod plan;
+mod probe;
 mod reaction;
+mod run;
 mod settle;
 mod stored;
 #[cfg(test)]
@@ -34,6 +40,8 @@ use flat::Flat;
 use index_vec::IndexVec;
 use orders::Orders;
 use plan::Plan;
+pub use probe::Probe;
+pub use run::{Calls, MOST_CALLS, Record, run};
 
 /// Whether each step is active.
 pub type Activity = IndexVec<StepId, bool>;

@@ -49,6 +49,12 @@ pub(super) struct Plan {
     pub outputs: Vec<Valued>,
     /// Each edge and its operand.
     pub edges: Vec<(ExprId, ExprId)>,
+    /// Each delay.
+    pub delays: Vec<ExprId>,
+    /// The sides of each comparison that hangs on the duration of a step.
+    pub clocks: Vec<(ExprId, ExprId)>,
+    /// What these sides need.
+    pub clock_nodes: Vec<Valued>,
     /// All nodes of the chart.
     all: Vec<Valued>,
     /// The set of `context`.
@@ -110,6 +116,27 @@ impl Plan {
             }
         }
 
+        let exprs = all.iter().filter_map(|node| match *node {
+            Valued::Expr(id) => Some(id),
+            Valued::Wire(_) => None,
+        });
+        let (mut delays, mut clocks) = (Vec::new(), Vec::new());
+        // Whether an expression hangs on the duration of a step.
+        let mut timed: IndexVec<ExprId, bool> = chart.exprs.iter().map(|_| false).collect();
+        for id in exprs {
+            let kind = &chart.exprs[id].kind;
+            let below = kind.operands().any(|operand| timed[operand]);
+            if let ExprKind::Delay { .. } = kind {
+                delays.push(id);
+            } else if let (ExprKind::Compare(_, a, b), true) = (kind, below) {
+                clocks.push((*a, *b));
+            } else {
+                timed[id] = below || matches!(kind, ExprKind::StepTime(_));
+            }
+        }
+        let sides = clocks.iter().flat_map(|&(a, b)| [Valued::Expr(a), Valued::Expr(b)]).collect();
+        let clock_nodes = reach(chart, &actions, sides, Memory::Hold);
+
         let in_context = reach(chart, &actions, context, Memory::Update);
         let levels = reach(chart, &actions, events, Memory::Hold);
         let outputs = reach(chart, &actions, outputs, Memory::Hold);
@@ -117,6 +144,9 @@ impl Plan {
             context: in_context.select(&all),
             levels: levels.select(&all),
             outputs: outputs.select(&all),
+            clock_nodes: clock_nodes.select(&all),
+            delays,
+            clocks,
             actions,
             edges,
             all,
@@ -130,6 +160,16 @@ impl Plan {
         let mut nodes = marks.select(&self.all);
         nodes.retain(|&node| !self.in_context.has(node));
         nodes
+    }
+
+    /// What continuously assigned names need, and these.
+    pub fn of_wires(&self, chart: &Chart, wires: Vec<Valued>) -> Vec<Valued> {
+        if wires.is_empty() {
+            return wires;
+        }
+        // A name that nothing reads and that is no output is in no other list.
+        let all = operands_first(chart, &self.actions, &wires);
+        reach(chart, &self.actions, wires, Memory::Hold).select(&all)
     }
 
     /// What the right sides need before the first context.

@@ -15,5 +15,5 @@ mod write;
 
 pub use against::compare_trace;
 pub use columns::heading;
-pub use read::parse_trace;
-pub use write::write_trace;
+pub use read::{parse_rows, parse_trace};
+pub use write::{Shown, write_shown, write_trace};

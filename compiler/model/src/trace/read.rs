@@ -9,13 +9,19 @@ use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
 
 /// Reads a stimulus trace. Every row gives a stimulus; a cell that cannot be read is reported and taken as empty.
 pub fn parse_trace(file: FileId, text: &str, chart: &Chart) -> (Vec<Stimulus>, Diagnostics) {
+    let (rows, diagnostics) = parse_rows(file, text, chart);
+    (rows.into_iter().map(|(stimulus, _)| stimulus).collect(), diagnostics)
+}
+
+/// The same, with the place of the time of each row.
+pub fn parse_rows(file: FileId, text: &str, chart: &Chart) -> (Vec<(Stimulus, Span)>, Diagnostics) {
     let mut reader = Reader { file, diagnostics: Diagnostics::new() };
-    let stimuli = reader.read(text, chart);
-    (stimuli, reader.diagnostics)
+    let rows = reader.read(text, chart);
+    (rows, reader.diagnostics)
 }
 
 impl Reader {
-    fn read(&mut self, text: &str, chart: &Chart) -> Vec<Stimulus> {
+    fn read(&mut self, text: &str, chart: &Chart) -> Vec<(Stimulus, Span)> {
         let Some((header, records)) = self.table(text) else { return Vec::new() };
         let inputs: Vec<&Variable> = chart.variables.iter().filter(|v| v.kind == VariableKind::Input).collect();
         let columns = self.header(&header, chart, &inputs);
@@ -40,7 +46,8 @@ impl Reader {
                     }
                 }
             }
-            stimuli.push(Stimulus { t_ms: latest.map_or(0, |(t, _)| t), restart, inputs: values.clone() });
+            let t_ms = latest.map_or(0, |(t, _)| t);
+            stimuli.push((Stimulus { t_ms, restart, inputs: values.clone() }, record.cell(0).1));
         }
         stimuli
     }
