@@ -30,7 +30,7 @@ pub(crate) fn write(
 fn program(out: &mut Writer, program: &Program, names: &Names, body: impl FnOnce(&mut Writer, &[&str], &[&str])) {
     out.blank();
     out.line(&format!("PROGRAM {}", names.program));
-    declarations::write(out, &variables(program, names), declarations::RETAIN);
+    declarations::write(out, variables(program, names), declarations::RETAIN);
     let (inputs, published) = wired(program, names);
     body(out, &inputs, &published);
     out.blank();
