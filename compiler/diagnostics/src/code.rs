@@ -128,6 +128,17 @@ codes! {
     W0411 "orders-not-exclusive" Warning;
     W0412 "allocation-conflict" Warning;
     W0413 "visible-overlap" Warning;
+    W0414 "step-never-active" Warning;
+    W0415 "transition-never-cleared" Warning;
+    W0416 "dead-end" Warning;
+    W0417 "constant-condition" Warning;
+    W0418 "step-entered-while-active" Warning;
+    W0419 "never-read" Warning;
+    W0420 "never-set" Warning;
+    W0421 "same-transition-twice" Warning;
+    W0422 "off-delay-of-active-step" Warning;
+    W0423 "negated-off-delay" Warning;
+    W0424 "ring-of-inputs" Warning;
 
     E0503 "not-a-sequential-function-chart" Error;
     E0504 "no-double-precision" Error;

@@ -16,7 +16,7 @@ grafcet G1 {
   initial step 1
   step 2 { V }
 
-  transition (1) 1 -> 2 : a
+  transition (1) 1 -> 2 : a and not b
   transition (2) 2 -> 1 : b
 }
 ";

@@ -8,6 +8,7 @@
 //! | `reachable/` | all situations of a part of the net, where there are not too many |
 //! | `components/` | sets of steps of which at most one is active at any time, and which of them share a variable |
 //! | `exclusive` | steps that are never active together, conditions that never hold together |
+//! | `liveness/` | what can never happen, situations without a way out, circles that come to no rest |
 //! | `together/` | transitions, assignments and orders that are not proved never to meet |
 //! | `transients/` | how many micro-steps a reaction can need |
 
@@ -16,6 +17,7 @@ pub(crate) mod components;
 #[cfg(test)]
 mod exclusion_tests;
 mod exclusive;
+pub(crate) mod liveness;
 mod reachable;
 mod rivals;
 pub(crate) mod together;
@@ -30,6 +32,7 @@ use grafc_formula::exclusion::EdgeFacts;
 use grafc_model::chart::{Event, StepId, TransitionId};
 use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
+use liveness::Liveness;
 use reachable::Reachable;
 use rivals::Rivals;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -58,6 +61,7 @@ pub struct Analysis {
     pub(crate) one_token: FxHashSet<StepId>,
     transients: OnceLock<Transients>,
     together: OnceLock<Together>,
+    liveness: OnceLock<Liveness>,
 }
 
 impl Analysis {
@@ -69,7 +73,7 @@ impl Analysis {
         let facts = EdgeFacts::new(&conditions.lowering.edges);
         let FoundComponents { components, cover, reasons, reachable, rivals, one_token } =
             components::find(&net, &arcs, &facts, &conditions);
-        let (transients, together) = (OnceLock::new(), OnceLock::new());
+        let (transients, together, liveness) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Analysis {
             net,
             arcs,
@@ -83,6 +87,7 @@ impl Analysis {
             one_token,
             transients,
             together,
+            liveness,
         }
     }
 
@@ -94,6 +99,11 @@ impl Analysis {
     /// How many micro-steps a reaction can need.
     pub fn transients(&self) -> &Transients {
         self.transients.get_or_init(|| transients::find(self))
+    }
+
+    /// What can never happen, where nothing goes on, and where nothing comes to rest.
+    pub(crate) fn liveness(&self) -> &Liveness {
+        self.liveness.get_or_init(|| liveness::find(self))
     }
 
     /// What may meet in one micro-step.

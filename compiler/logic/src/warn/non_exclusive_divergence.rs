@@ -28,7 +28,11 @@ pub(super) fn check(analysis: &Analysis, diagnostics: &mut Diagnostics) {
             Some(macro_step) => format!("step `{label}` (exit of `{macro_step}`)"),
             None => format!("step `{label}`"),
         };
-        if let Some(warning) = report(net, clashes, &drawn) {
+        // One that is never cleared is told of by itself (W0415).
+        let never = &analysis.liveness().never.clears;
+        let mut clashes = clashes.clone();
+        clashes.pairs.retain(|pair| !never[pair.first] && !never[pair.second]);
+        if let Some(warning) = report(net, &clashes, &drawn) {
             diagnostics.push(warning);
         }
     }

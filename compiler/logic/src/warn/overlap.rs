@@ -8,11 +8,13 @@
 //! 3. for each transition, no step before it is ever active together with one after it: an active successor then means
 //!    that the token has come from here, never that another one was there already; and the conditions of transitions
 //!    that share a step exclude each other, so that none clears while the step overlaps;
-//! 4. no enclosing step and no forcing step is among those that overlap.
+//! 4. no enclosing step and no forcing step is among those that overlap;
+//! 5. every reaction ends by itself, and not at its bound.
 //!
 //! Stored actions on deactivation or clearing see the overlap even then: they are done later, or more than once. So do
 //! those whose event or value depends on activities, or on variables that other stored actions write.
 
+use super::wording;
 use crate::analysis::Analysis;
 use crate::options::Options;
 use grafc_diagnostics::{Code, Diagnostic, Span};
@@ -22,15 +24,46 @@ use grafc_net::Net;
 
 /// One warning if the overlap can be seen, with the first place that shows it.
 pub(crate) fn check(analysis: &Analysis, options: &Options) -> Option<Diagnostic> {
-    let (place, why) = seen(analysis, options)?;
     let encoding = options.encoding.name();
+    let (place, note) = match seen(analysis, options) {
+        Some((place, why)) => {
+            let overlap =
+                "in this encoding a step stays active for one micro-step together with the step that follows it";
+            (place, format!("{overlap}; {why}"))
+        }
+        None => endless(analysis, options)?,
+    };
     Some(
         Diagnostic::new(Code::W0413, place, format!("the overlap of `{encoding}` can be seen in this chart"))
-            .note(format!(
-                "in this encoding a step stays active for one micro-step together with the step that follows it; {why}"
-            ))
+            .note(note)
             .help("use `--encoding single-phase`, `sequent` or `switch`, which do exactly what the chart means"),
     )
+}
+
+/// A reaction that may be given up at its bound. It is then where it happens to be, and that depends on how many
+/// micro-steps a token takes; where resetting wins, a circle of transitions that all hold even loses it.
+fn endless(analysis: &Analysis, options: &Options) -> Option<(Span, String)> {
+    let net = analysis.net();
+    let steps = net.places.len() + net.transitions.len() + 1;
+    let bound = options.profile.bound.map_or(steps.max(200), |bound| bound as usize);
+    let transients = analysis.transients();
+    // A token that takes two micro-steps for one needs twice as many.
+    if transients.longest.is_some_and(|longest| 2 * longest as usize <= bound) {
+        return None;
+    }
+    let lost = "a reaction that is given up at its bound (LIVELOCK) ends in another situation than the rules say, and a \
+                step may be lost for good";
+    let liveness = analysis.liveness();
+    if let Some((ring, first)) = liveness.rings.iter().find_map(|ring| Some((ring, ring.transitions.first()?))) {
+        let row = wording::case(net, &ring.row).filter(|row| !row.is_empty());
+        let row = row.map_or("with one row of inputs".to_owned(), |row| format!("while {row}"));
+        let place = net.transitions[*first].span;
+        return Some((place, format!("{row}, transitions are cleared in a circle without end; {lost}")));
+    }
+    let first =
+        transients.cycle.iter().chain(&transients.chain).find(|t| !net.transitions[**t].span.range().is_empty());
+    let place = first.map(|t| net.transitions[*t].span).or(net.places.first().map(|place| place.span))?;
+    Some((place, format!("it is not proved that every reaction ends within its bound of {bound} micro-steps; {lost}")))
 }
 
 fn seen(analysis: &Analysis, options: &Options) -> Option<(Span, String)> {

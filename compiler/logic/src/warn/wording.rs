@@ -1,7 +1,8 @@
 //! Conditions in the words of the chart, for messages.
 
 use crate::analysis::together::Case;
-use grafc_model::chart::{Arithmetic, Comparison, DelayTime, ExprId, ExprKind, Value};
+use crate::report::arrow;
+use grafc_model::chart::{Arithmetic, Comparison, DelayTime, ExprId, ExprKind, StepId, TransitionId, Value};
 use grafc_net::Net;
 
 /// A condition that nests deeper than this is not spelt out.
@@ -34,6 +35,20 @@ fn condition(net: &Net, expr: ExprId) -> Option<String> {
         ExprKind::Compare(..) => Some(format!("[{}]", spell(net, expr, DEEPEST)?)),
         _ => spell(net, expr, DEEPEST),
     }
+}
+
+/// `step `4`` or `steps `4` and `5``; of many, the first.
+pub(super) fn steps(net: &Net, steps: &[StepId]) -> String {
+    let names: Vec<String> = steps.iter().take(SPELT_OUT).map(|step| net.places[*step].label.to_string()).collect();
+    let more = if steps.len() > SPELT_OUT { format!(" (and {} more)", steps.len() - SPELT_OUT) } else { String::new() };
+    format!("step{} {}{more}", if steps.len() == 1 { "" } else { "s" }, list(&names))
+}
+
+/// Transitions one after the other, as the chart draws them; of many, the last.
+pub(super) fn way(net: &Net, way: &[TransitionId]) -> String {
+    let from = way.len().saturating_sub(SPELT_OUT);
+    let names: Vec<String> = way[from..].iter().map(|t| format!("`{}`", arrow(net, *t))).collect();
+    format!("{}{}", if from > 0 { "…, " } else { "" }, names.join(", "))
 }
 
 /// Names in backquotes, the last after `and`: `a`, `b` and `c`.

@@ -27,11 +27,17 @@ mod grafcet_never_activated;
 mod initial_enclosure_without_initial_step;
 mod initial_step_in_inactive_enclosure;
 mod level_event;
+mod likeness;
 mod macro_step_expansion;
 mod negated_edge;
+mod negated_off_delay;
+mod never_read;
+mod never_set;
 mod not_an_enclosing_step;
 mod nothing_to_retain;
+mod off_delay_of_active_step;
 mod output_read;
+mod same_transition_twice;
 mod self_loop_with_events;
 mod source_transition_on_level;
 mod step_named_twice;
@@ -41,6 +47,7 @@ pub mod testing;
 mod transient_step_with_continuous_action;
 mod transition_without_steps;
 mod truth;
+mod usage;
 mod walk;
 
 use crate::resolve::Resolved;
@@ -91,4 +98,9 @@ pub const WARNINGS: &[Rule] = &[
     source_transition_on_level::check,
     always_true_cycle::check,
     transient_step_with_continuous_action::check,
+    never_read::check,
+    never_set::check,
+    same_transition_twice::check,
+    off_delay_of_active_step::check,
+    negated_off_delay::check,
 ];

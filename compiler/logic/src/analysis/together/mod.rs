@@ -8,10 +8,10 @@ pub(crate) mod assignments;
 pub(crate) mod clearings;
 mod neighbours;
 mod orders;
-mod questions;
+pub(in crate::analysis) mod questions;
 pub(crate) mod reentry;
 mod triggers;
-mod witness;
+pub(in crate::analysis) mod witness;
 
 use super::Analysis;
 use assignments::Meeting;

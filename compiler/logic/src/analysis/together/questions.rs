@@ -8,13 +8,13 @@ use grafc_formula::{Formula, FormulaId, Pool};
 use grafc_model::chart::{ExprId, ExprKind, VariableKind};
 
 /// An analysis, and what is asked beyond it.
-pub(super) struct Questions<'a> {
-    pub(super) analysis: &'a Analysis,
+pub(in crate::analysis) struct Questions<'a> {
+    pub(in crate::analysis) analysis: &'a Analysis,
     more: Option<Box<Conditions>>,
 }
 
 impl<'a> Questions<'a> {
-    pub(super) fn new(analysis: &'a Analysis) -> Self {
+    pub(in crate::analysis) fn new(analysis: &'a Analysis) -> Self {
         Questions { analysis, more: None }
     }
 
@@ -27,7 +27,7 @@ impl<'a> Questions<'a> {
     }
 
     /// The formula of a condition or value in a micro-step: equal formulas have equal values.
-    pub(super) fn formula(&mut self, expr: ExprId) -> FormulaId {
+    pub(in crate::analysis) fn formula(&mut self, expr: ExprId) -> FormulaId {
         let Conditions { lowering, cx, .. } = self.more();
         lowering.expr(cx, expr)
     }
@@ -44,12 +44,12 @@ impl<'a> Questions<'a> {
     }
 
     /// A condition that is denied, or as it is.
-    pub(super) fn literal(&mut self, condition: FormulaId, asserted: bool) -> FormulaId {
+    pub(in crate::analysis) fn literal(&mut self, condition: FormulaId, asserted: bool) -> FormulaId {
         if asserted { condition } else { self.more().lowering.pool.not(condition) }
     }
 
     /// The constant that a condition is, if it is one.
-    pub(super) fn truth(&self, condition: FormulaId) -> Option<bool> {
+    pub(in crate::analysis) fn truth(&self, condition: FormulaId) -> Option<bool> {
         self.pool().as_truth(condition)
     }
 
@@ -58,7 +58,7 @@ impl<'a> Questions<'a> {
     }
 
     /// Whether two conditions never hold in the same micro-step.
-    pub(super) fn exclude(&self, a: FormulaId, b: FormulaId) -> bool {
+    pub(in crate::analysis) fn exclude(&self, a: FormulaId, b: FormulaId) -> bool {
         self.analysis.facts.exclude(self.pool(), a, b)
     }
 }

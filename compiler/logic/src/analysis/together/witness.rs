@@ -22,7 +22,7 @@ const CHOICES: usize = 128;
 pub(crate) type Case = Vec<(Option<ExprId>, bool)>;
 
 /// What the search came to.
-pub(super) enum SearchResult {
+pub(in crate::analysis) enum SearchResult {
     /// This case.
     Case(Case),
     /// There is none.
@@ -32,7 +32,7 @@ pub(super) enum SearchResult {
 }
 
 /// Looks for a case in which all these conditions hold while these steps are active.
-pub(super) fn search(asked: &mut Questions, conditions: &[ExprId], active: &[StepId]) -> SearchResult {
+pub(in crate::analysis) fn search(asked: &mut Questions, conditions: &[ExprId], active: &[StepId]) -> SearchResult {
     let Some(circuit) = Circuit::new(asked, conditions) else { return SearchResult::Unknown };
     let mut search = Search { asked, circuit, active, values: FxHashMap::default(), order: Vec::new() };
     search.run()

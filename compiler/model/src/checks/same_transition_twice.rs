@@ -1,0 +1,71 @@
+//! W0421: a transition is written twice.
+//!
+//! Two transitions with the same steps before and after, the same condition and the same actions clear together, and the
+//! second changes nothing. Most often a line was copied and not changed.
+//!
+//! Warned of: `transition 1 -> 2 : a` twice
+//! Not warned of: `transition 1 -> 2 : a`, `transition 1 -> 2 : b`
+
+use super::likeness::likeness;
+use crate::chart::{Event, ExprId, Node, TransitionId, VariableId};
+use crate::resolve::Resolved;
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
+use index_vec::{IndexVec, index_vec};
+use rustc_hash::FxHashMap;
+
+/// What makes two transitions the same: steps in any order, condition, actions.
+type Key = (Vec<Node>, Vec<Node>, usize, Vec<(VariableId, usize)>);
+
+/// One warning per transition that was there before.
+pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
+    let chart = &resolved.chart;
+    let likeness: IndexVec<ExprId, usize> = likeness(&chart.exprs);
+    let mut actions: IndexVec<TransitionId, Vec<(VariableId, usize)>> = index_vec![Vec::new(); chart.transitions.len()];
+    for action in &chart.stored {
+        if let Event::Clearing(t) = action.event {
+            actions[t].push((action.target, likeness[action.value]));
+        }
+    }
+    let sorted = |nodes: &[Node]| {
+        let mut nodes = nodes.to_vec();
+        nodes.sort_unstable();
+        nodes
+    };
+    let mut first_of: FxHashMap<Key, TransitionId> = FxHashMap::default();
+    for (id, transition) in chart.transitions.iter_enumerated() {
+        let actions = std::mem::take(&mut actions[id]);
+        let key = (sorted(&transition.pre), sorted(&transition.post), likeness[transition.condition], actions);
+        let first = *first_of.entry(key).or_insert(id);
+        if first != id {
+            diagnostics.push(
+                Diagnostic::new(Code::W0421, transition.span, "this transition is there already")
+                    .also(chart.transitions[first].span, "the same steps, condition and actions")
+                    .help("leave one of the two out, or correct what was to be different")
+                    .fix(Fix::maybe("leave it out").delete(transition.span)),
+            );
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::checks::testing::{passes, passes_with};
+
+    const STEPS: &str = "input a, b : bool var n : int initial step 1 step 2 step 3 ";
+
+    #[test]
+    fn the_same() {
+        passes_with(&["W0421"], &format!("{STEPS} transition 1 -> 2 : a · b transition (7) 1 -> 2 : b and a"));
+        passes_with(&["W0421"], &format!("{STEPS} transition 1, 2 -> 3 : 3s/a transition 2, 1 -> 3 : 3s/a"));
+        let actions = "transition 1 -> 2 : a { n := n + 1 } transition 1 -> 2 : a { n := n + 1 }";
+        passes_with(&["W0421"], &format!("{STEPS} {actions}"));
+    }
+
+    #[test]
+    fn something_is_different() {
+        passes(&format!("{STEPS} transition 1 -> 2 : a transition 1 -> 2 : b"));
+        passes(&format!("{STEPS} transition 1 -> 2 : a transition 1 -> 3 : a"));
+        passes(&format!("{STEPS} transition 1 -> 2 : 3s/a transition 1 -> 2 : 4s/a"));
+        passes(&format!("{STEPS} transition 1 -> 2 : a {{ n := 1 }} transition 1 -> 2 : a {{ n := 2 }}"));
+    }
+}
