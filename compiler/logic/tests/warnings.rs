@@ -1,8 +1,15 @@
 //! The rules about what may happen at once: for each a chart that breaks it and the nearest one that does not.
 
-use grafc_diagnostics::{Diagnostic, Diagnostics, FileId};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId};
 
+/// What is said of what may happen at once. The charts of these tests are not made to go round, or to come to rest.
 fn diagnostics(text: &str) -> Diagnostics {
+    let mut diagnostics = all(text);
+    diagnostics.retain(|d| d.code <= Code::W0413);
+    diagnostics
+}
+
+fn all(text: &str) -> Diagnostics {
     let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), text);
     assert!(!diagnostics.has_errors(), "{diagnostics:?}");
     let (chart, diagnostics) = grafc_model::check(&tree, "chart");
@@ -516,5 +523,101 @@ mod w0411 {
             chart("force G2{21}  force G3{}", "force G3{INIT}")
         );
         assert_eq!(codes(&text), ["W0411", "W0411"]);
+    }
+}
+
+/// What can never happen, where nothing goes on, and where nothing comes to rest.
+mod liveness {
+    use super::*;
+
+    /// The codes, each with the piece of the text that it is about.
+    fn told(text: &str) -> Vec<String> {
+        all(text).iter().map(|d| format!("{} {}", d.code.as_str(), place(d, text))).collect()
+    }
+
+    const INPUTS: &str = "input a, b, c, d : bool output V : bool ";
+
+    #[test]
+    fn a_step_that_nothing_activates_is_one_message() {
+        let text = format!(
+            "{INPUTS} initial step 1 step 7 step 8 step 9 transition 7 -> 8 : a transition 8 -> 9 : b
+             transition 9 -> 1 : c"
+        );
+        assert_eq!(told(&text), ["W0414 7"]);
+        let said = all(&text);
+        let notes = &said.iter().next().expect("a message").notes;
+        assert!(notes.iter().any(|note| note.contains("2 other steps are never active")), "{notes:?}");
+    }
+
+    #[test]
+    fn steps_that_wait_for_each_other() {
+        let text = format!("{INPUTS} initial step 1 step 7 step 8 transition 7 -> 8 : a transition 8 -> 7 : not a");
+        assert_eq!(told(&text), ["W0414 7"]);
+    }
+
+    #[test]
+    fn orders_links_and_sources_activate() {
+        let text = "input a : bool grafcet G1 { initial step 1 { force G2{20} } step 2 transition 1 -> 2 : a
+            transition 2 -> 1 : not a } grafcet G2 { step 20 } grafcet G3 { initial enclosing step 30 }
+            grafcet X30/G4 { initial step 40 activated step 41 } grafcet G5 { step 50 transition -> 50 : ↑a }";
+        assert!(!told(text).iter().any(|code| code.starts_with("W0414")), "{:?}", told(text));
+    }
+
+    #[test]
+    fn what_an_inactive_step_forces() {
+        let text = "input a : bool grafcet G1 { initial step 1 step 9 { force G2{21} } transition 9 -> 1 : a }
+            grafcet G2 { initial step 20 step 21 }";
+        assert_eq!(told(text), ["W0414 9"]);
+    }
+
+    #[test]
+    fn alternatives_are_not_joined() {
+        let text = format!(
+            "{INPUTS} initial step 1 step 2 step 3 transition 1 -> 2 : a and not b transition 1 -> 3 : b and not a
+             transition 2 -> 1 : c and not a transition 3 -> 1 : c and not b transition 2, 3 -> 1 : d and not c"
+        );
+        assert_eq!(told(&text), ["W0415 transition 2, 3 -> 1 : d and not c"]);
+    }
+
+    #[test]
+    fn a_condition_that_denies_the_step_before() {
+        let text = format!("{INPUTS} initial step 1 step 2 transition 1 -> 2 : a and not X1 transition 2 -> 1 : not a");
+        assert_eq!(told(&text), ["W0415 transition 1 -> 2 : a and not X1"]);
+    }
+
+    #[test]
+    fn constant_conditions() {
+        for condition in ["0", "false", "a and not a", "a and ↓a", "(a or b) and not a and not b"] {
+            let text = format!("{INPUTS} initial step 1 step 2 transition 1 -> 2 : {condition} transition 2 -> 1 : b");
+            assert_eq!(told(&text), [format!("W0417 {condition}")]);
+        }
+        for condition in ["a or not a", "not 0", "a or 1"] {
+            let text = format!("{INPUTS} initial step 1 {{ V if {condition} }}");
+            assert_eq!(told(&text), [format!("W0417 {condition}")]);
+        }
+        for condition in ["1", "true", "a", "off and a", "a and not b or b and not a"] {
+            let text = format!("{INPUTS} const off : bool := 0 initial step 1 {{ V if {condition} }}");
+            assert_eq!(told(&text), [""; 0]);
+        }
+    }
+
+    #[test]
+    fn a_sequence_that_is_drawn_with_an_end_may_end() {
+        assert_eq!(told(&format!("{INPUTS} initial step 1 step 2 transition 1 -> 2 : a")), [""; 0]);
+        let text = format!(
+            "{INPUTS} initial step 1 step 2 step 3 transition 1 -> 2 : a and not b transition 1 -> 3 : b and not a
+             transition 2 -> 1 : not a"
+        );
+        assert_eq!(told(&text), ["W0416 3"]);
+    }
+
+    #[test]
+    fn rings_with_an_edge_a_delay_or_what_excludes_come_to_rest() {
+        let ring =
+            |back: &str| format!("{INPUTS} initial step 1 step 2 transition 1 -> 2 : a transition 2 -> 1 : {back}");
+        assert_eq!(told(&ring("b")), ["W0424 transition 1 -> 2 : a"]);
+        for back in ["↑b", "3s/b", "b and not a", "3s/X2"] {
+            assert_eq!(told(&ring(back)), [""; 0], "{back}");
+        }
     }
 }
