@@ -151,14 +151,13 @@ codes! {
     E0604 "trace-goes-back-in-time" Error;
     E0605 "recording-differs" Error;
     E0606 "too-many-calls" Error;
+    W0601 "delay-ends-between-rows" Warning;
 
     E0701 "malformed-xml" Error;
     E0702 "xml-beyond-bounds" Error;
     E0703 "unknown-chart-format" Error;
     E0704 "broken-reference" Error;
     E0705 "malformed-element" Error;
-    W0601 "delay-ends-between-rows" Warning;
-
     W0701 "import-changed" Warning;
     W0702 "import-doubtful" Warning;
     W0703 "import-lost" Warning;
