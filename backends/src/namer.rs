@@ -43,6 +43,13 @@ impl Namer {
         if self.take(&stem) {
             return stem;
         }
+        if identifier(wanted, usize::MAX).len() > longest {
+            let mark = mark(wanted);
+            let marked = eco_format!("{}_{mark}", stem[..longest - 1 - mark.len()].trim_end_matches('_'));
+            if self.take(&marked) {
+                return marked;
+            }
+        }
         let key = stem.to_ascii_uppercase();
         let mut number = self.next.get(&key).copied().unwrap_or(1);
         loop {
@@ -77,6 +84,20 @@ impl Namer {
         let key = name.to_ascii_uppercase();
         !self.reserved.contains(&key) && self.taken.insert(key)
     }
+}
+
+/// Three signs that stand for a whole name that was cut: so it does not depend on which others were cut like it.
+fn mark(name: &str) -> EcoString {
+    const SIGNS: &[u8; 30] = b"0123456789bcdfghjklmnpqrstvwxz";
+    // FNV-1a.
+    let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    let mut hash = name.bytes().fold(0xcbf2_9ce4_8422_2325, step) >> 8;
+    let mut sign = || {
+        let sign = SIGNS[(hash % SIGNS.len() as u64) as usize];
+        hash /= SIGNS.len() as u64;
+        char::from(sign)
+    };
+    [sign(), sign(), sign()].into_iter().collect()
 }
 
 #[cfg(test)]
@@ -139,8 +160,13 @@ mod tests {
         let longer = format!("{long}y");
         let given = names(&[&long, &longer, &long]);
         assert_eq!(given[0], "x".repeat(63));
-        assert_eq!(given[1], format!("{}_1", "x".repeat(61)));
-        assert_eq!(given[2], format!("{}_2", "x".repeat(61)));
+        let mark = |name: &str| name.strip_prefix(&format!("{}_", "x".repeat(59))).map(str::len);
+        assert_eq!((mark(&given[1]), mark(&given[2])), (Some(3), Some(3)));
+        assert!(given[1] != given[2]);
+        // Whatever else was cut before it.
+        let mut namer = Namer::new(Family::Iec);
+        namer.name(&format!("{long}z"));
+        assert_eq!(namer.name(&longer), given[1]);
     }
 
     #[test]

@@ -65,6 +65,9 @@ pub fn ascii(text: &str) -> String {
                 '≤' => out.out.push_str("<="),
                 '≥' => out.out.push_str(">="),
                 '≠' => out.out.push_str("<>"),
+                '¬' => out.out.push_str("not "),
+                '·' => out.out.push_str("and"),
+                '…' => out.out.push_str("..."),
                 '\u{300}'..='\u{36F}' => {}
                 _ => out.out.push('?'),
             },

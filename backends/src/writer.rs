@@ -12,6 +12,14 @@ const LEAST_ROOM: usize = 60;
 const ROOM_FOR_COMMENT: usize = 10;
 /// Remarks of neighbouring lines start in one column, unless they leave less room than this.
 const LEAST_ROOM_FOR_REMARK: usize = 40;
+/// Comments begin at one of these columns: so one more line, a little longer than the others, moves none of them.
+const COLUMNS: usize = 4;
+
+/// Where comments begin behind texts of so many columns.
+pub(crate) fn column_of(longest: usize) -> usize {
+    longest.next_multiple_of(COLUMNS)
+}
+
 /// One level of indentation.
 pub(crate) const STEP: usize = 4;
 

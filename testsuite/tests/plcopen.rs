@@ -388,7 +388,7 @@ fn scl_marks_every_variable_and_no_other_word() {
         "VAR CONSTANT\n    wait : Time := T#2s;\nEND_VAR\nBEGIN\n",
         "#on_X1(IN := #X1, PT := #wait);\n",
         "#w := #X2 AND #a;\n",
-        "#n := #n + 1;\n",
+        "#n := #n + 1;",
         "END_FUNCTION_BLOCK\n\nDATA_BLOCK \"press_DB\" \"press\"\nBEGIN\nEND_DATA_BLOCK\n",
     ] {
         assert!(text.contains(expected), "{expected}\nin\n{text}");

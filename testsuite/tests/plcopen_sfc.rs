@@ -205,8 +205,9 @@ fn drawings_read_as_their_charts() {
     }
 }
 
-/// Conditions and actions stand at their transitions and steps. An output of one step is a variable with `N`; one of
-/// several, or with a condition, is computed while they are active and once more at their end.
+/// Conditions and actions stand at their transitions and steps. An output of one step is a variable with `N`, and so is one
+/// of several that do not hand over to each other; one with a condition is computed while its step is active and once more
+/// at the end. Others are found behind the chart.
 #[test]
 fn conditions_and_actions_stand_where_they_belong() {
     let text = draw(MIX, Evolution::Scan, Dialect::Neutral).expect("a drawing");
@@ -217,12 +218,12 @@ fn conditions_and_actions_stand_where_they_belong() {
     };
     for (step, expected) in [
         ("X1", &[][..]),
-        ("X2", &["N at_2", "N fill_a", "N motor", "P0 motor"]),
+        ("X2", &["N fill_a", "N motor"]),
         ("X3", &["N fill_b"]),
         ("X4", &[]),
-        ("X6", &["N at_6", "N motor", "P0 motor", "N pump", "P0 pump"]),
+        ("X6", &["N motor", "N pump", "P0 pump"]),
         ("X7", &["N tip", "P1 batches"]),
-        ("X8", &["N at_8", "N lamp", "P0 lamp"]),
+        ("X8", &["N at_8"]),
     ] {
         let mut rows = rows(step);
         let mut expected = expected.to_vec();
@@ -276,7 +277,8 @@ fn a_drawing_is_the_chart() {
         "<![CDATA[go AND ready AND NOT test]]>",
         "<![CDATA[X6.T >= T#5s]]>",
         "<![CDATA[pump := X6.X AND (level > 5);]]>",
-        "<![CDATA[motor := at_2 OR at_6;]]>",
+        "lamp := drawn.at_8 OR drawn.at_9;",
+        "<reference name=\"motor\"/>",
         "<![CDATA[batches := batches + 1;]]>",
         "<reference name=\"tip\"/>",
     ] {
@@ -284,7 +286,7 @@ fn a_drawing_is_the_chart() {
     }
     // A step brings its own variables along.
     assert!(!text.contains("variable name=\"X1\""), "{text}");
-    assert!(text.contains("variable name=\"at_2\""), "{text}");
+    assert!(text.contains("variable name=\"at_8\""), "{text}");
 }
 
 #[test]
@@ -298,8 +300,9 @@ fn a_tree_is_the_chart() {
     assert_eq!([count("simultaneousDivergence"), count("simultaneousConvergence")], [1, 1]);
     for expected in [
         "<expression>go AND ready AND NOT test</expression>",
-        "<action name=\"set_motor\">",
-        "motor := at_2 OR at_6;",
+        "<action name=\"set_pump\">",
+        "<reference name=\"motor\"/>",
+        "lamp := drawn.at_8 OR drawn.at_9;",
         "<action name=\"X7_entry\">",
         "<attribute guid=\"a6b08bd8-b696-47e3-9cbf-7408b61c9ff8\">X7_entry</attribute>",
         "<reference name=\"tip\"/>",
@@ -368,16 +371,16 @@ fn edges_and_delays_of_inputs_are_found_before() {
         let names: Vec<&str> = document.all("pou").filter_map(|unit| document.attribute(unit, "name")).collect();
         assert_eq!(names, ["Press_chart", "Press", "Press_program"]);
         let of = |unit: usize, list: &str| declared(&document, document.all("pou").nth(unit).expect("a unit"), list);
-        assert_eq!(of(0, "inputVars"), ["a", "b", "rise_a", "fall_3", "delayed_b"]);
+        assert_eq!(of(0, "inputVars"), ["a", "b", "rise_a", "fall_a_or_b", "delayed_b"]);
         assert_eq!(of(0, "outputVars"), ["w"]);
         assert_eq!(of(1, "inputVars"), ["a", "b"]);
         assert_eq!(
             around(&document),
-            "IF NOT started THEN started := TRUE; old_a := a; old_3 := a OR b; END_IF; \
-             rise_a := a AND NOT old_a; fall_3 := NOT (a OR b) AND old_3; on_b(IN := b, PT := late); \
+            "IF NOT started THEN started := TRUE; old_a := a; old_a_or_b := a OR b; END_IF; \
+             rise_a := a AND NOT old_a; fall_a_or_b := NOT (a OR b) AND old_a_or_b; on_b(IN := b, PT := late); \
              off_b(IN := NOT on_b.Q, PT := T#2s); held_b := on_b.Q OR (held_b AND NOT off_b.Q); delayed_b := held_b; \
-             old_a := a; old_3 := a OR b; \
-             drawn(a := a, b := b, rise_a := rise_a, fall_3 := fall_3, delayed_b := delayed_b); w := drawn.w;"
+             old_a := a; old_a_or_b := a OR b; \
+             drawn(a := a, b := b, rise_a := rise_a, fall_a_or_b := fall_a_or_b, delayed_b := delayed_b); w := drawn.w;"
         );
     }
 }
@@ -394,10 +397,11 @@ fn edges_and_delays_of_steps_are_found_before() {
     assert_eq!(declared(&document, drawn, "outputVars"), ["w", "n", "at_1"]);
     assert_eq!(
         around(&document),
-        "IF NOT started THEN started := TRUE; old_3 := drawn.at_1 OR (n > 3); END_IF; \
+        "IF NOT started THEN started := TRUE; old_X1_or_n_3 := drawn.at_1 OR (n > 3); END_IF; \
          on_X1(IN := drawn.at_1, PT := T#2s); delayed_X1 := on_X1.Q; \
-         fall_3 := NOT (drawn.at_1 OR (n > 3)) AND old_3; old_3 := drawn.at_1 OR (n > 3); \
-         drawn(a := a, delayed_X1 := delayed_X1, fall_3 := fall_3); w := drawn.w; n := drawn.n;"
+         fall_X1_or_n_3 := NOT (drawn.at_1 OR (n > 3)) AND old_X1_or_n_3; \
+         old_X1_or_n_3 := drawn.at_1 OR (n > 3); \
+         drawn(a := a, delayed_X1 := delayed_X1, fall_X1_or_n_3 := fall_X1_or_n_3); w := drawn.w; n := drawn.n;"
     );
     // To stability an edge of a step is over when the call is.
     assert!(draw(chart, Evolution::Stable, Dialect::Neutral).is_err());

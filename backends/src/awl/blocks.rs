@@ -81,7 +81,7 @@ fn interface(out: &mut Writer, program: &Program, names: &AwlNames, parts: &[Loc
     blocks.sort_by_key(|block| match block.kind {
         VarKind::Input => 0,
         VarKind::Output => 1,
-        VarKind::Constant | VarKind::Local => 2,
+        VarKind::Constant | VarKind::Local | VarKind::Temporary => 2,
     });
     let mut open: Option<&str> = None;
     let mut section = |out: &mut Writer, keyword: &'static str| {
@@ -98,12 +98,12 @@ fn interface(out: &mut Writer, program: &Program, names: &AwlNames, parts: &[Loc
         let keyword = match block.kind {
             VarKind::Input => "VAR_INPUT",
             VarKind::Output => "VAR_OUTPUT",
-            VarKind::Constant | VarKind::Local => "VAR",
+            VarKind::Constant | VarKind::Local | VarKind::Temporary => "VAR",
         };
         for (heading, entries) in &block.sections {
             if !entries.is_empty() {
                 section(out, keyword);
-                let heading = if block.kind == VarKind::Constant { "constants" } else { *heading };
+                let heading = if block.kind == VarKind::Constant { "constants" } else { heading.as_ref() };
                 out.comment(heading);
             }
             for entry in entries {
@@ -154,7 +154,7 @@ fn interface(out: &mut Writer, program: &Program, names: &AwlNames, parts: &[Loc
                     declaration(out, &part.name, part.ty, None, None);
                 }
             }
-            VarKind::Output | VarKind::Constant => {}
+            VarKind::Output | VarKind::Temporary | VarKind::Constant => {}
         }
     }
     out.close("END_VAR");

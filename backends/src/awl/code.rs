@@ -5,13 +5,16 @@ use crate::comment::clean;
 use crate::writer::{self, Writer};
 use ecow::EcoString;
 use grafc_formula::Type;
+use rustc_hash::FxHashSet;
 
 /// Where comments beside instructions begin, if the instruction is shorter.
 const REMARKS: usize = 40;
 /// A title of a network has no more characters.
 const LONGEST_TITLE: usize = 64;
-/// So many labels begin with one letter.
+/// So many labels begin with one letter, on average.
 const LABELS_A_LETTER: u32 = 1000;
+/// What follows the letter: without vowels no label is a word.
+const SIGNS: &[u8; 30] = b"0123456789BCDFGHJKLMNPQRSTVWXZ";
 /// What labels begin with, in this order: letters that no address begins with, except the first, which is the custom.
 /// What comes after the last letter does not fit into a block.
 const LETTERS: &[u8; 13] = b"MNJKWXYHGVROS";
@@ -34,7 +37,9 @@ pub(super) struct Code {
     remark: Option<String>,
     /// A label that is due before the next instruction.
     label: Option<String>,
-    labels: u32,
+    labels: FxHashSet<u64>,
+    /// A number that stands for what is written now, from which labels are made.
+    about: u64,
     /// Open parentheses.
     depth: usize,
 }
@@ -51,7 +56,8 @@ impl Code {
             known: None,
             remark: None,
             label: None,
-            labels: 0,
+            labels: FxHashSet::default(),
+            about: 0,
             depth: 0,
         }
     }
@@ -155,16 +161,34 @@ impl Code {
         self.instruction("JU", label);
     }
 
+    /// What comes now: the labels within it depend on that, and not on how many came before.
+    pub fn about(&mut self, what: &str) {
+        // FNV-1a.
+        let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        self.about = what.bytes().fold(0xcbf2_9ce4_8422_2325, step);
+    }
+
     /// A label that nothing else is called like.
     pub fn new_label(&mut self) -> String {
-        self.labels += 1;
-        let letter = LETTERS[(self.labels / LABELS_A_LETTER) as usize % LETTERS.len()];
-        format!("{}{:03}", char::from(letter), self.labels % LABELS_A_LETTER)
+        let all = LETTERS.len() as u64 * (SIGNS.len() as u64).pow(3);
+        self.about = self.about.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        let mut number = (self.about >> 32) % all;
+        while !self.labels.insert(number) && (self.labels.len() as u64) < all {
+            number = (number + 1) % all;
+        }
+        let mut label = String::with_capacity(4);
+        label.push(char::from(LETTERS[(number % LETTERS.len() as u64) as usize]));
+        let mut rest = number / LETTERS.len() as u64;
+        for _ in 0..3 {
+            label.push(char::from(SIGNS[(rest % SIGNS.len() as u64) as usize]));
+            rest /= SIGNS.len() as u64;
+        }
+        label
     }
 
     /// Whether each label was given once.
     pub fn labels_suffice(&self) -> bool {
-        self.labels < LABELS_A_LETTER * LETTERS.len() as u32
+        self.labels.len() < LABELS_A_LETTER as usize * LETTERS.len()
     }
 
     /// Where a jump leads: to the next instruction, which has one label at most.

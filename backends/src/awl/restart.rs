@@ -27,6 +27,7 @@ pub(super) fn write(code: &mut Code, program: &Program, names: &AwlNames) {
     let retained = program.variables.iter().any(|variable| variable.retain);
     let but = if retained { ", but for what is retained" } else { "" };
     code.network(&format!("restart: as before the first call{but}"));
+    code.about("restart");
     let done = code.new_label();
     code.bit("A", &local(&names.restart));
     code.jump_unless(&done);

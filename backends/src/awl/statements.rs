@@ -5,7 +5,7 @@ use super::conditions::Conditions;
 use super::numbers::{Numbers, literal};
 use super::{AwlNames, Mnemonics, restart, timers};
 use grafc_formula::{FormulaId, Type, Value};
-use grafc_logic::scan::{Arm, Origins, Program, Repeat, Statement, VarId, is_empty, origin_of};
+use grafc_logic::scan::{Arm, Origin, Origins, Program, Repeat, Statement, VarId, is_empty, origin_of};
 
 /// So many arms of a choice are tried one after the other; of more, a jump passes over half.
 const FEW_ARMS: usize = 8;
@@ -71,6 +71,7 @@ impl AwlStatements<'_, '_> {
 
     /// The stability loop; where it has a limit, the flag when it was cut off.
     fn repeat(&mut self, repeat: Repeat) {
+        self.code.about("micro-step");
         let start = self.code.new_label();
         let again = self.names.variable(repeat.again);
         if let Some(limit) = repeat.limit {
@@ -107,8 +108,16 @@ impl AwlStatements<'_, '_> {
             let after = after.filter(|_| place + 1 == statements.len());
             let outer = self.code.out.inner_origin(statement.origin());
             match statement {
-                Statement::Heading(heading) if self.depth == 0 => self.code.network(heading.text()),
-                Statement::Heading(heading) => self.code.heading(heading.text()),
+                Statement::Heading(_) => {}
+                Statement::Assign { .. }
+                | Statement::CallTimer { .. }
+                | Statement::Divide(_)
+                | Statement::Case { .. }
+                | Statement::If { .. } => self.code.about(&self.program.word(statement)),
+            }
+            match statement {
+                Statement::Heading(heading) if self.depth == 0 => self.code.network(&self.program.heading(*heading)),
+                Statement::Heading(heading) => self.code.heading(&self.program.heading(*heading)),
                 Statement::Assign { target, value, origin, told } => {
                     self.about(*target, *value);
                     self.code.remark(self.program.remark(*origin, *told).as_deref());
@@ -181,6 +190,9 @@ impl AwlStatements<'_, '_> {
         }
         for (place, arm) in arms.iter().enumerate() {
             let is_last = place + 1 == arms.len();
+            if let Origin::Step(s) = arm.origin {
+                self.code.about(self.program.label(s));
+            }
             let next = if is_last { done.to_owned() } else { self.code.new_label() };
             let outer = self.code.out.inner_origin(arm.origin);
             self.code.remark(self.program.remark(arm.origin, arm.told).as_deref());
@@ -222,6 +234,9 @@ impl AwlStatements<'_, '_> {
         for (place, (condition, body)) in branches.iter().enumerate() {
             let outer = self.code.out.inner_origin(origin_of(body));
             let is_last = place + 1 == branches.len() && is_empty(otherwise);
+            if let Some(first) = body.iter().find(|first| !matches!(first, Statement::Heading(_))) {
+                self.code.about(&self.program.word(first));
+            }
             let next = if is_last { done.clone() } else { self.code.new_label() };
             self.condition(*condition);
             self.code.jump_unless(&next);

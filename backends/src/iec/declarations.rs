@@ -3,12 +3,12 @@
 use super::literals::{self, is_zero, type_name};
 use super::names::{Names, remark};
 use crate::comment::clean;
-use crate::writer::Writer;
+use crate::writer::{Writer, column_of};
 use ecow::EcoString;
 use grafc_formula::Type;
-use grafc_logic::scan::{Origin, Origins, Program, Role, State, VarId, Variable};
+use grafc_logic::scan::{GrafcetId, Held, Origin, Origins, Program, Role, State, VarId, Variable};
 use rustc_hash::FxHashMap;
-use std::borrow::Borrow;
+use std::borrow::{Borrow, Cow};
 
 /// Comments of neighbouring declarations start in one column, unless a declaration is longer than this.
 const FURTHEST_COLUMN: usize = 48;
@@ -21,8 +21,11 @@ pub(crate) struct VarBlock {
     /// What the variables are to the outside.
     pub kind: VarKind,
     /// Headings and what stands below them; some may be empty.
-    pub sections: Vec<(&'static str, Vec<Entry>)>,
+    pub sections: Vec<(Cow<'static, str>, Vec<Entry>)>,
 }
+
+/// The heading of what lives within one call.
+const WITHIN: &str = "values within one call";
 
 /// What the variables of a block are to the outside.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -31,6 +34,8 @@ pub(crate) enum VarKind {
     Output,
     Constant,
     Local,
+    /// They live within one call, and the target does not keep them.
+    Temporary,
 }
 
 impl VarKind {
@@ -41,13 +46,14 @@ impl VarKind {
             VarKind::Output => "VAR_OUTPUT",
             VarKind::Constant => "VAR CONSTANT",
             VarKind::Local => "VAR",
+            VarKind::Temporary => "VAR_TEMP",
         }
     }
 }
 
 impl VarBlock {
     fn new(kind: VarKind, sections: Vec<(&'static str, Vec<Entry>)>) -> Self {
-        VarBlock { kind, sections }
+        VarBlock { kind, sections: sections.into_iter().map(|(heading, entries)| (heading.into(), entries)).collect() }
     }
 
     /// Keeps the variables of whose names it is true.
@@ -63,7 +69,7 @@ impl VarBlock {
             for (heading, entries) in &self.sections {
                 let entries: Vec<&Entry> = entries.iter().filter(|entry| entry.retain == retain).collect();
                 if !entries.is_empty() {
-                    sections.push((*heading, entries));
+                    sections.push((heading.as_ref(), entries));
                 }
             }
             (!sections.is_empty()).then_some(VarList { kind: self.kind, retain, sections })
@@ -83,7 +89,7 @@ pub(crate) struct VarList<'b> {
     /// Whether a warm restart leaves them as they are.
     pub retain: bool,
     /// Headings and what stands below them; none is empty.
-    pub sections: Vec<(&'static str, Vec<&'b Entry>)>,
+    pub sections: Vec<(&'b str, Vec<&'b Entry>)>,
 }
 
 impl<'b> VarList<'b> {
@@ -215,17 +221,35 @@ pub(crate) fn interface_from<'p>(
             VarKind::Local => {
                 let mut within = entries(|v| v.role == Role::Temporary);
                 within.append(&mut more);
-                vec![
-                    ("internal variables", entries(|v| v.role == Role::Internal && !v.is_published())),
-                    ("steps", steps(program, names, of_variable)),
-                    ("timers", timers()),
-                    ("memory from call to call", entries(|v| v.role == Role::Memory)),
-                    ("values within one call", within),
-                ]
+                let internal = entries(|v| v.role == Role::Internal && !v.is_published());
+                let mut sections = vec![("internal variables".into(), internal)];
+                sections.extend(steps(program, names, of_variable));
+                sections.extend([
+                    ("timers".into(), timers()),
+                    ("memory from call to call".into(), entries(|v| v.role == Role::Memory)),
+                    (WITHIN.into(), within),
+                ]);
+                return VarBlock { kind, sections };
             }
+            VarKind::Temporary => Vec::new(),
         };
         VarBlock::new(kind, sections)
     })
+}
+
+/// The same blocks, with what lives within one call in one of its own.
+pub(crate) fn with_temporaries(mut blocks: Vec<VarBlock>) -> Vec<VarBlock> {
+    let mut sections: Vec<Vec<(Cow<'static, str>, Vec<Entry>)>> = Vec::new();
+    for block in blocks.iter_mut().filter(|block| block.kind == VarKind::Local) {
+        let (within, kept) =
+            std::mem::take(&mut block.sections).into_iter().partition(|(heading, _)| heading == WITHIN);
+        block.sections = kept;
+        sections.push(within);
+    }
+    let mut sections: Vec<_> = sections.into_iter().flatten().collect();
+    sections.iter_mut().for_each(|(heading, _)| *heading = "".into());
+    blocks.push(VarBlock { kind: VarKind::Temporary, sections });
+    blocks
 }
 
 /// The declaration of a variable.
@@ -249,34 +273,75 @@ pub(super) fn entry(id: VarId, variable: &Variable, names: &Names) -> Entry {
     }
 }
 
-/// The situation: a variable a step, or one that says which of several steps is active.
-fn steps(program: &Program, names: &Names, of_variable: impl Fn(VarId) -> Origin) -> Vec<Entry> {
+/// The situation, grafcet by grafcet: a variable a step, or one that says which of several steps is active.
+fn steps(
+    program: &Program,
+    names: &Names,
+    of_variable: impl Fn(VarId) -> Origin,
+) -> Vec<(Cow<'static, str>, Vec<Entry>)> {
     let states: FxHashMap<VarId, &State> = program.states.iter().map(|state| (state.variable, state)).collect();
     let all = program.variables.iter_enumerated().filter(|(_, v)| matches!(v.role, Role::Step | Role::State));
     let with_values = |(id, variable)| {
         let mut entry = Entry { origin: of_variable(id), ..entry(id, variable, names) };
         if let Some(state) = states.get(&id) {
-            let values = values(state);
+            let values = values(program, state);
             entry.comment = Some(entry.comment.map_or_else(|| values.clone(), |text| format!("{text}: {values}")));
         }
         entry
     };
-    all.map(with_values).collect()
+    let elements = &program.elements;
+    let headed = elements.has_several_grafcets() || elements.grafcets.iter().any(|g| g.comment.is_some());
+    if !headed {
+        return vec![("steps".into(), all.map(with_values).collect())];
+    }
+    let mut of: FxHashMap<VarId, GrafcetId> = FxHashMap::default();
+    for (s, step) in program.steps.iter_enumerated() {
+        let variable = match step.held {
+            Held::Bit(variable) => variable,
+            Held::State(place, _) => program.states[place].variable,
+        };
+        of.extend(elements.grafcet_of(s).map(|g| (variable, g)));
+    }
+    // Steps that a pass has added are in none.
+    let mut sections: Vec<(Cow<'static, str>, Vec<Entry>)> =
+        elements.grafcets.iter().map(|g| (format!("steps of {}", clean(&g.title())).into(), Vec::new())).collect();
+    sections.push(("steps of ours".into(), Vec::new()));
+    for (id, variable) in all {
+        let place = of.get(&id).map_or(elements.grafcets.len(), |g| g.index());
+        sections[place].1.push(with_values((id, variable)));
+    }
+    sections
 }
 
-/// What the values of a state stand for: `0 none, 1 to 11`.
-fn values(state: &State) -> String {
-    let mut values: Vec<i64> = state.values.iter().map(|(_, value)| *value).collect();
+/// So many values of a state are explained one by one.
+const EXPLAINED: usize = 24;
+
+/// What the values of a state stand for: `0 none, 1 Closed, 2 Opening`, and of steps that are numbers `1 to 11`.
+fn values(program: &Program, state: &State) -> String {
+    let mut values: Vec<(i64, &str)> = state.values.iter().map(|(s, value)| (*value, program.label(*s))).collect();
     values.sort_unstable();
-    let runs = values.chunk_by(|a, b| a + 1 == *b);
+    // `Y` of step `Y3` with the value 3.
+    let word = |(value, label): &(i64, &'_ str)| label.strip_suffix(&value.to_string()).map(str::to_owned);
+    let runs = values.chunk_by(|a, b| a.0 + 1 == b.0 && word(a).is_some() && word(a) == word(b));
     let mut parts: Vec<String> = state.idle.iter().map(|idle| format!("{idle} none")).collect();
     for run in runs {
         match run {
-            [first, _, .., last] => parts.push(format!("{first} to {last}")),
-            few => parts.extend(few.iter().map(i64::to_string)),
+            [first, _, .., last] if word(first).is_some_and(|word| word.is_empty()) => {
+                parts.push(format!("{} to {}", first.0, last.0));
+            }
+            [first, _, .., last] => parts.push(format!("{} to {} {} to {}", first.0, last.0, first.1, last.1)),
+            few => parts.extend(few.iter().map(|(value, label)| match *label {
+                label if label == value.to_string() => label.to_owned(),
+                label => format!("{value} {label}"),
+            })),
         }
     }
-    parts.join(", ")
+    let more = parts.len().saturating_sub(EXPLAINED);
+    if more > 1 {
+        parts.truncate(EXPLAINED);
+        parts.push(format!("… ({more} more)"));
+    }
+    clean(&parts.join(", "))
 }
 
 /// A block of local variables.
@@ -309,10 +374,13 @@ fn write_block(out: &mut Writer, block: &VarBlock, retain: &str) {
 fn section(out: &mut Writer, entries: &[&Entry]) {
     let commented = entries.iter().filter(|entry| entry.comment.is_some());
     let lengths = commented.map(|entry| out.indent() + entry.text().len());
-    let column = lengths.filter(|length| *length <= FURTHEST_COLUMN).max().unwrap_or(0);
-    let mut entries = entries.iter().peekable();
+    let column = column_of(lengths.filter(|length| *length <= FURTHEST_COLUMN).max().unwrap_or(0));
     let outer = out.origin(Origin::Chart);
-    while let Some(entry) = entries.next() {
+    // How many neighbours are alike but have a line each.
+    let mut alone = 0;
+    let mut place = 0;
+    while let Some(entry) = entries.get(place) {
+        place += 1;
         out.origin(entry.origin);
         let text = entry.text();
         let length = out.indent() + text.len();
@@ -328,18 +396,26 @@ fn section(out: &mut Writer, entries: &[&Entry]) {
             out.end();
             continue;
         }
-        // Plain neighbours of one type share a line.
+        // Plain neighbours of one type share a line if all of them fit; else each has its own, so that one more does not
+        // move all others.
         out.start();
         out.text(&entry.name);
-        let mut length = length;
-        while entry.is_plain() {
-            let fits =
-                |next: &&Entry| next.is_plain() && next.ty == entry.ty && length + 2 + next.name.len() <= out.width();
-            let Some(next) = entries.next_if(|next| fits(next)) else { break };
-            out.text(", ");
-            out.text(&next.name);
-            out.also(next.origin);
-            length += 2 + next.name.len();
+        if alone == 0 {
+            let alike = entries[place..].iter().take_while(|next| next.is_plain() && next.ty == entry.ty);
+            let alike = if entry.is_plain() { alike.count() } else { 0 };
+            let names = entries[place..place + alike].iter().map(|next| 2 + next.name.len()).sum::<usize>();
+            if length + names <= out.width() {
+                for next in &entries[place..place + alike] {
+                    out.text(", ");
+                    out.text(&next.name);
+                    out.also(next.origin);
+                }
+                place += alike;
+            } else {
+                alone = alike;
+            }
+        } else {
+            alone -= 1;
         }
         out.text(&text[entry.name.len()..]);
         out.end();

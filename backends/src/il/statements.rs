@@ -5,14 +5,15 @@
 
 use super::code::{Code, Known};
 use super::expressions::Expressions;
+use crate::comment::clean;
 use crate::iec::literals::{operand, zero};
 use crate::iec::names::Names;
 use crate::writer::{self, Writer};
 use ecow::EcoString;
 use grafc_formula::{FormulaId, Value};
 use grafc_logic::scan::{
-    Arm, ByMinusOne, Division, Guard, Limit, Origins, Program, Repeat, Statement, TimerId, VarId, is_empty, origin_of,
-    origin_of_end,
+    Arm, ByMinusOne, Division, Guard, Limit, Origin, Origins, Program, Repeat, Statement, TimerId, VarId, is_empty,
+    origin_of, origin_of_end,
 };
 
 /// So many arms of a choice are tried one after the other; of more, a jump passes over half.
@@ -21,8 +22,8 @@ const FEW_ARMS: usize = 8;
 /// The instructions of one call.
 pub(super) fn body(program: &Program, names: &mut Names, traced: bool) -> Code {
     let code = Code::new(Writer::new(&writer::IEC).traced(traced));
-    let origins = traced.then(|| program.origins());
-    let mut body = IlStatements { program, names, expressions: Expressions::new(program), code, origins };
+    let (what, origins) = (EcoString::new(), traced.then(|| program.origins()));
+    let mut body = IlStatements { program, names, expressions: Expressions::new(program), code, what, origins };
     body.block(&program.first, None);
     body.block(&program.before, None);
     match program.repeat {
@@ -43,6 +44,8 @@ struct IlStatements<'p, 'n> {
     names: &'n mut Names,
     expressions: Expressions<'p>,
     code: Code,
+    /// What is written now: labels within it are called after that, and not by how many came before.
+    what: EcoString,
     /// Where variables come from, if somebody asks.
     origins: Option<Origins>,
 }
@@ -69,11 +72,13 @@ impl IlStatements<'_, '_> {
 
     /// A label that nothing else is called like.
     fn new_label(&mut self, wanted: &str) -> EcoString {
-        self.names.namer.name(wanted)
+        let wanted = if self.what.is_empty() { wanted.to_owned() } else { format!("{wanted}_{}", self.what) };
+        self.names.namer.name(&wanted)
     }
 
     /// The stability loop; where it has a limit, the flag when it was cut off.
     fn repeat(&mut self, repeat: Repeat) {
+        self.what.clear();
         let start = self.new_label("micro_step");
         let again = self.name(repeat.again);
         let count = repeat.limit.map(|limit| self.name(limit.count));
@@ -111,7 +116,13 @@ impl IlStatements<'_, '_> {
             let after = after.filter(|_| place + 1 == statements.len());
             let outer = self.code.out.inner_origin(statement.origin());
             match statement {
-                Statement::Heading(heading) => self.code.heading(heading.text()),
+                Statement::Heading(_) | Statement::Assign { .. } | Statement::CallTimer { .. } => {}
+                Statement::Divide(_) | Statement::Case { .. } | Statement::If { .. } => {
+                    self.what = self.program.word(statement);
+                }
+            }
+            match statement {
+                Statement::Heading(heading) => self.code.heading(&clean(&self.program.heading(*heading))),
                 Statement::Assign { target, value, origin, told } => {
                     self.about(*target, *value);
                     self.code.remark(self.program.remark(*origin, *told).as_deref());
@@ -232,6 +243,9 @@ impl IlStatements<'_, '_> {
         }
         for (place, arm) in arms.iter().enumerate() {
             let is_last = place + 1 == arms.len();
+            if let Origin::Step(s) = arm.origin {
+                self.what = self.program.label(s).into();
+            }
             let next = if is_last { done.into() } else { self.new_label("next") };
             let outer = self.code.out.inner_origin(arm.origin);
             self.code.remark(self.program.remark(arm.origin, arm.told).as_deref());
@@ -258,6 +272,9 @@ impl IlStatements<'_, '_> {
         for (place, (condition, body)) in branches.iter().enumerate() {
             let outer = self.code.out.inner_origin(origin_of(body));
             let is_last = place + 1 == branches.len() && is_empty(otherwise);
+            if let Some(first) = body.iter().find(|first| !matches!(first, Statement::Heading(_))) {
+                self.what = self.program.word(first);
+            }
             let next = if is_last { done.clone() } else { self.new_label("next") };
             self.load(*condition);
             self.code.jump_unless(&next);

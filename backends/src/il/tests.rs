@@ -204,8 +204,8 @@ fn what_is_in_the_accumulator_is_not_loaded_again() {
     });
     assert_eq!(
         list(&program),
-        "LD a, JMPCN next, ST y, STN z, JMP done, next:, LD b, JMPCN next_1, LD c, ST y, LD TRUE, ST z, JMP done, \
-         next_1:, ST y, STN z, done:, LD FALSE, ST y, ST z"
+        "LD a, JMPCN next_y, ST y, STN z, JMP done_y, next_y:, LD b, JMPCN next_y_1, LD c, ST y, LD TRUE, ST z, JMP done_y, \
+         next_y_1:, ST y, STN z, done_y:, LD FALSE, ST y, ST z"
     );
 }
 
@@ -230,16 +230,21 @@ fn a_choice_tries_its_arms() {
     // A later arm may not be found by what an earlier one has written.
     assert_eq!(
         list(&build(2)),
-        "LD at_G1, EQ 2, JMPCN next, LD 1, ST at_G1, JMP done, next:, LD at_G1, EQ 1, JMPCN done, ST y, done:"
+        "LD at_G1, EQ 2, JMPCN next_at_G1, LD 1, ST at_G1, JMP done_at_G1, next_at_G1:, LD at_G1, EQ 1, JMPCN done_at_G1, ST y, done_at_G1:"
     );
     // Nine arms are halved: 1 to 4, 5 to 9.
     let nine = list(&build(9));
     assert!(
-        nine.starts_with("LD at_G1, GE 5, JMPC upper, LD at_G1, EQ 1, JMPCN next, ST y, JMP done, next:, "),
+        nine.starts_with(
+            "LD at_G1, GE 5, JMPC upper_at_G1, LD at_G1, EQ 1, JMPCN next_at_G1, ST y, JMP done_at_G1, next_at_G1:, "
+        ),
         "{nine}"
     );
-    assert!(nine.contains("LD at_G1, EQ 4, JMPCN done, ST y, JMP done, upper:, LD at_G1, EQ 5, JMPCN "), "{nine}");
-    assert!(nine.ends_with("LD at_G1, EQ 9, JMPCN done, ST y, done:"), "{nine}");
+    assert!(
+        nine.contains("EQ 4, JMPCN done_at_G1, ST y, JMP done_at_G1, upper_at_G1:, LD at_G1, EQ 5, JMPCN "),
+        "{nine}"
+    );
+    assert!(nine.ends_with("LD at_G1, EQ 9, JMPCN done_at_G1, ST y, done_at_G1:"), "{nine}");
     // Four instructions an arm, one more in that of 2, three for the halving, and no jump at the very end.
     assert_eq!(instructions(&build(9)).expect("a count"), 9 * 5 + 1 + 3 - 1);
 }
@@ -261,19 +266,19 @@ fn a_division_is_guarded() {
     };
     assert_eq!(
         list(&divide(Type::Int, false)),
-        "LD k, EQ 0, JMPCN divide, ST DIV0, LD 0, JMP quotient, divide:, LD n, DIV k, quotient:, ST y"
+        "LD k, EQ 0, JMPCN divide_y, ST DIV0, LD 0, JMP quotient_y, divide_y:, LD n, DIV k, quotient_y:, ST y"
     );
     assert_eq!(
         list(&divide(Type::Dint, false)),
-        "LD k, EQ 0, JMPCN divide, ST DIV0, LD 0, JMP quotient, \
-         divide:, LD k, EQ -1, JMPCN divide_1, LD 0, SUB n, JMP quotient, \
-         divide_1:, LD n, DIV k, quotient:, ST y"
+        "LD k, EQ 0, JMPCN divide_y, ST DIV0, LD 0, JMP quotient_y, \
+         divide_y:, LD k, EQ -1, JMPCN divide_y_1, LD 0, SUB n, JMP quotient_y, \
+         divide_y_1:, LD n, DIV k, quotient_y:, ST y"
     );
     assert_eq!(
         list(&divide(Type::Dint, true)),
-        "LD k, EQ 0, JMPCN divide, ST DIV0, LD 0, JMP quotient, \
-         divide:, LD k, EQ -1, JMPCN divide_1, LD 0, JMP quotient, \
-         divide_1:, LD n, MOD k, quotient:, ST y"
+        "LD k, EQ 0, JMPCN divide_y, ST DIV0, LD 0, JMP quotient_y, \
+         divide_y:, LD k, EQ -1, JMPCN divide_y_1, LD 0, JMP quotient_y, \
+         divide_y_1:, LD n, MOD k, quotient_y:, ST y"
     );
     // A constant too may be the one that overflows.
     let constant = |value: i64, modulo: bool| {
@@ -284,8 +289,8 @@ fn a_division_is_guarded() {
         });
         list(&program)
     };
-    assert!(constant(-2_147_483_648, true).contains("LD k, EQ -1, JMPCN divide_1, LD 0, JMP quotient"));
-    assert!(constant(-2_147_483_648, false).contains("EQ -1, JMPCN divide_1, LD -2147483648, JMP quotient"));
+    assert!(constant(-2_147_483_648, true).contains("LD k, EQ -1, JMPCN divide_y_1, LD 0, JMP quotient_y"));
+    assert!(constant(-2_147_483_648, false).contains("EQ -1, JMPCN divide_y_1, LD -2147483648, JMP quotient_y"));
     assert!(!constant(-2_147_483_647, true).contains("EQ -1"));
     let by_nothing = body(&[("n", Type::Int)], Type::Int, |b, i, target| {
         let flag = b.bit(Role::Flag(Flag::Div0), "DIV0");
@@ -349,7 +354,7 @@ fn operators_are_no_names() {
     let yes = b.pool().truth(true);
     b.program.after = vec![when(when_s, vec![assign(ids[1], yes)])];
     assert_eq!(super::names(&b.program).raw, ["S_1", "R_1", "in_1", "CLK_1", "jmpc_1", "done", "X1"]);
-    assert_eq!(list(&b.program), "LD S_1, JMPCN done_1, ST R_1, done_1:");
+    assert_eq!(list(&b.program), "LD S_1, JMPCN done_R, ST R_1, done_R:");
 }
 
 #[test]
@@ -369,10 +374,10 @@ fn comments_stand_where_the_reader_looks() {
         (* outputs *)
             LD    at_G1                   (* step 1 *)
             EQ    1
-            JMPCN done
+            JMPCN done_at_G1
             LD    a
             AND   b
-            JMPCN done
+            JMPCN done_at_G1
             LD    a                       (* 1 -> 2 *)
             AND   b
             ST    y
@@ -380,7 +385,7 @@ fn comments_stand_where_the_reader_looks() {
            before what it is for *)
             LD    c
             ST    y
-        done:
+        done_at_G1:
 
         (* situation *)
 

@@ -13,6 +13,7 @@ pub(super) fn write(xml: &mut Xml, blocks: &[VarBlock], dialect: Dialect) {
             VarKind::Output => ("outputVars", None),
             VarKind::Constant => ("localVars", Some(("constant", "true"))),
             VarKind::Local => ("localVars", None),
+            VarKind::Temporary => ("tempVars", None),
         };
         let retain = list.retain.then_some(("retain", "true"));
         xml.open(element, &constant.into_iter().chain(retain).collect::<Vec<_>>());

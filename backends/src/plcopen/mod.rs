@@ -17,6 +17,7 @@ pub(crate) mod target;
 
 pub use dialect::Dialect;
 
+use crate::iec::declarations::with_temporaries;
 use crate::il;
 use crate::st::{self, Style};
 use grafc_diagnostics::Diagnostics;
@@ -53,7 +54,10 @@ pub struct Options {
 ///
 /// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
 pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
-    let parts = st::parts(program, Style::default())?;
+    let mut parts = st::parts(program, Style::default())?;
+    if options.dialect == Dialect::Codesys {
+        parts.interface = with_temporaries(parts.interface);
+    }
     Ok(project::write(&parts, options, &[], |xml, dialect| dialect.body(xml, "ST", &parts.body)))
 }
 

@@ -8,7 +8,7 @@
 pub(crate) mod target;
 
 use crate::comment::clean;
-use crate::iec::declarations::{Entry, EntryType, RETAIN, VarBlock, VarKind, VarList};
+use crate::iec::declarations::{Entry, EntryType, RETAIN, VarBlock, VarKind, VarList, with_temporaries};
 use crate::iec::pou_parts::PouParts;
 use crate::lines::Lines;
 use crate::st::{self, Style};
@@ -36,6 +36,7 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
 fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, Lines), Diagnostics> {
     let parts = st::parts(program, Style { mark: "#", comments: &writer::SCL, traced })?;
     let mut out = Writer::new(&writer::SCL).traced(traced);
+    let parts = PouParts { interface: with_temporaries(parts.interface), ..parts };
     function_block(&mut out, &parts, &options.header);
     out.blank();
     out.line(&format!("DATA_BLOCK \"{0}_DB\" \"{0}\"", parts.block));
@@ -77,15 +78,19 @@ fn function_block(out: &mut Writer, parts: &PouParts, header: &[String]) {
 
 fn declarations(out: &mut Writer, list: &VarList) {
     out.open(&list.keyword(RETAIN));
-    for entry in list.entries() {
-        let text = declaration(entry);
-        out.origin(entry.origin);
-        out.start();
-        out.text(&text);
-        if let Some(comment) = &entry.comment {
-            out.trailing_comment(0, 0, comment);
+    for (heading, entries) in &list.sections {
+        out.origin(Origin::Chart);
+        out.comment(heading);
+        for entry in entries {
+            let text = declaration(entry);
+            out.origin(entry.origin);
+            out.start();
+            out.text(&text);
+            if let Some(comment) = &entry.comment {
+                out.trailing_comment(0, 0, comment);
+            }
+            out.end();
         }
-        out.end();
     }
     out.origin(Origin::Chart);
     out.close("END_VAR");

@@ -91,6 +91,13 @@ pub(crate) fn before(program: &Program, names: &Names) -> Writer {
     out
 }
 
+/// The statements that come last.
+pub(crate) fn after(program: &Program, names: &Names) -> Writer {
+    let mut out = Writer::new(&writer::IEC);
+    statements::after(&mut out, program, names, &Expressions::new(program, names));
+    out
+}
+
 /// The statements of the program around the function block.
 pub(crate) fn call(program: &Program, names: &Names) -> String {
     let mut out = Writer::new(&writer::IEC);

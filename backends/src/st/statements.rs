@@ -4,7 +4,7 @@ use super::expressions::Expressions;
 use crate::comment::clean;
 use crate::iec::literals::{literal, zero};
 use crate::iec::names::Names;
-use crate::writer::Writer;
+use crate::writer::{STEP, Writer, column_of};
 use grafc_formula::{Formula, FormulaId, Value};
 use grafc_logic::scan::{
     Arm, ByMinusOne, Division, Guard, Origins, Program, Repeat, Statement, TimerId, Told, VarId, is_empty, origin_of,
@@ -33,6 +33,11 @@ pub(super) fn before(out: &mut Writer, program: &Program, names: &Names, express
     let body = StStatements::new(out, program, names, expressions);
     body.block(out, &program.first);
     body.block(out, &program.before);
+}
+
+/// Writes what comes last.
+pub(super) fn after(out: &mut Writer, program: &Program, names: &Names, expressions: &Expressions) {
+    StStatements::new(out, program, names, expressions).block(out, &program.after);
 }
 
 struct StStatements<'p> {
@@ -94,7 +99,7 @@ impl<'p> StStatements<'p> {
             match statement {
                 Statement::Heading(heading) => {
                     out.blank();
-                    out.comment(heading.text());
+                    out.comment(&clean(&self.program.heading(*heading)));
                 }
                 Statement::Assign { target, value, origin, told } => {
                     if place >= end {
@@ -124,13 +129,15 @@ impl<'p> StStatements<'p> {
     fn remark_column(&self, out: &Writer, statements: &[Statement], start: usize) -> (usize, usize) {
         let mut column = 0;
         for (place, statement) in statements.iter().enumerate().skip(start) {
-            let Statement::Assign { target, value, told, .. } = statement else { return (column, place) };
+            let Statement::Assign { target, value, origin, told } = statement else {
+                return (column_of(column), place);
+            };
             let length = self.length(out.indent(), *target, *value);
-            if *told != Told::Nothing && length <= out.furthest_remark() {
+            if self.program.says(*origin, *told) && length <= out.furthest_remark() {
                 column = column.max(length);
             }
         }
-        (column, statements.len())
+        (column_of(column), statements.len())
     }
 
     fn assign(&self, out: &mut Writer, target: VarId, value: FormulaId, remark: Option<String>, column: usize) {
@@ -254,6 +261,10 @@ impl<'p> StStatements<'p> {
         for arm in arms {
             let outer = out.inner_origin(arm.origin);
             let label = format!("{}:", arm.value);
+            if self.arm_on_lines(out, arm, &format!("{label:<3} ")) {
+                out.origin(outer);
+                continue;
+            }
             let remark = self.program.remark(arm.origin, arm.told);
             let remark = remark.map(|text| clean(&text)).filter(|text| !text.is_empty());
             let length = out.indent() + label.len();
@@ -275,7 +286,113 @@ impl<'p> StStatements<'p> {
         out.close("END_CASE;");
     }
 
+    /// `1:  IF a THEN x := 1; END_IF;`, if an arm does no more and its step has no comment.
+    fn arm_on_lines(&self, out: &mut Writer, arm: &Arm, lead: &str) -> bool {
+        let [Statement::If { branches, otherwise }] = arm.body.as_slice() else { return false };
+        // What follows the first line stands below its `IF`.
+        let below = lead.len() == STEP || branches.len() == 1;
+        if !below || self.program.says(arm.origin, Told::Comment) {
+            return false;
+        }
+        let Some(lengths) = self.lengths_of_lines(out, branches, otherwise, lead.len()) else { return false };
+        self.branches_on_lines(out, branches, &lengths, lead);
+        true
+    }
+
+    /// The columns of the branches of a choice that are short enough for a line each: each stores few constants.
+    fn lengths_of_lines(
+        &self,
+        out: &Writer,
+        branches: &[(FormulaId, Vec<Statement>)],
+        otherwise: &[Statement],
+        lead: usize,
+    ) -> Option<Vec<usize>> {
+        const MOST: usize = 5;
+        if branches.is_empty() || !otherwise.is_empty() {
+            return None;
+        }
+        let mut lengths = Vec::with_capacity(branches.len());
+        for (place, (when, body)) in branches.iter().enumerate() {
+            let word = if place == 0 { "IF  THEN" } else { "ELSIF  THEN" };
+            let end = if branches.len() == 1 { " END_IF;" } else { "" };
+            let mut length =
+                (out.indent() + lead + word.len() + end.len()).saturating_add(self.expressions.width(*when));
+            if body.len() > MOST {
+                return None;
+            }
+            for (place, statement) in body.iter().enumerate() {
+                let Statement::Assign { target, value, origin, told } = statement else { return None };
+                let aside = place > 0 && self.program.says(*origin, *told);
+                if aside || self.program.pool.as_constant(*value).is_none() {
+                    return None;
+                }
+                length = length.saturating_add(1 + self.length(0, *target, *value));
+            }
+            if length > out.width() {
+                return None;
+            }
+            lengths.push(length);
+        }
+        Some(lengths)
+    }
+
+    /// `IF a THEN x := 1; END_IF;`, or a line for each branch.
+    fn branches_on_lines(
+        &self,
+        out: &mut Writer,
+        branches: &[(FormulaId, Vec<Statement>)],
+        lengths: &[usize],
+        lead: &str,
+    ) {
+        let furthest = out.furthest_remark();
+        let column = column_of(lengths.iter().copied().filter(|length| *length <= furthest).max().unwrap_or(0));
+        for (place, ((when, body), length)) in branches.iter().zip(lengths).enumerate() {
+            let outer = out.inner_origin(origin_of(body));
+            let said = match body.first() {
+                Some(Statement::Assign { origin, told, .. }) => self.program.remark(*origin, *told),
+                _ => None,
+            };
+            let said = said.map(|text| clean(&text)).filter(|text| !text.is_empty());
+            let behind = said.as_deref().filter(|text| out.fits_behind((*length).max(column), text));
+            if behind.is_none() {
+                out.comment(said.as_deref().unwrap_or_default());
+            }
+            out.start();
+            out.text(if place == 0 { lead } else { "" });
+            out.text(if place == 0 { "IF " } else { "ELSIF " });
+            self.expressions.flat(out, *when);
+            out.text(" THEN");
+            for statement in body {
+                let Statement::Assign { target, value, .. } = statement else { continue };
+                self.about(out, *target, *value);
+                out.text(" ");
+                out.text(self.name(*target));
+                out.text(" := ");
+                self.expressions.value(out, *value);
+                out.text(";");
+            }
+            out.text(if branches.len() == 1 { " END_IF;" } else { "" });
+            if let Some(text) = behind {
+                out.trailing_comment(*length, column, text);
+            }
+            out.end();
+            out.origin(outer);
+            if place == 0 && !lead.is_empty() {
+                out.enter();
+            }
+        }
+        if branches.len() > 1 {
+            out.line("END_IF;");
+        }
+        if !lead.is_empty() {
+            out.leave();
+        }
+    }
+
     fn branch(&self, out: &mut Writer, branches: &[(FormulaId, Vec<Statement>)], otherwise: &[Statement]) {
+        if let Some(lengths) = self.lengths_of_lines(out, branches, otherwise, 0) {
+            return self.branches_on_lines(out, branches, &lengths, "");
+        }
         let mut word = "IF";
         for (condition, body) in branches {
             let outer = out.inner_origin(origin_of(body));

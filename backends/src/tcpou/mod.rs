@@ -33,7 +33,8 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
     declaration.block_comment(options.header.iter().map(|line| clean(line)));
     declaration.comment(parts.description.as_deref().unwrap_or_default());
     declaration.line(&format!("FUNCTION_BLOCK {}", parts.block));
-    declarations::write(&mut declaration, &parts.interface, PERSISTENT);
+    let interface = declarations::with_temporaries(parts.interface);
+    declarations::write(&mut declaration, interface, PERSISTENT);
 
     let id = format!("{{{}}}", Uuid::new_v5(&Uuid::NAMESPACE_URL, format!("grafc:{}", parts.block).as_bytes()));
     let mut xml = Xml::new();

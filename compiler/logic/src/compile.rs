@@ -10,9 +10,10 @@ use crate::encode::outputs;
 use crate::encode::stored::heading;
 use crate::encode::task::Task;
 use crate::lower::Lowering;
+use crate::lower::cover::is_small;
 use crate::options::{Encoding, Options};
 use crate::scan::{Elements, Flag, Heading, Limit, Program, Repeat, Role};
-use crate::tidy::{absorb, idle_delays, long_chains, sweep};
+use crate::tidy::{absorb, idle_delays, join, long_chains, once, sweep};
 use crate::warn::overlap;
 use grafc_diagnostics::Diagnostics;
 use grafc_formula::Type;
@@ -37,7 +38,8 @@ pub fn compile(analysis: Analysis, options: &Options) -> (Program, Diagnostics) 
     let mut followers = None;
     if options.encoding == Encoding::Switch {
         // Now that it is known which steps share a state, once more with these.
-        let mut lowering = Lowering::new(net.clone(), Some(&cover));
+        let cover = cover.with_lone(|s| components.covers(s));
+        let mut lowering = Lowering::new(net.clone(), Some(&cover), options.simplify);
         followers = Some(outputs::followers(&mut lowering));
         conditions = Conditions::new(lowering);
     }
@@ -77,7 +79,7 @@ pub fn compile(analysis: Analysis, options: &Options) -> (Program, Diagnostics) 
     micro_step.extend(encode::micro_step(&mut lowering, &mut cx, &task, &mut input_event));
     // Timers of durations are known only now that every moment that reads them has been lowered.
     let mut after = Vec::new();
-    heading(&mut after, Heading::Outputs, outputs::statements(&mut lowering, followers.as_ref()));
+    after.extend(outputs::statements(&mut lowering, followers.as_ref()));
     micro_step.extend(lowering.call_step_timers());
     if repeat.is_some() {
         micro_step.extend(input_event.over(&mut lowering));
@@ -87,12 +89,16 @@ pub fn compile(analysis: Analysis, options: &Options) -> (Program, Diagnostics) 
     let mut before = lowering.call_step_timers();
     before.extend(input_event.found(&mut lowering));
 
+    let mut elements = Elements::of(&net);
+    if options.encoding == Encoding::Switch {
+        elements.find_setters(&net);
+    }
     let mut program = Program {
         name: net.name.to_string(),
         comment: net.comment.clone(),
         steps: lowering.situation.of_chart(&net),
         states: lowering.situation.states(),
-        elements: Elements::of(&net),
+        elements,
         variables: lowering.symbols.table,
         timers: lowering.timers,
         pool: lowering.pool,
@@ -105,8 +111,13 @@ pub fn compile(analysis: Analysis, options: &Options) -> (Program, Diagnostics) 
     };
     if options.simplify {
         absorb::absorb(&mut program);
-        idle_delays::rest(&mut program);
+        // A small chart calls all of them, which takes fewer lines.
+        if !is_small(&net) {
+            idle_delays::rest(&mut program);
+        }
+        once::once(&mut program);
     }
+    join::join(&mut program);
     sweep::sweep(&mut program);
     long_chains::cut(&mut program);
     debug_assert_eq!(crate::scan::verify(&program), Ok(()), "the program as compiled");

@@ -15,6 +15,7 @@
 //! | `scan/` | the program: its form, the check of its invariants, its text, its evaluator, what it takes |
 //! | `sequence/` | a net as a sequential function chart, or why it is none |
 //! | `warn/`, `report` | what was found, in words |
+//! | `spell` | conditions as the chart writes them |
 //!
 //! Formulas themselves are in the crate `grafc-formula`.
 
@@ -26,6 +27,7 @@ mod options;
 mod report;
 pub mod scan;
 pub mod sequence;
+mod spell;
 mod tidy;
 mod warn;
 

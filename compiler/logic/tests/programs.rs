@@ -53,7 +53,10 @@ fn four_steps_need_little() {
          initial step 1  step 2 { Q }  step 3  step 4
          transition 1 -> 2 : a  transition 2 -> 3 : b  transition 3 -> 4 : c  transition 4 -> 1 : d",
     );
-    assert_eq!(ours(&program), ["again", "micro_steps", "LIVELOCK", "clr_1", "clr_2", "clr_3", "clr_4", "started"]);
+    assert_eq!(
+        ours(&program),
+        ["again", "micro_steps", "LIVELOCK", "clr_1_2", "clr_2_3", "clr_3_4", "clr_4_1", "started"]
+    );
     assert_eq!(reads(&program, "X2", "again"), 0, "one token: every clearing moves it");
     assert_eq!(program.micro_step.len(), 11, "four clearings, `again`, four steps, two headings");
 }
@@ -92,7 +95,7 @@ fn one_evolution_a_scan_has_no_loop() {
     let text = "input a : bool  initial step 1  step 2  transition 1 -> 2 : a";
     let program = compiled(text, Profile { evolution: Evolution::Scan, ..Profile::default() });
     assert!(program.repeat.is_none());
-    assert_eq!(ours(&program), ["clr_1", "started"]);
+    assert_eq!(ours(&program), ["clr_1_2", "started"]);
 }
 
 #[test]
@@ -133,7 +136,7 @@ fn deep_conditions_are_cut_into_pieces() {
     }
     let program = program(&format!("input a, b : bool  initial step 1  step 2  transition 1 -> 2 : {condition}"));
     assert!(program.pool.ids().all(|f| program.pool.depth(f) <= 60));
-    assert!(ours(&program).contains(&"part_1"));
+    assert!(ours(&program).len() > 1000 / 60, "each piece is a variable");
 }
 
 #[test]

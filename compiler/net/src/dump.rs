@@ -163,7 +163,7 @@ mod tests {
                 "G1, level 0",
                 "  steps 1, 2",
                 "G2, level 1",
-                "  steps 3, 4, 4_3",
+                "  steps 3, 4, `4_3`",
                 "  forced by 1: {3}",
                 "  forced by 2: {}",
                 "G3, level 2",
@@ -179,12 +179,17 @@ mod tests {
                 "initial 3 of G2",
                 "4 of G2",
                 "activated 5 of G3, within 4",
-                "auxiliary 4_3 of G2",
+                "auxiliary `4_3` of G2",
             ]
         );
         assert_eq!(
             below(&after, "transitions"),
-            ["#1: 1 -> 2 when true", "#2: 3 -> 4 when true", "(back): 4 -> 4_3 when true", "#4: 4_3 -> 3 when true"]
+            [
+                "#1: 1 -> 2 when true",
+                "#2: 3 -> 4 when true",
+                "(back): 4 -> `4_3` when true",
+                "#4: `4_3` -> 3 when true"
+            ]
         );
         assert_eq!(below(&after, "start"), ["orders disagree on it"]);
     }

@@ -197,7 +197,7 @@ impl WeighMixB4 {
             }
         }
 
-        // outputs
+        // outputs in G1: the cycle
         self.outputs.va = self.is_active(E2);
         self.outputs.vb = self.is_active(X20);
         self.outputs.vc = self.is_active(X21);
@@ -205,6 +205,8 @@ impl WeighMixB4 {
         self.outputs.mr = self.is_active(X4) || self.is_active(X5);
         self.outputs.tm_down = self.is_active(X5);
         self.outputs.tm_up = self.is_active(X6);
+
+        // outputs in G2: the lamp
         let xm2 =
             self.is_active(E2) || self.is_active(X20) || self.is_active(X21) || self.is_active(S2);
         let xm3 = self.is_active(E3) || self.is_active(X30) || self.is_active(S3);
@@ -226,7 +228,7 @@ impl WeighMixB4 {
         let mut again = inputs.td != self.old_td;
         self.old_td = inputs.td;
 
-        // next situation
+        // next situation in G1: the cycle
         let next_1 = !(self.is_active(E2) || self.is_active(E3))
             && ((self.is_active(X6) && inputs.s0) || self.is_active(X1));
         let next_4 = !self.is_active(X5)
@@ -235,16 +237,15 @@ impl WeighMixB4 {
             && ((self.is_active(X4) && self.on_x4.has_run(MIX_TIME)) || self.is_active(X5));
         let next_6 =
             !self.is_active(X1) && ((self.is_active(X5) && inputs.s1) || self.is_active(X6));
-        let next_e2 = !self.is_active(X20)
-            && ((self.is_active(X1) && inputs.cs && inputs.z && inputs.s0) || self.is_active(E2));
+        let all_x1_cs_z_more = self.is_active(X1) && inputs.cs && inputs.z && inputs.s0;
+        let next_e2 = !self.is_active(X20) && (all_x1_cs_z_more || self.is_active(E2));
         let next_20 =
             !self.is_active(X21) && ((self.is_active(E2) && inputs.a) || self.is_active(X20));
         let next_21 =
             !self.is_active(S2) && ((self.is_active(X20) && inputs.b) || self.is_active(X21));
         let next_s2 =
             !self.is_active(X4) && ((self.is_active(X21) && inputs.z) || self.is_active(S2));
-        let next_e3 = !self.is_active(X30)
-            && ((self.is_active(X1) && inputs.cs && inputs.z && inputs.s0) || self.is_active(E3));
+        let next_e3 = !self.is_active(X30) && (all_x1_cs_z_more || self.is_active(E3));
         let next_30 =
             !self.is_active(S3) && ((self.is_active(E3) && rise_td) || self.is_active(X30));
         let next_s3 =
@@ -262,7 +263,7 @@ impl WeighMixB4 {
             || next_30 != self.is_active(X30)
             || next_s3 != self.is_active(S3);
 
-        // situation
+        // situation in G1: the cycle
         self.set(X1, next_1);
         self.set(X4, next_4);
         self.set(X5, next_5);

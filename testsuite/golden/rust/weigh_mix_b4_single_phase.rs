@@ -190,7 +190,7 @@ impl WeighMixB4 {
 
         while self.micro_step(inputs, now) {}
 
-        // outputs
+        // outputs in G1: the cycle
         self.outputs.va = self.is_active(E2);
         self.outputs.vb = self.is_active(X20);
         self.outputs.vc = self.is_active(X21);
@@ -198,6 +198,8 @@ impl WeighMixB4 {
         self.outputs.mr = self.is_active(X4) || self.is_active(X5);
         self.outputs.tm_down = self.is_active(X5);
         self.outputs.tm_up = self.is_active(X6);
+
+        // outputs in G2: the lamp
         let xm2 =
             self.is_active(E2) || self.is_active(X20) || self.is_active(X21) || self.is_active(S2);
         let xm3 = self.is_active(E3) || self.is_active(X30) || self.is_active(S3);
@@ -219,7 +221,7 @@ impl WeighMixB4 {
         let mut again = inputs.td != self.old_td;
         self.old_td = inputs.td;
 
-        // transitions that clear
+        // transitions that clear in G1: the cycle
         // 1 -> E2, E3
         let clr_1 = self.is_active(X1) && inputs.cs && inputs.z && inputs.s0;
         // S2, S3 -> 4
@@ -242,7 +244,7 @@ impl WeighMixB4 {
         let clr_31 = self.is_active(X30) && rise_td;
         again = again || clr_1 || clr_2 || clr_3 || clr_4 || clr_5 || clr_20 || clr_21 || clr_22;
 
-        // situation
+        // situation in G1: the cycle
         self.set(X1, clr_5 || (self.is_active(X1) && !clr_1));
         self.set(X4, clr_2 || (self.is_active(X4) && !clr_3));
         self.set(X5, clr_3 || (self.is_active(X5) && !clr_4));

@@ -125,7 +125,7 @@ impl Step {
 
 /// Which of these steps is active.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum AtG1_1 {
+enum AtG1 {
     /// step 1: ready
     X1,
     /// step 4: mix
@@ -144,7 +144,7 @@ enum AtG1_1 {
     S2,
 }
 
-impl AtG1_1 {
+impl AtG1 {
     const ALL: [Self; 8] = [
         Self::X1,
         Self::X4,
@@ -159,7 +159,7 @@ impl AtG1_1 {
 
 /// Which of these steps is active.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum AtG1_2 {
+enum AtG1E3 {
     /// none of them
     None,
     /// step E3: first brick
@@ -170,19 +170,8 @@ enum AtG1_2 {
     S3,
 }
 
-impl AtG1_2 {
+impl AtG1E3 {
     const ALL: [Self; 4] = [Self::None, Self::E3, Self::X30, Self::S3];
-}
-
-/// Which of these steps is active.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum AtG2 {
-    /// step 9
-    X9,
-}
-
-impl AtG2 {
-    const ALL: [Self; 1] = [Self::X9];
 }
 
 /// weighing and mixing with macro-steps, IEC 60848 annex B.4
@@ -191,9 +180,10 @@ impl AtG2 {
 #[derive(Clone, Debug)]
 pub struct WeighMixB4 {
     // which step is active
-    at_g1_1: AtG1_1,
-    at_g1_2: AtG1_2,
-    at_g2: AtG2,
+    at_g1: AtG1,
+    at_g1_e3: AtG1E3,
+    // steps
+    x9: bool,
     // memory from scan to scan
     old_td: bool,
     /// false until the first call
@@ -215,9 +205,9 @@ impl WeighMixB4 {
     /// The chart before its first scan.
     pub const fn new() -> Self {
         Self {
-            at_g1_1: AtG1_1::X1,
-            at_g1_2: AtG1_2::None,
-            at_g2: AtG2::X9,
+            at_g1: AtG1::X1,
+            at_g1_e3: AtG1E3::None,
+            x9: false,
             old_td: false,
             started: false,
             on_x4: Timer::new(),
@@ -247,25 +237,31 @@ impl WeighMixB4 {
     pub fn scan(&mut self, inputs: &Inputs, now: u32) -> &Outputs {
         if !self.started {
             self.started = true;
-            self.at_g1_1 = AtG1_1::X1;
-            self.at_g1_2 = AtG1_2::None;
-            self.at_g2 = AtG2::X9;
+            self.x9 = true;
+            self.at_g1 = AtG1::X1;
             self.old_td = inputs.td;
         }
 
         while self.micro_step(inputs, now) {}
 
-        // outputs
-        let xm2 = self.at_g1_1 == AtG1_1::E2
-            || self.at_g1_1 == AtG1_1::X20
-            || self.at_g1_1 == AtG1_1::X21
-            || self.at_g1_1 == AtG1_1::S2;
-        let xm3 =
-            self.at_g1_2 == AtG1_2::E3 || self.at_g1_2 == AtG1_2::X30 || self.at_g1_2 == AtG1_2::S3;
-        // step 9
-        if self.at_g2 == AtG2::X9 {
-            self.outputs.busy = xm2 || xm3;
-        }
+        // outputs in G1: the cycle
+        self.outputs.va = self.at_g1 == AtG1::E2;
+        self.outputs.vb = self.at_g1 == AtG1::X20;
+        self.outputs.vc = self.at_g1 == AtG1::X21;
+        self.outputs.bm = self.at_g1_e3 == AtG1E3::E3 || self.at_g1_e3 == AtG1E3::X30;
+        self.outputs.mr = self.at_g1 == AtG1::X4 || self.at_g1 == AtG1::X5;
+        self.outputs.tm_down = self.at_g1 == AtG1::X5;
+        self.outputs.tm_up = self.at_g1 == AtG1::X6;
+
+        // outputs in G2: the lamp
+        let xm2 = self.at_g1 == AtG1::E2
+            || self.at_g1 == AtG1::X20
+            || self.at_g1 == AtG1::X21
+            || self.at_g1 == AtG1::S2;
+        let xm3 = self.at_g1_e3 == AtG1E3::E3
+            || self.at_g1_e3 == AtG1E3::X30
+            || self.at_g1_e3 == AtG1E3::S3;
+        self.outputs.busy = self.x9 && (xm2 || xm3);
 
         &self.outputs
     }
@@ -274,111 +270,97 @@ impl WeighMixB4 {
     #[inline(never)]
     fn micro_step(&mut self, inputs: &Inputs, now: u32) -> bool {
         // conditions
-        self.on_x4.call(self.at_g1_1 == AtG1_1::X4, now);
+        self.on_x4.call(self.at_g1 == AtG1::X4, now);
         let rise_td = inputs.td && !self.old_td;
 
         // memory of edges
         let mut again = inputs.td != self.old_td;
         self.old_td = inputs.td;
 
-        // transitions
-        let was_at_g1_2 = self.at_g1_2;
-        match self.at_g1_1 {
+        // transitions in G1: the cycle
+        let was_at_g1_e3 = self.at_g1_e3;
+        match self.at_g1 {
             // step 1: ready
-            AtG1_1::X1 => {
+            AtG1::X1 => {
                 if inputs.cs && inputs.z && inputs.s0 {
                     // 1 -> E2, E3
-                    self.at_g1_1 = AtG1_1::E2;
-                    self.at_g1_2 = AtG1_2::E3;
-                    self.outputs.va = true;
-                    self.outputs.bm = true;
+                    self.at_g1 = AtG1::E2;
+                    self.at_g1_e3 = AtG1E3::E3;
                     again = true;
                 }
             }
             // step 4: mix
-            AtG1_1::X4 => {
+            AtG1::X4 => {
                 if self.on_x4.has_run(MIX_TIME) {
                     // 4 -> 5
-                    self.at_g1_1 = AtG1_1::X5;
-                    self.outputs.tm_down = true;
+                    self.at_g1 = AtG1::X5;
                     again = true;
                 }
             }
             // step 5: tip, still turning
-            AtG1_1::X5 => {
+            AtG1::X5 => {
                 if inputs.s1 {
                     // 5 -> 6
-                    self.at_g1_1 = AtG1_1::X6;
-                    self.outputs.mr = false;
-                    self.outputs.tm_down = false;
-                    self.outputs.tm_up = true;
+                    self.at_g1 = AtG1::X6;
                     again = true;
                 }
             }
             // step 6: come back up
-            AtG1_1::X6 => {
+            AtG1::X6 => {
                 if inputs.s0 {
                     // 6 -> 1
-                    self.at_g1_1 = AtG1_1::X1;
-                    self.outputs.tm_up = false;
+                    self.at_g1 = AtG1::X1;
                     again = true;
                 }
             }
             // step E2: weigh A
-            AtG1_1::E2 => {
+            AtG1::E2 => {
                 if inputs.a {
                     // E2 -> 20
-                    self.at_g1_1 = AtG1_1::X20;
-                    self.outputs.va = false;
-                    self.outputs.vb = true;
+                    self.at_g1 = AtG1::X20;
                     again = true;
                 }
             }
             // step 20: weigh B
-            AtG1_1::X20 => {
+            AtG1::X20 => {
                 if inputs.b {
                     // 20 -> 21
-                    self.at_g1_1 = AtG1_1::X21;
-                    self.outputs.vb = false;
-                    self.outputs.vc = true;
+                    self.at_g1 = AtG1::X21;
                     again = true;
                 }
             }
             // step 21: empty the weighing unit into the mixer
-            AtG1_1::X21 => {
+            AtG1::X21 => {
                 if inputs.z {
                     // 21 -> S2
-                    self.at_g1_1 = AtG1_1::S2;
-                    self.outputs.vc = false;
+                    self.at_g1 = AtG1::S2;
                     again = true;
                 }
             }
             // step S2: powder is in
-            AtG1_1::S2 => {
-                if self.at_g1_2 == AtG1_2::S3 {
+            AtG1::S2 => {
+                if self.at_g1_e3 == AtG1E3::S3 {
                     // S2, S3 -> 4
-                    self.at_g1_1 = AtG1_1::X4;
-                    self.at_g1_2 = AtG1_2::None;
-                    self.outputs.mr = true;
+                    self.at_g1 = AtG1::X4;
+                    self.at_g1_e3 = AtG1E3::None;
                     again = true;
                 }
             }
         }
-        match was_at_g1_2 {
+        match was_at_g1_e3 {
             // step E3: first brick
-            AtG1_2::E3 => {
+            AtG1E3::E3 => {
                 if rise_td {
                     // E3 -> 30
-                    self.at_g1_2 = AtG1_2::X30;
+                    self.at_g1_e3 = AtG1E3::X30;
                     again = true;
                 }
             }
             // step 30: second brick
-            AtG1_2::X30 => {
+            AtG1E3::X30 => {
                 if rise_td {
                     // 30 -> S3
-                    self.at_g1_2 = AtG1_2::S3;
-                    self.outputs.bm = false;
+                    self.at_g1_e3 = AtG1E3::S3;
                     again = true;
                 }
             }
@@ -422,35 +404,35 @@ impl WeighMixB4 {
             return false;
         }
         match step {
-            Step::X1 => self.at_g1_1 == AtG1_1::X1,
-            Step::X4 => self.at_g1_1 == AtG1_1::X4,
-            Step::X5 => self.at_g1_1 == AtG1_1::X5,
-            Step::X6 => self.at_g1_1 == AtG1_1::X6,
-            Step::E2 => self.at_g1_1 == AtG1_1::E2,
-            Step::X20 => self.at_g1_1 == AtG1_1::X20,
-            Step::X21 => self.at_g1_1 == AtG1_1::X21,
-            Step::S2 => self.at_g1_1 == AtG1_1::S2,
-            Step::E3 => self.at_g1_2 == AtG1_2::E3,
-            Step::X30 => self.at_g1_2 == AtG1_2::X30,
-            Step::S3 => self.at_g1_2 == AtG1_2::S3,
-            Step::X9 => self.at_g2 == AtG2::X9,
+            Step::X1 => self.at_g1 == AtG1::X1,
+            Step::X4 => self.at_g1 == AtG1::X4,
+            Step::X5 => self.at_g1 == AtG1::X5,
+            Step::X6 => self.at_g1 == AtG1::X6,
+            Step::E2 => self.at_g1 == AtG1::E2,
+            Step::X20 => self.at_g1 == AtG1::X20,
+            Step::X21 => self.at_g1 == AtG1::X21,
+            Step::S2 => self.at_g1 == AtG1::S2,
+            Step::E3 => self.at_g1_e3 == AtG1E3::E3,
+            Step::X30 => self.at_g1_e3 == AtG1E3::X30,
+            Step::S3 => self.at_g1_e3 == AtG1E3::S3,
+            Step::X9 => self.x9,
         }
     }
 
     /// How many bytes the saved memory takes.
-    pub const SAVED_LEN: usize = 35;
+    pub const SAVED_LEN: usize = 32;
 
     /// Which chart, and which form of its memory, saved bytes belong to.
-    const FINGERPRINT: u32 = 0x78dfae74;
+    const FINGERPRINT: u32 = 0xa10ef527;
 
     /// All memory as bytes, to be kept where power does not matter.
     pub fn save(&self) -> [u8; Self::SAVED_LEN] {
         let mut bytes = [0; Self::SAVED_LEN];
         let mut out = Saver::new(&mut bytes);
         out.put(Self::FINGERPRINT);
-        out.put(self.at_g1_1 as u32);
-        out.put(self.at_g1_2 as u32);
-        out.put(self.at_g2 as u32);
+        out.put(self.at_g1 as u32);
+        out.put(self.at_g1_e3 as u32);
+        out.put(self.x9);
         out.put(self.old_td);
         out.put(self.started);
         out.put(self.outputs.va);
@@ -474,9 +456,9 @@ impl WeighMixB4 {
             return None;
         }
         let mut chart = Self::new();
-        chart.at_g1_1 = *AtG1_1::ALL.get(from.take::<u32>()? as usize)?;
-        chart.at_g1_2 = *AtG1_2::ALL.get(from.take::<u32>()? as usize)?;
-        chart.at_g2 = *AtG2::ALL.get(from.take::<u32>()? as usize)?;
+        chart.at_g1 = *AtG1::ALL.get(from.take::<u32>()? as usize)?;
+        chart.at_g1_e3 = *AtG1E3::ALL.get(from.take::<u32>()? as usize)?;
+        chart.x9 = from.take()?;
         chart.old_td = from.take()?;
         chart.started = from.take()?;
         chart.outputs.va = from.take()?;

@@ -213,7 +213,10 @@ impl WeighMixB5 {
             }
         }
 
-        // outputs
+        // outputs in G1: the modes
+        self.outputs.emc = self.is_active(A6);
+
+        // outputs in G10: the cycle
         self.outputs.va = self.is_active(X2);
         self.outputs.vb = self.is_active(X3);
         self.outputs.vc = self.is_active(X4);
@@ -221,7 +224,6 @@ impl WeighMixB5 {
         self.outputs.mr = self.is_active(X9) || self.is_active(X10);
         self.outputs.tm_down = self.is_active(X10);
         self.outputs.tm_up = self.is_active(X11);
-        self.outputs.emc = self.is_active(A6);
 
         &self.outputs
     }
@@ -239,10 +241,10 @@ impl WeighMixB5 {
         let mut again = inputs.td != self.old_td;
         self.old_td = inputs.td;
 
-        // transitions that clear
+        // grafcets that orders freeze
         let frozen_g10 = self.is_active(D1) || self.is_active(A6);
 
-        // next situation
+        // next situation in G1: the modes
         let next_d1 = !self.is_active(A6)
             && ((self.is_active(F1) && inputs.pbes) || self.xa6_d1 || self.is_active(D1));
         let next_a6 = !(self.xa6_d1 || self.is_active(F1))
@@ -254,19 +256,21 @@ impl WeighMixB5 {
             !self.is_active(D1) && ((self.is_active(A6) && inputs.pbes) || self.xa6_d1);
         let next_f1_a6 = !self.is_active(A6)
             && ((self.is_active(F1) && inputs.ssmanu && !inputs.pbes) || self.xf1_a6);
+
+        // next situation in G10: the cycle
         if next_d1 && next_a6 {
             self.flags.force_conflict = true;
         }
-        let force_g10_2 = next_a6 && !next_d1;
-        let forced_g10 = next_d1 || force_g10_2;
-        let next_1 = force_g10_2
+        let force_g10_by_a6 = next_a6 && !next_d1;
+        let forced_g10 = next_d1 || force_g10_by_a6;
+        let next_1 = force_g10_by_a6
             || (!forced_g10
                 && !(self.is_active(X2) || self.is_active(X6))
                 && ((self.is_active(X11) && !frozen_g10 && inputs.s0) || self.is_active(X1)));
-        let next_2 = !forced_g10
-            && !self.is_active(X3)
-            && ((self.is_active(X1) && !frozen_g10 && inputs.cs && inputs.z && inputs.s0)
-                || self.is_active(X2));
+        let all_x1_frozen_g10_cs_more =
+            self.is_active(X1) && !frozen_g10 && inputs.cs && inputs.z && inputs.s0;
+        let next_2 =
+            !forced_g10 && !self.is_active(X3) && (all_x1_frozen_g10_cs_more || self.is_active(X2));
         let next_3 = !forced_g10
             && !self.is_active(X4)
             && ((self.is_active(X2) && !frozen_g10 && inputs.a) || self.is_active(X3));
@@ -276,10 +280,8 @@ impl WeighMixB5 {
         let next_5 = !forced_g10
             && !self.is_active(X9)
             && ((self.is_active(X4) && !frozen_g10 && inputs.z) || self.is_active(X5));
-        let next_6 = !forced_g10
-            && !self.is_active(X7)
-            && ((self.is_active(X1) && !frozen_g10 && inputs.cs && inputs.z && inputs.s0)
-                || self.is_active(X6));
+        let next_6 =
+            !forced_g10 && !self.is_active(X7) && (all_x1_frozen_g10_cs_more || self.is_active(X6));
         let next_7 = !forced_g10
             && !self.is_active(X8)
             && ((self.is_active(X6) && !frozen_g10 && rise_td) || self.is_active(X7));
@@ -314,10 +316,14 @@ impl WeighMixB5 {
             || next_a6_d1 != self.xa6_d1
             || next_f1_a6 != self.xf1_a6;
 
-        // situation
+        // situation in G1: the modes
         self.set(D1, next_d1);
         self.set(A6, next_a6);
         self.set(F1, next_f1);
+        self.xa6_d1 = next_a6_d1;
+        self.xf1_a6 = next_f1_a6;
+
+        // situation in G10: the cycle
         self.set(X1, next_1);
         self.set(X2, next_2);
         self.set(X3, next_3);
@@ -329,8 +335,6 @@ impl WeighMixB5 {
         self.set(X9, next_9);
         self.set(X10, next_10);
         self.set(X11, next_11);
-        self.xa6_d1 = next_a6_d1;
-        self.xf1_a6 = next_f1_a6;
 
         again
     }

@@ -201,7 +201,10 @@ impl WeighMixB5 {
 
         while self.micro_step(inputs, now) {}
 
-        // outputs
+        // outputs in G1: the modes
+        self.outputs.emc = self.is_active(A6);
+
+        // outputs in G10: the cycle
         self.outputs.va = self.is_active(X2);
         self.outputs.vb = self.is_active(X3);
         self.outputs.vc = self.is_active(X4);
@@ -209,7 +212,6 @@ impl WeighMixB5 {
         self.outputs.mr = self.is_active(X9) || self.is_active(X10);
         self.outputs.tm_down = self.is_active(X10);
         self.outputs.tm_up = self.is_active(X11);
-        self.outputs.emc = self.is_active(A6);
 
         &self.outputs
     }
@@ -227,28 +229,32 @@ impl WeighMixB5 {
         let mut again = inputs.td != self.old_td;
         self.old_td = inputs.td;
 
-        // transitions that clear
+        // grafcets that orders freeze
         let frozen_g10 = self.is_active(D1) || self.is_active(A6);
+
+        // transitions that clear in G1: the modes
         // D1 -> A6
-        let clr_1 = self.is_active(D1) && !inputs.pbes;
+        let clr_d1_a6 = self.is_active(D1) && !inputs.pbes;
         // A6 -> D1
-        let clr_2 = self.is_active(A6) && inputs.pbes;
+        let clr_a6_d1 = self.is_active(A6) && inputs.pbes;
         // A6 -> F1
-        let clr_3 = self.is_active(A6) && inputs.ssauto && !inputs.ssmanu && !inputs.pbes;
+        let clr_a6_f1 = self.is_active(A6) && inputs.ssauto && !inputs.ssmanu && !inputs.pbes;
         // F1 -> A6
-        let clr_4 = self.is_active(F1) && inputs.ssmanu && !inputs.pbes;
+        let clr_f1_a6 = self.is_active(F1) && inputs.ssmanu && !inputs.pbes;
         // F1 -> D1
-        let clr_5 = self.is_active(F1) && inputs.pbes;
+        let clr_f1_d1 = self.is_active(F1) && inputs.pbes;
+
+        // transitions that clear in G10: the cycle
         // 1 -> 2, 6
-        let clr_1_1 = self.is_active(X1) && !frozen_g10 && inputs.cs && inputs.z && inputs.s0;
+        let clr_1 = self.is_active(X1) && !frozen_g10 && inputs.cs && inputs.z && inputs.s0;
         // 2 -> 3
-        let clr_2_1 = self.is_active(X2) && !frozen_g10 && inputs.a;
+        let clr_2 = self.is_active(X2) && !frozen_g10 && inputs.a;
         // 3 -> 4
-        let clr_3_1 = self.is_active(X3) && !frozen_g10 && inputs.b;
+        let clr_3 = self.is_active(X3) && !frozen_g10 && inputs.b;
         // 4 -> 5
-        let clr_4_1 = self.is_active(X4) && !frozen_g10 && inputs.z;
+        let clr_4 = self.is_active(X4) && !frozen_g10 && inputs.z;
         // 6 -> 7
-        let clr_5_1 = self.is_active(X6) && !frozen_g10 && rise_td;
+        let clr_5 = self.is_active(X6) && !frozen_g10 && rise_td;
         // 7 -> 8
         let clr_6 = self.is_active(X7) && !frozen_g10 && rise_td;
         // 5, 8 -> 9
@@ -260,40 +266,45 @@ impl WeighMixB5 {
         // 11 -> 1
         let clr_10 = self.is_active(X11) && !frozen_g10 && inputs.s0;
 
-        // next situation
-        let next_d1 = clr_2 || clr_5 || (self.is_active(D1) && !clr_1);
-        let next_a6 = clr_1 || clr_4 || (self.is_active(A6) && !(clr_2 || clr_3));
+        // next situation in G1: the modes
+        let next_d1 = clr_a6_d1 || clr_f1_d1 || (self.is_active(D1) && !clr_d1_a6);
+        let next_a6 = clr_d1_a6 || clr_f1_a6 || (self.is_active(A6) && !(clr_a6_d1 || clr_a6_f1));
+
+        // next situation in G10: the cycle
         let forced_g10 = next_d1 || next_a6;
-        let next_1 = next_a6 || (!forced_g10 && (clr_10 || (self.is_active(X1) && !clr_1_1)));
-        let next_2 = !forced_g10 && (clr_1_1 || (self.is_active(X2) && !clr_2_1));
-        let next_3 = !forced_g10 && (clr_2_1 || (self.is_active(X3) && !clr_3_1));
-        let next_4 = !forced_g10 && (clr_3_1 || (self.is_active(X4) && !clr_4_1));
-        let next_5 = !forced_g10 && (clr_4_1 || (self.is_active(X5) && !clr_7));
-        let next_6 = !forced_g10 && (clr_1_1 || (self.is_active(X6) && !clr_5_1));
-        let next_7 = !forced_g10 && (clr_5_1 || (self.is_active(X7) && !clr_6));
+        let next_1 = next_a6 || (!forced_g10 && (clr_10 || (self.is_active(X1) && !clr_1)));
+        let next_2 = !forced_g10 && (clr_1 || (self.is_active(X2) && !clr_2));
+        let next_3 = !forced_g10 && (clr_2 || (self.is_active(X3) && !clr_3));
+        let next_4 = !forced_g10 && (clr_3 || (self.is_active(X4) && !clr_4));
+        let next_5 = !forced_g10 && (clr_4 || (self.is_active(X5) && !clr_7));
+        let next_6 = !forced_g10 && (clr_1 || (self.is_active(X6) && !clr_5));
+        let next_7 = !forced_g10 && (clr_5 || (self.is_active(X7) && !clr_6));
         let next_8 = !forced_g10 && (clr_6 || (self.is_active(X8) && !clr_7));
         let next_9 = !forced_g10 && (clr_7 || (self.is_active(X9) && !clr_8));
         let next_10 = !forced_g10 && (clr_8 || (self.is_active(X10) && !clr_9));
         let next_11 = !forced_g10 && (clr_9 || (self.is_active(X11) && !clr_10));
         again = again
+            || clr_d1_a6
+            || clr_a6_d1
+            || clr_a6_f1
+            || clr_f1_a6
+            || clr_f1_d1
             || clr_1
             || clr_2
             || clr_3
             || clr_4
-            || clr_5
-            || clr_1_1
-            || clr_2_1
-            || clr_3_1
-            || clr_4_1
             || clr_7
             || clr_8
             || clr_9
             || clr_10;
 
-        // situation
+        // situation in G1: the modes
         self.set(D1, next_d1);
         self.set(A6, next_a6);
-        self.set(F1, clr_3 || (self.is_active(F1) && !(clr_4 || clr_5)));
+        let active = clr_a6_f1 || (self.is_active(F1) && !(clr_f1_a6 || clr_f1_d1));
+        self.set(F1, active);
+
+        // situation in G10: the cycle
         self.set(X1, next_1);
         self.set(X2, next_2);
         self.set(X3, next_3);

@@ -152,7 +152,7 @@ impl AtG1 {
 
 /// Which of these steps is active.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum AtG10_1 {
+enum AtG10 {
     /// none of them
     None,
     /// step 1: ready
@@ -173,7 +173,7 @@ enum AtG10_1 {
     X11,
 }
 
-impl AtG10_1 {
+impl AtG10 {
     const ALL: [Self; 9] = [
         Self::None,
         Self::X1,
@@ -189,7 +189,7 @@ impl AtG10_1 {
 
 /// Which of these steps is active.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum AtG10_2 {
+enum AtG10_6 {
     /// none of them
     None,
     /// step 6: first brick
@@ -200,7 +200,7 @@ enum AtG10_2 {
     X8,
 }
 
-impl AtG10_2 {
+impl AtG10_6 {
     const ALL: [Self; 4] = [Self::None, Self::X6, Self::X7, Self::X8];
 }
 
@@ -211,12 +211,9 @@ impl AtG10_2 {
 pub struct WeighMixB5 {
     // which step is active
     at_g1: AtG1,
-    at_g10_1: AtG10_1,
-    at_g10_2: AtG10_2,
+    at_g10: AtG10,
+    at_g10_6: AtG10_6,
     // memory from scan to scan
-    next_g1: AtG1,
-    next_g10_1: AtG10_1,
-    next_g10_2: AtG10_2,
     old_td: bool,
     /// false until the first call
     started: bool,
@@ -238,11 +235,8 @@ impl WeighMixB5 {
     pub const fn new() -> Self {
         Self {
             at_g1: AtG1::D1,
-            at_g10_1: AtG10_1::None,
-            at_g10_2: AtG10_2::None,
-            next_g1: AtG1::D1,
-            next_g10_1: AtG10_1::None,
-            next_g10_2: AtG10_2::None,
+            at_g10: AtG10::None,
+            at_g10_6: AtG10_6::None,
             old_td: false,
             started: false,
             on_x9: Timer::new(),
@@ -273,15 +267,22 @@ impl WeighMixB5 {
         if !self.started {
             self.started = true;
             self.at_g1 = AtG1::D1;
-            self.next_g1 = AtG1::D1;
-            self.at_g10_1 = AtG10_1::None;
-            self.next_g10_1 = AtG10_1::None;
-            self.at_g10_2 = AtG10_2::None;
-            self.next_g10_2 = AtG10_2::None;
             self.old_td = inputs.td;
         }
 
         while self.micro_step(inputs, now) {}
+
+        // outputs in G1: the modes
+        self.outputs.emc = self.at_g1 == AtG1::A6;
+
+        // outputs in G10: the cycle
+        self.outputs.va = self.at_g10 == AtG10::X2;
+        self.outputs.vb = self.at_g10 == AtG10::X3;
+        self.outputs.vc = self.at_g10 == AtG10::X4;
+        self.outputs.bm = self.at_g10_6 == AtG10_6::X6 || self.at_g10_6 == AtG10_6::X7;
+        self.outputs.mr = self.at_g10 == AtG10::X9 || self.at_g10 == AtG10::X10;
+        self.outputs.tm_down = self.at_g10 == AtG10::X10;
+        self.outputs.tm_up = self.at_g10 == AtG10::X11;
 
         &self.outputs
     }
@@ -291,266 +292,131 @@ impl WeighMixB5 {
     fn micro_step(&mut self, inputs: &Inputs, now: u32) -> bool {
         // conditions
         let rise_td = inputs.td && !self.old_td;
-        self.on_x9.call(self.at_g10_1 == AtG10_1::X9, now);
+        self.on_x9.call(self.at_g10 == AtG10::X9, now);
 
         // memory of edges
         let mut again = inputs.td != self.old_td;
         self.old_td = inputs.td;
 
-        // transitions
+        // grafcets that orders freeze
         let frozen_g10 = self.at_g1 == AtG1::D1 || self.at_g1 == AtG1::A6;
-        let mut moved = false;
-        match self.at_g1 {
-            // step D1: stopped
-            AtG1::D1 => {
-                if !inputs.pbes {
-                    // D1 -> A6
-                    self.next_g1 = AtG1::A6;
-                    moved = true;
-                    again = true;
-                }
-            }
-            // step A6: initial state, manual control
-            AtG1::A6 => {
-                if inputs.pbes {
-                    // A6 -> D1
-                    self.next_g1 = AtG1::D1;
-                    moved = true;
-                    again = true;
-                } else if inputs.ssauto && !inputs.ssmanu && !inputs.pbes {
-                    // A6 -> F1
-                    self.next_g1 = AtG1::F1;
-                    moved = true;
-                    again = true;
-                }
-            }
-            // step F1: normal production
-            AtG1::F1 => {
-                if inputs.ssmanu && !inputs.pbes {
-                    // F1 -> A6
-                    self.next_g1 = AtG1::A6;
-                    moved = true;
-                    again = true;
-                } else if inputs.pbes {
-                    // F1 -> D1
-                    self.next_g1 = AtG1::D1;
-                    moved = true;
-                    again = true;
-                }
-            }
+
+        // transitions in G1: the modes
+        let mut next_g1 = self.at_g1;
+        if self.at_g1 == AtG1::D1 && !inputs.pbes {
+            // D1 -> A6
+            next_g1 = AtG1::A6;
         }
-        match self.at_g10_1 {
+        if self.at_g1 == AtG1::A6 && inputs.pbes {
+            // A6 -> D1
+            next_g1 = AtG1::D1;
+        }
+        if self.at_g1 == AtG1::A6 && inputs.ssauto && !inputs.ssmanu && !inputs.pbes {
+            // A6 -> F1
+            next_g1 = AtG1::F1;
+        }
+        if self.at_g1 == AtG1::F1 && inputs.ssmanu && !inputs.pbes {
+            // F1 -> A6
+            next_g1 = AtG1::A6;
+        }
+        if self.at_g1 == AtG1::F1 && inputs.pbes {
+            // F1 -> D1
+            next_g1 = AtG1::D1;
+        }
+
+        // transitions in G10: the cycle
+        let mut next_g10 = self.at_g10;
+        let mut next_g10_6 = self.at_g10_6;
+        match self.at_g10 {
             // step 1: ready
-            AtG10_1::X1 => {
+            AtG10::X1 => {
                 if !frozen_g10 && inputs.cs && inputs.z && inputs.s0 {
                     // 1 -> 2, 6
-                    self.next_g10_1 = AtG10_1::X2;
-                    self.next_g10_2 = AtG10_2::X6;
-                    moved = true;
-                    again = true;
+                    next_g10 = AtG10::X2;
+                    next_g10_6 = AtG10_6::X6;
                 }
             }
             // step 2: weigh A
-            AtG10_1::X2 => {
+            AtG10::X2 => {
                 if !frozen_g10 && inputs.a {
                     // 2 -> 3
-                    self.next_g10_1 = AtG10_1::X3;
-                    moved = true;
-                    again = true;
+                    next_g10 = AtG10::X3;
                 }
             }
             // step 3: weigh B
-            AtG10_1::X3 => {
+            AtG10::X3 => {
                 if !frozen_g10 && inputs.b {
                     // 3 -> 4
-                    self.next_g10_1 = AtG10_1::X4;
-                    moved = true;
-                    again = true;
+                    next_g10 = AtG10::X4;
                 }
             }
             // step 4: empty the weighing unit into the mixer
-            AtG10_1::X4 => {
+            AtG10::X4 => {
                 if !frozen_g10 && inputs.z {
                     // 4 -> 5
-                    self.next_g10_1 = AtG10_1::X5;
-                    moved = true;
-                    again = true;
+                    next_g10 = AtG10::X5;
                 }
             }
             // step 5: powder is in
-            AtG10_1::X5 => {
-                if self.at_g10_2 == AtG10_2::X8 && !frozen_g10 {
+            AtG10::X5 => {
+                if self.at_g10_6 == AtG10_6::X8 && !frozen_g10 {
                     // 5, 8 -> 9
-                    self.next_g10_1 = AtG10_1::X9;
-                    self.next_g10_2 = AtG10_2::None;
-                    moved = true;
-                    again = true;
+                    next_g10 = AtG10::X9;
+                    next_g10_6 = AtG10_6::None;
                 }
             }
             // step 9: mix
-            AtG10_1::X9 => {
+            AtG10::X9 => {
                 if !frozen_g10 && self.on_x9.has_run(MIX_TIME) {
                     // 9 -> 10
-                    self.next_g10_1 = AtG10_1::X10;
-                    moved = true;
-                    again = true;
+                    next_g10 = AtG10::X10;
                 }
             }
             // step 10: tip, still turning
-            AtG10_1::X10 => {
+            AtG10::X10 => {
                 if !frozen_g10 && inputs.s1 {
                     // 10 -> 11
-                    self.next_g10_1 = AtG10_1::X11;
-                    moved = true;
-                    again = true;
+                    next_g10 = AtG10::X11;
                 }
             }
             // step 11: come back up
-            AtG10_1::X11 => {
+            AtG10::X11 => {
                 if !frozen_g10 && inputs.s0 {
                     // 11 -> 1
-                    self.next_g10_1 = AtG10_1::X1;
-                    moved = true;
-                    again = true;
+                    next_g10 = AtG10::X1;
                 }
             }
             _ => {}
         }
-        match self.at_g10_2 {
-            // step 6: first brick
-            AtG10_2::X6 => {
-                if !frozen_g10 && rise_td {
-                    // 6 -> 7
-                    self.next_g10_2 = AtG10_2::X7;
-                    moved = true;
-                    again = true;
-                }
-            }
-            // step 7: second brick
-            AtG10_2::X7 => {
-                if !frozen_g10 && rise_td {
-                    // 7 -> 8
-                    self.next_g10_2 = AtG10_2::X8;
-                    moved = true;
-                    again = true;
-                }
-            }
-            _ => {}
+        if self.at_g10_6 == AtG10_6::X6 && !frozen_g10 && rise_td {
+            // 6 -> 7
+            next_g10_6 = AtG10_6::X7;
+        }
+        if self.at_g10_6 == AtG10_6::X7 && !frozen_g10 && rise_td {
+            // 7 -> 8
+            next_g10_6 = AtG10_6::X8;
         }
 
-        // what the clearings bring about
-        if moved {
-            // enclosures and orders
-            if self.next_g1 == AtG1::D1 {
-                self.next_g10_1 = AtG10_1::None;
-            } else if self.next_g1 == AtG1::A6 {
-                self.next_g10_1 = AtG10_1::X1;
-            }
-            if self.next_g1 == AtG1::D1 {
-                self.next_g10_2 = AtG10_2::None;
-            } else if self.next_g1 == AtG1::A6 {
-                self.next_g10_2 = AtG10_2::None;
-            }
-
-            // outputs of the steps left and entered
-            if self.next_g1 != self.at_g1 {
-                // step A6: initial state, manual control
-                if self.at_g1 == AtG1::A6 {
-                    self.outputs.emc = false;
-                }
-                // step A6: initial state, manual control
-                if self.next_g1 == AtG1::A6 {
-                    self.outputs.emc = true;
-                }
-            }
-            if self.next_g10_1 != self.at_g10_1 {
-                match self.at_g10_1 {
-                    // step 2: weigh A
-                    AtG10_1::X2 => {
-                        self.outputs.va = false;
-                    }
-                    // step 3: weigh B
-                    AtG10_1::X3 => {
-                        self.outputs.vb = false;
-                    }
-                    // step 4: empty the weighing unit into the mixer
-                    AtG10_1::X4 => {
-                        self.outputs.vc = false;
-                    }
-                    // step 9: mix
-                    AtG10_1::X9 => {
-                        self.outputs.mr = false;
-                    }
-                    // step 10: tip, still turning
-                    AtG10_1::X10 => {
-                        self.outputs.mr = false;
-                        self.outputs.tm_down = false;
-                    }
-                    // step 11: come back up
-                    AtG10_1::X11 => {
-                        self.outputs.tm_up = false;
-                    }
-                    _ => {}
-                }
-                match self.next_g10_1 {
-                    // step 2: weigh A
-                    AtG10_1::X2 => {
-                        self.outputs.va = true;
-                    }
-                    // step 3: weigh B
-                    AtG10_1::X3 => {
-                        self.outputs.vb = true;
-                    }
-                    // step 4: empty the weighing unit into the mixer
-                    AtG10_1::X4 => {
-                        self.outputs.vc = true;
-                    }
-                    // step 9: mix
-                    AtG10_1::X9 => {
-                        self.outputs.mr = true;
-                    }
-                    // step 10: tip, still turning
-                    AtG10_1::X10 => {
-                        self.outputs.mr = true;
-                        self.outputs.tm_down = true;
-                    }
-                    // step 11: come back up
-                    AtG10_1::X11 => {
-                        self.outputs.tm_up = true;
-                    }
-                    _ => {}
-                }
-            }
-            if self.next_g10_2 != self.at_g10_2 {
-                match self.at_g10_2 {
-                    // step 6: first brick
-                    AtG10_2::X6 => {
-                        self.outputs.bm = false;
-                    }
-                    // step 7: second brick
-                    AtG10_2::X7 => {
-                        self.outputs.bm = false;
-                    }
-                    _ => {}
-                }
-                match self.next_g10_2 {
-                    // step 6: first brick
-                    AtG10_2::X6 => {
-                        self.outputs.bm = true;
-                    }
-                    // step 7: second brick
-                    AtG10_2::X7 => {
-                        self.outputs.bm = true;
-                    }
-                    _ => {}
-                }
-            }
-
-            // situation
-            self.at_g10_1 = self.next_g10_1;
-            self.at_g10_2 = self.next_g10_2;
-            self.at_g1 = self.next_g1;
+        // enclosures and orders
+        if next_g1 == AtG1::D1 {
+            next_g10 = AtG10::None;
+        } else if next_g1 == AtG1::A6 {
+            next_g10 = AtG10::X1;
         }
+        if next_g1 == AtG1::D1 || next_g1 == AtG1::A6 {
+            next_g10_6 = AtG10_6::None;
+        }
+        again = again
+            || next_g1 != self.at_g1
+            || next_g10 != self.at_g10
+            || next_g10_6 != self.at_g10_6;
+
+        // situation in G1: the modes
+        self.at_g1 = next_g1;
+
+        // situation in G10: the cycle
+        self.at_g10 = next_g10;
+        self.at_g10_6 = next_g10_6;
 
         again
     }
@@ -592,25 +458,25 @@ impl WeighMixB5 {
             Step::D1 => self.at_g1 == AtG1::D1,
             Step::A6 => self.at_g1 == AtG1::A6,
             Step::F1 => self.at_g1 == AtG1::F1,
-            Step::X1 => self.at_g10_1 == AtG10_1::X1,
-            Step::X2 => self.at_g10_1 == AtG10_1::X2,
-            Step::X3 => self.at_g10_1 == AtG10_1::X3,
-            Step::X4 => self.at_g10_1 == AtG10_1::X4,
-            Step::X5 => self.at_g10_1 == AtG10_1::X5,
-            Step::X6 => self.at_g10_2 == AtG10_2::X6,
-            Step::X7 => self.at_g10_2 == AtG10_2::X7,
-            Step::X8 => self.at_g10_2 == AtG10_2::X8,
-            Step::X9 => self.at_g10_1 == AtG10_1::X9,
-            Step::X10 => self.at_g10_1 == AtG10_1::X10,
-            Step::X11 => self.at_g10_1 == AtG10_1::X11,
+            Step::X1 => self.at_g10 == AtG10::X1,
+            Step::X2 => self.at_g10 == AtG10::X2,
+            Step::X3 => self.at_g10 == AtG10::X3,
+            Step::X4 => self.at_g10 == AtG10::X4,
+            Step::X5 => self.at_g10 == AtG10::X5,
+            Step::X6 => self.at_g10_6 == AtG10_6::X6,
+            Step::X7 => self.at_g10_6 == AtG10_6::X7,
+            Step::X8 => self.at_g10_6 == AtG10_6::X8,
+            Step::X9 => self.at_g10 == AtG10::X9,
+            Step::X10 => self.at_g10 == AtG10::X10,
+            Step::X11 => self.at_g10 == AtG10::X11,
         }
     }
 
     /// How many bytes the saved memory takes.
-    pub const SAVED_LEN: usize = 47;
+    pub const SAVED_LEN: usize = 35;
 
     /// Which chart, and which form of its memory, saved bytes belong to.
-    const FINGERPRINT: u32 = 0x85a6f0ef;
+    const FINGERPRINT: u32 = 0xbdd0e55f;
 
     /// All memory as bytes, to be kept where power does not matter.
     pub fn save(&self) -> [u8; Self::SAVED_LEN] {
@@ -618,11 +484,8 @@ impl WeighMixB5 {
         let mut out = Saver::new(&mut bytes);
         out.put(Self::FINGERPRINT);
         out.put(self.at_g1 as u32);
-        out.put(self.at_g10_1 as u32);
-        out.put(self.at_g10_2 as u32);
-        out.put(self.next_g1 as u32);
-        out.put(self.next_g10_1 as u32);
-        out.put(self.next_g10_2 as u32);
+        out.put(self.at_g10 as u32);
+        out.put(self.at_g10_6 as u32);
         out.put(self.old_td);
         out.put(self.started);
         out.put(self.outputs.va);
@@ -647,11 +510,8 @@ impl WeighMixB5 {
         }
         let mut chart = Self::new();
         chart.at_g1 = *AtG1::ALL.get(from.take::<u32>()? as usize)?;
-        chart.at_g10_1 = *AtG10_1::ALL.get(from.take::<u32>()? as usize)?;
-        chart.at_g10_2 = *AtG10_2::ALL.get(from.take::<u32>()? as usize)?;
-        chart.next_g1 = *AtG1::ALL.get(from.take::<u32>()? as usize)?;
-        chart.next_g10_1 = *AtG10_1::ALL.get(from.take::<u32>()? as usize)?;
-        chart.next_g10_2 = *AtG10_2::ALL.get(from.take::<u32>()? as usize)?;
+        chart.at_g10 = *AtG10::ALL.get(from.take::<u32>()? as usize)?;
+        chart.at_g10_6 = *AtG10_6::ALL.get(from.take::<u32>()? as usize)?;
         chart.old_td = from.take()?;
         chart.started = from.take()?;
         chart.outputs.va = from.take()?;

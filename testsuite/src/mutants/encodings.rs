@@ -170,8 +170,22 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "switch-bits-ask-for-nothing",
         at: COMPILER,
         breaks: "a step that is a bit and changes asks for no other micro-step (R8)",
-        text: "clearings.changes(lowering, self.task, |t| told[t])",
+        text: "clearings.changes(lowering, task, |s| in_short[s], |t| told[t])",
         instead: "Vec::new()",
+    },
+    Fault {
+        name: "switch-short-set-asks-for-nothing",
+        at: COMPILER,
+        breaks: "a state that has no next one and changes asks for no other micro-step (R8)",
+        text: "let in_short = |s| matches!(lowering.situation.holder(s), Holder::State { set, .. } if short[set]);",
+        instead: "let in_short = |_: StepId| false;",
+    },
+    Fault {
+        name: "switch-small-enclosure-outlives-its-step",
+        at: COMPILER,
+        breaks: "in a small chart an enclosure is not emptied with the step around it (R5)",
+        text: "let gone = lowering.pool.not(around);",
+        instead: "let gone = lowering.pool.truth(false);",
     },
     Fault {
         name: "dormant-timers-run-on",

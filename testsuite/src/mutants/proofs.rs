@@ -6,6 +6,20 @@ const COMPILER: At = At::anywhere(Part::Compiler);
 
 pub(super) const FAULTS: &[Fault] = &[
     Fault {
+        name: "joined-though-the-guard-changes",
+        at: COMPILER,
+        breaks: "statements share a guard that the first of them change",
+        text: "closed = read.is_changed_by(branches, otherwise);",
+        instead: "",
+    },
+    Fault {
+        name: "once-for-two-values",
+        at: COMPILER,
+        breaks: "what is written twice is computed once although something in between writes what it reads",
+        text: "known.remove(&id);",
+        instead: "",
+    },
+    Fault {
         name: "simplify-excluded-is-active",
         at: COMPILER,
         breaks: "in a condition, a step that excludes those before the transition counts as active",

@@ -17,9 +17,10 @@ fn german_mnemonics() {
     pairs.dedup();
     let found = |e: &str, g: &str| assert!(pairs.contains(&(e.into(), g.into())), "{e} is not {g}: {pairs:?}");
     found("A #RESTART;", "U #RESTART;");
-    found("M001: AN #started;", "M001: UN #started;");
-    found("JCN M002;", "SPBN M002;");
-    found("JC M003;", "SPB M003;");
+    found("S5S7: AN #started;", "S5S7: UN #started;");
+    let jumps =
+        |e: &str, g: &str| pairs.iter().any(|(a, b)| a.strip_prefix(e).is_some_and(|l| b.strip_prefix(g) == Some(l)));
+    assert!(jumps("JCN ", "SPBN ") && jumps("JC ", "SPB "), "{pairs:?}");
     found("AD DW#16#7FFFFFFF;", "UD DW#16#7FFFFFFF;");
     found("start := I 0.0,", "start := E 0.0,");
     found("INLET := Q 0.0,", "INLET := A 0.0,");
@@ -99,7 +100,7 @@ fn four_steps_in_full() {
         NETWORK
         TITLE =restart: as before the first call
               A     #RESTART;
-              JCN   M001;
+              JCN   S5S7;
               R     #INLET;
               R     #STIRRER;
               R     #OUTLET;
@@ -118,15 +119,15 @@ fn four_steps_in_full() {
 
         NETWORK
         TITLE =one call
-        M001: AN    #started;
-              JCN   M002;
+        S5S7: AN    #started;
+              JCN   JVHX;
         // memory of edges
               S     #started;
               A     #start;
               =     #old_start;
-        M002: L     0;
+        JVHX: L     0;
               T     #micro_steps;
-        M003: L     #micro_steps;                 // one micro-step
+        S8NF: L     #micro_steps;                 // one micro-step
               L     1;
               +I;
               T     #micro_steps;
@@ -135,10 +136,10 @@ fn four_steps_in_full() {
         TITLE =conditions
               A     #X3;                          // stir_time/X3
               FP    #stirred_run;
-              JCN   M004;
+              JCN   W9J4;
               L     #clock;
               T     #stirred_start;
-        M004: L     #clock;
+        W9J4: L     #clock;
               L     #stirred_start;
               -D;
               L     #stir_time;
@@ -208,7 +209,7 @@ fn four_steps_in_full() {
         NETWORK
         TITLE =stored actions
               A     #clear_2;
-              JCN   M005;
+              JCN   RTWT;
               L     #batches;                     // 2 -> 3: on clearing
               L     1;
               +I;
@@ -216,7 +217,7 @@ fn four_steps_in_full() {
 
         NETWORK
         TITLE =situation
-        M005: A     #next_1;
+        RTWT: A     #next_1;
               =     #X1;
               A     #next_2;
               =     #X2;
@@ -233,7 +234,7 @@ fn four_steps_in_full() {
               L     L#200;
               <D;
               A     #again;
-              JC    M003;
+              JC    S8NF;
               A     #again;
               S     #LIVELOCK;
 

@@ -114,9 +114,9 @@ impl Repeated {
                     further.into_iter().chain(last).collect()
                 }
                 VarKind::Output => vec![local(&self.again, bit(), "another micro-step is needed")],
-                VarKind::Constant | VarKind::Local => Vec::new(),
+                VarKind::Constant | VarKind::Local | VarKind::Temporary => Vec::new(),
             };
-            block.sections.push(("", more));
+            block.sections.push(("".into(), more));
         }
         blocks
     }
@@ -134,7 +134,7 @@ impl Repeated {
         }
         let mut outer: Vec<VarBlock> =
             blocks.into_iter().filter(|block| matches!(block.kind, VarKind::Input | VarKind::Output)).collect();
-        outer.push(VarBlock { kind: VarKind::Local, sections: vec![("", own)] });
+        outer.push(VarBlock { kind: VarKind::Local, sections: vec![("".into(), own)] });
         outer
     }
 

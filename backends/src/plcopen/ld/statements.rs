@@ -16,7 +16,7 @@ use crate::comment::clean;
 use crate::iec::names::remark;
 use ecow::EcoString;
 use grafc_formula::{Formula, FormulaId, Type};
-use grafc_logic::scan::{Role, Statement, TimerId, VarId};
+use grafc_logic::scan::{Role, Statement, TimerId, Told, VarId};
 use rustc_hash::FxHashSet;
 
 /// Something negated or not.
@@ -38,9 +38,10 @@ impl Ladder<'_> {
             self.known.clear();
             let shared = open.take().filter(|_| self.comments.is_empty());
             match statement {
-                Statement::Heading(heading) => self.comment(heading.text()),
+                Statement::Heading(heading) => self.comment(&self.program.heading(*heading)),
                 Statement::Assign { target, value, origin, told } => {
-                    let remark = self.program.remark(*origin, *told);
+                    // A step's comment stands beside its coil.
+                    let remark = self.program.remark(*origin, *told).filter(|_| *told != Told::Comment);
                     let constant = self.program.pool.as_truth(*value);
                     match (guard, constant, shared) {
                         (Some(_), Some(truth), Some(rung)) if remark.is_none() => {

@@ -69,6 +69,15 @@ pub(super) fn block_width(texts: &Texts, step: usize) -> i64 {
     texts.actions[step].iter().map(|action| text_width(action.content.text()) + 50).max().unwrap_or(0).max(100)
 }
 
+/// The width of the comment on a step, if there is one; a long one is wrapped by the tool.
+pub(super) fn comment_width(texts: &Texts, step: usize) -> Option<i64> {
+    let text = &texts.comments[step];
+    (!text.is_empty()).then(|| (text_width(text) + 20).min(WIDEST_COMMENT))
+}
+
+/// No comment is wider.
+const WIDEST_COMMENT: i64 = 240;
+
 /// The gap between a step and its actions.
 pub(super) const TO_ACTIONS: i64 = 20;
 /// The height of a row of an action block, and of a step.
@@ -84,11 +93,12 @@ impl Graph {
             let half = step_width(&texts.steps[place]) / 2;
             let rows = i64::try_from(texts.actions[place].len()).unwrap_or(i64::MAX / 100);
             let actions = if rows > 0 { TO_ACTIONS + block_width(texts, place) } else { 0 };
+            let comment = comment_width(texts, place).map_or(0, |width| TO_ACTIONS + width);
             nodes.push(Vertex {
                 kind,
                 layer: 0,
                 left: half + MARGIN,
-                right: half + actions + MARGIN,
+                right: half + actions + comment + MARGIN,
                 height: ROW * rows.max(1),
             });
         }
@@ -157,6 +167,30 @@ impl Graph {
     /// Each two neighbours on a path, the upper one first.
     pub fn links(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         self.paths.iter().flat_map(|path| path.windows(2).map(|pair| (pair[0], pair[1])))
+    }
+
+    /// For each node the part of the chart that it belongs to: parts that no arc joins have different numbers, which ascend
+    /// in the order of their first steps.
+    pub fn parts(&self) -> Vec<usize> {
+        let mut near: Vec<Vec<usize>> = vec![Vec::new(); self.nodes.len()];
+        for (upper, lower) in self.links() {
+            near[upper].push(lower);
+            near[lower].push(upper);
+        }
+        let mut part = vec![usize::MAX; self.nodes.len()];
+        for root in 0..self.nodes.len() {
+            if part[root] != usize::MAX {
+                continue;
+            }
+            let mut open = vec![root];
+            while let Some(node) = open.pop() {
+                if part[node] == usize::MAX {
+                    part[node] = root;
+                    open.extend(&near[node]);
+                }
+            }
+        }
+        part
     }
 
     /// The nodes of each layer as a search from the first step meets them.

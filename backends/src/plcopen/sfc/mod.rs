@@ -13,6 +13,7 @@ mod graph;
 mod order;
 mod place;
 mod prepared;
+mod straight;
 mod texts;
 use ecow::EcoString;
 pub(super) mod tree_form;
@@ -51,10 +52,10 @@ pub fn emit(sequence: &Sequence, options: &Options) -> Result<String, Diagnostic
     }
 }
 
-/// The instance whose variables hold the situation, if something is found before the chart is called.
+/// The instance whose variables hold the situation, if something is found before or after the chart.
 pub fn instance(sequence: &Sequence) -> Option<EcoString> {
     let mut names = Names::new(&sequence.program, Family::Iec);
-    (!sequence.given.is_empty()).then(|| prepared::instance(&mut names))
+    sequence.is_held().then(|| prepared::instance(&mut names))
 }
 
 /// Why a chart that could be a sequential function chart is not drawn.

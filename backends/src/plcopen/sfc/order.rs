@@ -1,6 +1,7 @@
 //! The order within each layer: by the barycentre of the neighbours, from the top down and back up, as long as it pays.
 
 use super::graph::Graph;
+use rustc_hash::FxHashMap;
 
 /// More rounds are seldom of use.
 const ROUNDS: usize = 8;
@@ -13,6 +14,8 @@ pub(super) fn reduce_crossings(graph: &mut Graph) {
         above[lower].push(upper);
         below[upper].push(lower);
     }
+    let texts = TextOrder::new(graph, &above);
+    graph.layers.iter_mut().for_each(|layer| texts.by_part(layer));
     let mut best = (crossings(&graph.layers, &below), graph.layers.clone());
     let mut layers = graph.layers.clone();
     for _ in 0..ROUNDS {
@@ -21,9 +24,11 @@ pub(super) fn reduce_crossings(graph: &mut Graph) {
         }
         for layer in 1..layers.len() {
             sort(&mut layers, layer, layer - 1, &above);
+            texts.restore(&mut layers[layer]);
         }
         for layer in (1..layers.len()).rev() {
             sort(&mut layers, layer - 1, layer, &below);
+            texts.restore(&mut layers[layer - 1]);
         }
         let count = crossings(&layers, &below);
         if count < best.0 {
@@ -31,6 +36,45 @@ pub(super) fn reduce_crossings(graph: &mut Graph) {
         }
     }
     graph.layers = best.1;
+}
+
+/// The order of the text, which goes before the number of crossings.
+struct TextOrder {
+    /// The place of each node as a search in the order of the text meets it.
+    met: Vec<usize>,
+    /// What alone leads to each node, if one does: the branches of a divergence have it in common.
+    parent: Vec<Option<usize>>,
+    /// The part of the chart that each node belongs to, by order: parts without a way between them.
+    part: Vec<usize>,
+}
+
+impl TextOrder {
+    fn new(graph: &Graph, above: &[Vec<usize>]) -> Self {
+        let mut met = vec![0; graph.nodes.len()];
+        graph.layers.iter().flat_map(|layer| layer.iter().enumerate()).for_each(|(place, node)| met[*node] = place);
+        let alone = |above: &Vec<usize>| if let [only] = above[..] { Some(only) } else { None };
+        TextOrder { met, parent: above.iter().map(alone).collect(), part: graph.parts() }
+    }
+
+    /// Parts side by side, the branches of each divergence in the order of the text, in the places that they have.
+    fn restore(&self, layer: &mut [usize]) {
+        self.by_part(layer);
+        let mut siblings: FxHashMap<usize, Vec<usize>> = FxHashMap::default();
+        for (place, node) in layer.iter().enumerate() {
+            if let Some(parent) = self.parent[*node] {
+                siblings.entry(parent).or_default().push(place);
+            }
+        }
+        for places in siblings.values().filter(|places| places.len() > 1) {
+            let mut nodes: Vec<usize> = places.iter().map(|place| layer[*place]).collect();
+            nodes.sort_by_key(|node| self.met[*node]);
+            places.iter().zip(nodes).for_each(|(place, node)| layer[*place] = node);
+        }
+    }
+
+    fn by_part(&self, layer: &mut [usize]) {
+        layer.sort_by_key(|node| self.part[*node]);
+    }
 }
 
 /// Sorts a layer by the middle of each node's neighbours in another; nodes without any keep their place.

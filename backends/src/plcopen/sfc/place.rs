@@ -1,9 +1,11 @@
 //! Columns and rows.
 //!
 //! Each node wants to stand below (above) the middle of its neighbours; nodes of a layer must keep their order and their
-//! distance. The positions with the least sum of squared deviations are found by pooling what gets in each other's way.
+//! distance. The positions with the least sum of squared deviations are found by pooling what gets in each other's way;
+//! then `straight` puts what follows each other alone into one column, and parts of the chart side by side.
 
 use super::graph::{Graph, VertexKind};
+use super::straight;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -108,8 +110,11 @@ fn columns(graph: &Graph) -> Vec<i64> {
             graph.layers.iter().rev().for_each(|layer| settle(graph, layer, &mut x, &below));
         }
     }
-    let leftmost = graph.nodes.iter().zip(&x).map(|(node, x)| x.round() as i64 - node.left).min().unwrap_or(0);
-    x.into_iter().map(|x| x.round() as i64 - leftmost + SHEET).collect()
+    let mut x: Vec<i64> = x.into_iter().map(|x| x.round() as i64).collect();
+    straight::straighten(graph, &above, &below, &mut x);
+    straight::close_gaps(graph, &mut x);
+    let leftmost = graph.nodes.iter().zip(&x).map(|(node, x)| x - node.left).min().unwrap_or(0);
+    x.into_iter().map(|x| x - leftmost + SHEET).collect()
 }
 
 /// Nodes that stand shoulder to shoulder.

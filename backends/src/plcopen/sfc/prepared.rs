@@ -6,8 +6,10 @@
 //!              old_open := open;
 //!              drawn(open := open, closed := closed, rise_open := rise_open);
 //!              up := drawn.up;
+//!              lamp := drawn.at_1 OR drawn.at_2;
 //! ```
 //!
+//! What several steps set is found behind the chart, since tools differ in what they make of two actions on one variable.
 //! If there is nothing to find, the chart is the function block itself.
 
 use super::texts::Texts;
@@ -56,7 +58,7 @@ impl Units {
         let program = &sequence.program;
         let mut names = Names::new(program, Family::Iec);
         let call = st::call(program, &names);
-        if sequence.given.is_empty() {
+        if !sequence.is_held() {
             let mut parts = PouParts::new(program, names, Language::St, Vec::new(), String::new(), call);
             parts.interface.iter_mut().for_each(|block| block.retain(|name| !texts.is_of_a_step(name)));
             return Units { parts, drawn: None };
@@ -68,19 +70,23 @@ impl Units {
         let timers: FxHashSet<&str> = names.timers.iter().map(EcoString::as_str).collect();
         let is_found = |name: &str| timers.contains(name) || given.iter().chain(&memory).any(|found| found == name);
 
+        let late: FxHashSet<EcoString> = sequence.found_after().map(|id| names.variables[id].clone()).collect();
+        let is_late = |name: &str| late.contains(name);
+
         let mut inner = interface(program, &names, Vec::new());
         for block in &mut inner {
-            block.retain(|name| !texts.is_of_a_step(name) && !is_found(name));
+            block.retain(|name| !texts.is_of_a_step(name) && !is_found(name) && !is_late(name));
             if block.kind == VarKind::Input {
                 let entries = given.iter().map(|name| Entry::plain(name.clone(), Type::Bool)).collect();
-                block.sections.push(("", entries));
+                block.sections.push(("".into(), entries));
             }
         }
         let markers = show(&mut inner, &shown);
         if let Some(output) = inner.iter_mut().find(|block| block.kind == VarKind::Output) {
-            output.sections.push(("", markers));
+            output.sections.push(("".into(), markers));
         }
-        let (mut inputs, published) = frame::wired(program, &names);
+        let (mut inputs, mut published) = frame::wired(program, &names);
+        published.retain(|name| !is_late(name));
         inputs.extend(given.iter().map(EcoString::as_str));
         let mut spelt = names.clone();
         for id in &sequence.shown {
@@ -89,6 +95,7 @@ impl Units {
         let mut body = st::before(program, &spelt);
         body.blank();
         st::call::write(&mut body, &instance, &inputs, &published);
+        body.append(st::after(program, &spelt));
         let body = body.finish();
 
         let mut outer = interface(program, &names, Vec::new());
@@ -103,7 +110,7 @@ impl Units {
             }
         }
         if let Some(local) = outer.iter_mut().find(|block| block.kind == VarKind::Local) {
-            local.sections.push(("", vec![drawn]));
+            local.sections.push(("".into(), vec![drawn]));
         }
         let mut parts = PouParts::new(program, names, Language::St, Vec::new(), body, call);
         parts.interface = outer;

@@ -1,5 +1,6 @@
 //! What stands in the boxes: names, conditions, actions.
 
+use crate::comment::clean;
 use crate::st;
 use ecow::{EcoString, eco_format};
 use grafc_logic::scan::{Role, VarId};
@@ -10,6 +11,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 pub(super) struct Texts {
     /// The names of the steps, in order.
     pub steps: Vec<EcoString>,
+    /// The comment on each step, clean; empty if there is none.
+    pub comments: Vec<String>,
     /// The conditions of the transitions, in order.
     pub conditions: Vec<String>,
     /// What each step does.
@@ -86,8 +89,9 @@ impl Texts {
             actions.push(rows);
         }
         let steps = sequence.steps.iter().map(|step| names[step.active].clone()).collect();
+        let comments = sequence.steps.iter().map(|step| clean(step.comment.as_deref().unwrap_or_default())).collect();
         debug_assert!(sequence.steps.iter().all(|step| sequence.program.variables[step.active].role == Role::Step));
-        Texts { steps, conditions, actions, of_steps }
+        Texts { steps, comments, conditions, actions, of_steps }
     }
 
     /// Whether a variable is the activity or the duration of a step.

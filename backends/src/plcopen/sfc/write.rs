@@ -1,6 +1,6 @@
 //! The drawing as elements, each with its place, its size and the points of its wires.
 
-use super::graph::{Graph, ROW, TO_ACTIONS, VertexKind, block_width, step_width};
+use super::graph::{Graph, ROW, TO_ACTIONS, VertexKind, block_width, comment_width, step_width};
 use super::place::{Placed, bar_above, bar_below};
 use super::texts::{Content, Texts};
 use crate::plcopen::dialect::Dialect;
@@ -30,6 +30,8 @@ struct Sheet<'g> {
     ids: Vec<[usize; 3]>,
     /// The first local id behind those: action blocks and actions.
     first_action: Vec<usize>,
+    /// The local id of the comment on a step.
+    comment: Vec<usize>,
 }
 
 /// A pin at the end of a wire: the object, and where.
@@ -47,6 +49,7 @@ impl<'g> Sheet<'g> {
         };
         let mut ids = vec![[0; 3]; graph.nodes.len()];
         let mut first_action = vec![0; graph.nodes.len()];
+        let mut comment = vec![0; graph.nodes.len()];
         for &node in graph.layers.iter().flatten() {
             ids[node] = match graph.nodes[node].kind {
                 VertexKind::Joint => [0; 3],
@@ -59,9 +62,10 @@ impl<'g> Sheet<'g> {
             if let VertexKind::Step { step, .. } = graph.nodes[node].kind {
                 let rows = texts.actions[step].len();
                 first_action[node] = fresh(if rows > 0 { rows + 1 } else { 0 });
+                comment[node] = fresh(usize::from(!texts.comments[step].is_empty()));
             }
         }
-        Sheet { graph, placed, texts, dialect, ids, first_action }
+        Sheet { graph, placed, texts, dialect, ids, first_action, comment }
     }
 
     fn x(&self, node: usize) -> i64 {
@@ -99,7 +103,22 @@ impl<'g> Sheet<'g> {
         }
         if let VertexKind::Step { step, .. } = self.graph.nodes[node].kind {
             self.actions(xml, node, step);
+            self.comment(xml, node, step);
         }
+    }
+
+    /// The comment that is attached to a step, right of all that belongs to it.
+    fn comment(&self, xml: &mut Xml, node: usize, step: usize) {
+        let Some(width) = comment_width(self.texts, step) else { return };
+        let actions = !self.texts.actions[step].is_empty();
+        let block = if actions { TO_ACTIONS + block_width(self.texts, step) } else { 0 };
+        let left = self.x(node) + step_width(&self.texts.steps[step]) / 2 + block + TO_ACTIONS;
+        open(xml, "comment", self.comment[node], (width, ROW), &[]);
+        position(xml, (left, self.y(node)));
+        xml.open("content", &[]);
+        self.dialect.formatted(xml, &self.texts.comments[step]);
+        xml.close();
+        xml.close();
     }
 
     fn step(&self, xml: &mut Xml, node: usize, step: usize, initial: bool) {

@@ -7,7 +7,7 @@ use crate::rust::literals::type_name;
 use crate::writer::Writer;
 use ecow::{EcoString, eco_format};
 use grafc_formula::{Arithmetic, Formula, FormulaId, Type};
-use grafc_logic::scan::{Arm, Division, Statement, TimerId, VarId, is_empty, origin_of, origin_of_end};
+use grafc_logic::scan::{Arm, Division, Statement, TimerId, Told, VarId, is_empty, origin_of, origin_of_end};
 
 impl RustStatements<'_> {
     /// A block of statements, in a block of the text.
@@ -24,11 +24,13 @@ impl RustStatements<'_> {
         match statement {
             Statement::Heading(heading) => {
                 out.blank();
-                out.comment(heading.text());
+                out.comment(&clean(&self.program.heading(*heading)));
             }
             Statement::Assign { target, value, origin, told } => {
                 self.about(out, *target, *value);
-                out.comment(&self.program.remark(*origin, *told).map(|text| clean(&text)).unwrap_or_default());
+                // What a step is for is said where it is declared, and states are spelt by their steps.
+                let told = if matches!(told, Told::Comment | Told::Steps) { Told::Nothing } else { *told };
+                out.comment(&self.program.remark(*origin, told).map(|text| clean(&text)).unwrap_or_default());
                 let declares = self.locals.with(block, place, *target);
                 self.assign(out, declares, *target, *value);
             }

@@ -32,7 +32,7 @@ fn a_function_block() {
             FUNCTION_BLOCK Filling
 
             VAR_INPUT
-                start : BOOL;  (* start button *)
+                start : BOOL;     (* start button *)
                 high, low : BOOL;
             END_VAR
 
@@ -48,15 +48,15 @@ fn a_function_block() {
 
             VAR
                 (* internal variables *)
-                batches : INT;  (* how often the tank was filled *)
+                batches : INT;    (* how often the tank was filled *)
 
                 (* steps *)
-                X1 : BOOL := TRUE;  (* ready *)
-                X2 : BOOL;          (* fill *)
+                X1 : BOOL := TRUE;    (* ready *)
+                X2 : BOOL;            (* fill *)
                 X3, X4 : BOOL;
 
                 (* timers *)
-                stirred : TON;  (* stir_time/X3 *)
+                stirred : TON;    (* stir_time/X3 *)
 
                 (* memory from call to call *)
                 started, old_start : BOOL;
@@ -80,10 +80,10 @@ fn a_function_block() {
                 stirred(IN := X3, PT := stir_time);
 
                 (* transitions that clear *)
-                clear_1 := X1 AND start AND NOT old_start;  (* 1 -> 2: ↑start *)
-                clear_2 := X2 AND high;                     (* 2 -> 3: high *)
-                clear_3 := X3 AND stirred.Q;                (* 3 -> 4: stir_time/X3 *)
-                clear_4 := X4 AND NOT low;                  (* 4 -> 1: not low *)
+                clear_1 := X1 AND start AND NOT old_start;    (* 1 -> 2: ↑start *)
+                clear_2 := X2 AND high;                       (* 2 -> 3: high *)
+                clear_3 := X3 AND stirred.Q;                  (* 3 -> 4: stir_time/X3 *)
+                clear_4 := X4 AND NOT low;                    (* 4 -> 1: not low *)
 
                 (* next situation *)
                 next_1 := clear_4 OR (X1 AND NOT clear_1);
@@ -99,7 +99,7 @@ fn a_function_block() {
 
                 (* stored actions *)
                 IF clear_2 THEN
-                    batches := batches + 1;  (* 2 -> 3: on clearing *)
+                    batches := batches + 1;   (* 2 -> 3: on clearing *)
                 END_IF;
 
                 (* situation *)
@@ -117,7 +117,7 @@ fn a_function_block() {
             (* outputs *)
             INLET := X2;
             STIRRER := X3;
-            OUTLET := X4;  (* 4 ->: until empty *)
+            OUTLET := X4;     (* 4 ->: until empty *)
 
             END_FUNCTION_BLOCK
         "#]],
@@ -134,8 +134,8 @@ fn a_configuration() {
         PROGRAM Filling_program
 
         VAR
-            start AT %IX0.0 : BOOL;  (* start button *)
-            INLET AT %QX0.0 : BOOL;  (* inlet valve *)
+            start AT %IX0.0 : BOOL;   (* start button *)
+            INLET AT %QX0.0 : BOOL;   (* inlet valve *)
         END_VAR
 
         VAR
@@ -534,7 +534,7 @@ fn hostile_texts() {
             END_VAR
 
             (* outputs *)
-            ON_1 := on_2;  (* 4 -> 5: a * ) b *)
+            ON_1 := on_2;     (* 4 -> 5: a * ) b *)
 
             END_FUNCTION_BLOCK
 
@@ -568,81 +568,68 @@ fn states() {
         &nested(),
         Pou::FunctionBlock,
         expect![[r#"
-        (* grafc 0.1.0, filling.gct
-           --target st --encoding single-phase *)
+            (* grafc 0.1.0, filling.gct
+               --target st --encoding single-phase *)
 
-        FUNCTION_BLOCK Nested
+            FUNCTION_BLOCK Nested
 
-        VAR_INPUT
-            a, b : BOOL;
-        END_VAR
+            VAR_INPUT
+                a, b : BOOL;
+            END_VAR
 
-        VAR_OUTPUT
-            y : BOOL;
-        END_VAR
+            VAR_OUTPUT
+                y : BOOL;
+            END_VAR
 
-        VAR
-            (* steps *)
-            at_G : INT;  (* -1, 2 *)
-            at_H : INT;  (* 0 none, 21, 22 *)
+            VAR
+                (* steps *)
+                at_G : INT;   (* -1, 2 *)
+                at_H : INT;   (* 0 none, 21, 22 *)
 
-            (* memory from call to call *)
-            next_G, next_H : INT;
-            started : BOOL;
+                (* memory from call to call *)
+                next_G, next_H : INT;
+                started : BOOL;
 
-            (* values within one call *)
-            moved : BOOL;
-        END_VAR
+                (* values within one call *)
+                moved : BOOL;
+            END_VAR
 
-        IF NOT started THEN
-            started := TRUE;
-            at_G := -1;
-            next_G := -1;
-        END_IF;
+            IF NOT started THEN started := TRUE; at_G := -1; next_G := -1; END_IF;
 
-        REPEAT
-            (* transitions *)
-            moved := FALSE;
-            CASE at_G OF
-                -1:  (* step -1: ready *)
-                    IF a THEN
-                        next_G := 2;
-                        moved := TRUE;
+            REPEAT
+                (* transitions *)
+                moved := FALSE;
+                CASE at_G OF
+                    -1:  (* step -1: ready *)
+                        IF a THEN next_G := 2; moved := TRUE; END_IF;
+                    2:  (* step 2: running *)
+                        IF NOT a THEN next_G := -1; moved := TRUE; END_IF;
+                        CASE at_H OF
+                            21:  (* step 21: first *)
+                                IF b THEN next_H := 22; moved := TRUE; END_IF;  (* 21 -> 22 *)
+                        END_CASE;
+                END_CASE;
+                IF moved THEN
+                    IF next_G <> at_G THEN
+                        CASE at_G OF
+                            2:  (* step 2: running *)
+                                next_H := 0;
+                        END_CASE;
+                        CASE next_G OF
+                            2:
+                                next_H := 21;
+                        END_CASE;
                     END_IF;
-                2:  (* step 2: running *)
-                    IF NOT a THEN
-                        next_G := -1;
-                        moved := TRUE;
-                    END_IF;
-                    CASE at_H OF
-                        21:  (* step 21: first *)
-                            IF b THEN
-                                next_H := 22;  (* 21 -> 22 *)
-                                moved := TRUE;
-                            END_IF;
-                    END_CASE;
-            END_CASE;
-            IF moved THEN
-                IF next_G <> at_G THEN
-                    CASE at_G OF
-                        2:  (* step 2: running *)
-                            next_H := 0;
-                    END_CASE;
-                    CASE next_G OF
-                        2:
-                            next_H := 21;
-                    END_CASE;
+                    at_G := next_G;
+                    at_H := next_H;
                 END_IF;
-                at_G := next_G;
-                at_H := next_H;
-            END_IF;
-        UNTIL NOT moved
-        END_REPEAT;
+            UNTIL NOT moved
+            END_REPEAT;
 
-        y := (at_H = 22);
+            y := (at_H = 22);
 
-        END_FUNCTION_BLOCK
-    "#]],
+            END_FUNCTION_BLOCK
+        "#]],
     );
 }
 

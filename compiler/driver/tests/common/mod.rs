@@ -16,9 +16,11 @@ grafcet G1 {
   initial step 1
   step 2 { V }
 
-  transition (1) 1 -> 2 : a and not b
+  transition (1) 1 -> 2 : a
   transition (2) 2 -> 1 : b
 }
+
+allow W0424 \"no one asks for both at once\"
 ";
 
 /// The same with a name that is not declared.

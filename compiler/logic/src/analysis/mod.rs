@@ -69,7 +69,7 @@ impl Analysis {
     pub fn new(net: impl Into<Arc<Net>>) -> Analysis {
         let net = net.into();
         let arcs = Arcs::of(&net, |_| true);
-        let conditions = Conditions::new(Lowering::new(net.clone(), None));
+        let conditions = Conditions::new(Lowering::new(net.clone(), None, false));
         let facts = EdgeFacts::new(&conditions.lowering.edges);
         let FoundComponents { components, cover, reasons, reachable, rivals, one_token } =
             components::find(&net, &arcs, &facts, &conditions);

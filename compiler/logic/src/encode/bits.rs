@@ -3,6 +3,7 @@
 
 use super::sequent;
 use super::task::Task;
+use crate::encode::by_grafcet::{headed, sorted};
 use crate::encode::clearings::{Clearings, StepEvents};
 use crate::encode::input_event::InputEvent;
 use crate::encode::next_activity::next_activity;
@@ -11,7 +12,7 @@ use crate::encode::stored;
 use crate::lower::situation::Holder;
 use crate::lower::{Context, Lowering};
 use crate::options::Encoding;
-use crate::scan::{Heading, Origin, Role, Statement, VarId};
+use crate::scan::{Heading, Origin, Part, Role, Statement, Told, VarId};
 use grafc_formula::{Formula, FormulaId, Type};
 use grafc_model::chart::StepId;
 use index_vec::IndexVec;
@@ -31,18 +32,21 @@ pub(super) fn micro_step(
         return out;
     }
     let overlaps = task.encoding.overlaps();
-    let (frozen, mut transitions) = settle::frozen(lowering);
+    let (frozen, freezing) = settle::frozen(lowering);
+    stored::heading(&mut out, Heading::FrozenGrafcets, freezing);
     // The textbook's triggers write conditions out; elsewhere each clearing is named and latched.
     let (mut clearings, latched) = Clearings::new(lowering, task, &frozen, !overlaps);
-    transitions.extend(latched);
-    stored::heading(&mut out, Heading::TransitionsThatClear, transitions);
+    out.extend(sorted(lowering, Part::TransitionsThatClear, latched));
 
     let ahead = ahead(lowering, task);
     let next = next_situation(lowering, task, &mut clearings, &ahead);
-    stored::heading(&mut out, Heading::NextSituation, next);
+    out.extend(headed(lowering, Part::NextSituation, next));
     if let Some(again) = task.again {
-        let terms =
-            if overlaps { differences(lowering, &clearings) } else { clearings.changes(lowering, task, |_| false) };
+        let terms = if overlaps {
+            differences(lowering, &clearings)
+        } else {
+            clearings.changes(lowering, task, |_| false, |_| false)
+        };
         out.extend(tell(lowering, again, terms));
     }
 
@@ -55,20 +59,22 @@ pub(super) fn micro_step(
         let Holder::Bit(target) = lowering.situation.holder(s) else { continue };
         if let Some(value) = clearings.next[s] {
             if value != lowering.active(s) {
-                situation.push(Statement::assign(Origin::Step(s), target, value));
+                situation.push(Statement::Assign { target, value, origin: Origin::Step(s), told: Told::Comment });
             }
         } else if task.encoding != Encoding::Sequent
             && let Some(place) = clearings.set_and_reset(lowering, s, overlaps)
         {
             // In place: clearings were latched, and a step reads no activity but its own.
             let value = next_activity(task.encoding, &mut lowering.pool, &place);
-            situation.push(Statement::assign(Origin::Step(s), target, value));
+            situation.push(Statement::Assign { target, value, origin: Origin::Step(s), told: Told::Comment });
         }
     }
     if task.encoding == Encoding::Sequent && !ahead.iter().any(|needed| *needed) {
-        situation = sequent::moves(lowering, task, &clearings, |lowering, s| lowering.situation.bit(s));
+        let moves = sequent::moves(lowering, task, &clearings, |lowering, s| lowering.situation.bit(s));
+        stored::heading(&mut out, Heading::Situation, moves);
+    } else {
+        out.extend(sorted(lowering, Part::Situation, situation));
     }
-    stored::heading(&mut out, Heading::Situation, situation);
     out
 }
 

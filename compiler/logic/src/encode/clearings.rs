@@ -6,10 +6,10 @@ use crate::encode::settle::Frozen;
 use crate::encode::task::{SetReset, Task};
 use crate::lower::Lowering;
 use crate::scan::{Origin, Role, Statement, Told, VarId};
-use ecow::{EcoString, eco_format};
+use ecow::eco_format;
 use grafc_formula::{Formula, FormulaId};
 use grafc_model::chart::{StepId, TransitionId, Type};
-use grafc_net::{Arcs, Net};
+use grafc_net::Arcs;
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -59,12 +59,12 @@ impl<'a> Clearings<'a> {
         for t in net.transitions.indices() {
             let factors = clears(lowering, t, task.conditions[t], frozen, task.simplify);
             let value = lowering.pool.and(factors);
-            if !latch {
+            if !latch || lowering.pool.as_truth(value).is_some() {
                 cleared.push(value);
                 continue;
             }
-            let target =
-                lowering.symbols.fresh(Role::Temporary, eco_format!("clr_{}", designation(net, t)), Type::Bool, None);
+            let name = eco_format!("clr_{}", lowering.transition_word(t));
+            let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
             statements.push(Statement::Assign { target, value, origin: Origin::Transition(t), told: Told::All });
             cleared.push(lowering.symbols.read(&mut lowering.pool, target));
         }
@@ -160,7 +160,7 @@ impl<'a> Clearings<'a> {
         lowering.pool.and([reset, not_set])
     }
 
-    /// Whether the bits of the situation change, as the terms of a disjunction: the clearings that move the token of a
+    /// Whether the bits of the situation, or other steps `of_interest`, change, as the terms of a disjunction: the clearings that move the token of a
     /// component, and for what no component covers, activation and deactivation step by step. A transition that waits
     /// for an edge is left out: the edge itself asks for another micro-step; and so is one whose clearing is `told`
     /// otherwise. What enclosures and orders do needs no term: it happens where a step that encloses or forces changes.
@@ -168,6 +168,7 @@ impl<'a> Clearings<'a> {
         &self,
         lowering: &mut Lowering,
         task: &Task,
+        of_interest: impl Fn(StepId) -> bool,
         told: impl Fn(TransitionId) -> bool,
     ) -> Vec<FormulaId> {
         let net = &*lowering.net.clone();
@@ -178,7 +179,8 @@ impl<'a> Clearings<'a> {
             .iter_enumerated()
             .map(|(t, c)| told(t) || lowering.pool.factors(c).iter().any(is_edge))
             .collect();
-        let bits: Vec<StepId> = net.places.indices().filter(|s| lowering.situation.bit(*s).is_some()).collect();
+        let bits: Vec<StepId> =
+            net.places.indices().filter(|s| lowering.situation.bit(*s).is_some() || of_interest(*s)).collect();
         let mut moves: IndexVec<TransitionId, bool> = net.transitions.iter().map(|_| false).collect();
         for s in bits.iter().filter(|s| task.components.covers(**s)) {
             self.arcs.out_of_step(*s).iter().for_each(|t| moves[*t] = true);
@@ -255,9 +257,4 @@ impl StepEvents {
     pub(crate) fn deactivated(&self, s: StepId) -> FormulaId {
         self.deactivated[&s]
     }
-}
-
-/// What a transition is called: its designation, or its number.
-pub(crate) fn designation(net: &Net, t: TransitionId) -> EcoString {
-    net.transitions[t].designation.clone().unwrap_or_else(|| eco_format!("{}", t.index() + 1))
 }

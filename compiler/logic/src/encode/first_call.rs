@@ -5,7 +5,7 @@ use super::input_event::InputEvent;
 use super::outputs::Followers;
 use super::switch;
 use crate::lower::{Context, Lowering, Moment};
-use crate::scan::{ActionId, Flag, Origin, Role, Statement, VarId};
+use crate::scan::{ActionId, Flag, Origin, Role, Statement, Told, VarId};
 use grafc_formula::Type;
 use grafc_model::chart::{Event, Mode, VariableKind};
 use grafc_model::reaction::Profile;
@@ -23,7 +23,7 @@ pub(crate) fn first_call(
     let (mut body, mut retained) = (Vec::new(), Vec::new());
     for (s, place) in net.places.iter_enumerated() {
         if let Some(target) = lowering.situation.bit(s).filter(|_| place.initial) {
-            body.push(Statement::assign(Origin::Step(s), target, yes));
+            body.push(Statement::Assign { target, value: yes, origin: Origin::Step(s), told: Told::Comment });
         }
     }
     if let Some(followers) = followers {

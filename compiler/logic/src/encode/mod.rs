@@ -12,6 +12,7 @@
 
 mod allocate;
 mod bits;
+mod by_grafcet;
 pub(crate) mod clearings;
 pub(crate) mod first_call;
 mod in_order;

@@ -4,12 +4,14 @@
 //! not active need cost nothing: the wire follows the state. It becomes false when such a step is left and true when one
 //! is entered; a condition is only looked at while its step is active.
 
+use crate::encode::by_grafcet;
 use crate::encode::state_case::StateCase;
+use crate::encode::stored::heading;
 use crate::lower::situation::Holder;
 use crate::lower::{Context, Lowering, Moment};
-use crate::scan::{ActionId, Origin, Statement};
+use crate::scan::{ActionId, Heading, Origin, Part, Statement};
 use grafc_formula::FormulaId;
-use grafc_model::chart::{ExprId, ExprKind, Mode, StepId, VariableId, VariableKind};
+use grafc_model::chart::{ExprId, ExprKind, Mode, StepId, Variable, VariableId, VariableKind};
 use grafc_net::Net;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
@@ -32,6 +34,9 @@ pub(crate) fn followers(lowering: &mut Lowering) -> Followers {
         conditional: FxHashSet::default(),
         of_step: FxHashMap::default(),
     };
+    if lowering.situation.is_small {
+        return followers;
+    }
     let mut read: FxHashSet<VariableId> = FxHashSet::default();
     for expr in &net.exprs {
         if let ExprKind::Variable(v) = expr.kind {
@@ -99,11 +104,17 @@ impl Followers {
 pub(crate) fn statements(lowering: &mut Lowering, followers: Option<&Followers>) -> Vec<Statement> {
     let net = &*lowering.net.clone();
     let mut cx = Context::new(Moment::After);
-    for (v, variable) in net.variables.iter_enumerated() {
-        if variable.mode == Mode::Wire && variable.kind == VariableKind::Output {
-            cx.origin = lowering.wire_origin(v);
-            lowering.wire(&mut cx, v);
+    let is_shown =
+        |(_, variable): &(VariableId, &Variable)| variable.mode == Mode::Wire && variable.kind == VariableKind::Output;
+    let shown = net.variables.iter_enumerated().filter(is_shown).map(|(v, _)| v);
+    let mut last = None;
+    for (of, v) in by_grafcet::wires(lowering, shown) {
+        let heading = of.filter(|_| net.grafcets.len() > 1).map_or(Heading::Outputs, |g| Heading::Of(Part::Outputs, g));
+        if last.replace(heading) != Some(heading) {
+            cx.statements.push(Statement::Heading(heading));
         }
+        cx.origin = lowering.wire_origin(v);
+        lowering.wire(&mut cx, v);
     }
     let Some(followers) = followers.filter(|f| !f.conditional.is_empty()) else { return cx.statements };
     // All conditions are evaluated, whether or not they decide anything: one of them may divide by zero.
@@ -132,6 +143,6 @@ pub(crate) fn statements(lowering: &mut Lowering, followers: Option<&Followers>)
         cases.extend(arms.case(lowering.situation.sets[set].variable));
     }
     let mut out = cx.statements;
-    out.extend(cases);
+    heading(&mut out, Heading::Outputs, cases);
     out
 }

@@ -9,10 +9,11 @@
 use super::in_order::{Bundle, in_order};
 use super::task::Task;
 use crate::encode::allocate::choose;
+use crate::encode::by_grafcet::headed;
 use crate::encode::clearings::{Clearings, clears};
 use crate::encode::settle;
 use crate::lower::Lowering;
-use crate::scan::{Heading, Origin, Statement, VarId};
+use crate::scan::{Heading, Origin, Part, Statement, VarId};
 use grafc_model::chart::{StepId, TransitionId};
 use std::collections::BTreeMap;
 
@@ -81,15 +82,13 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Option<Vec<State
         let statements = choose(lowering, branches);
         blocks.push(Bundle::new(lowering, statements, |v| lowering.situation.step_of(v).is_some()));
     }
-    let mut out = Vec::new();
-    crate::encode::stored::heading(&mut out, Heading::Transitions, statements);
-    if out.is_empty() {
-        out.push(Statement::Heading(Heading::Transitions));
-    }
+    let (mut out, mut moving) = (Vec::new(), Vec::new());
+    crate::encode::stored::heading(&mut out, Heading::FrozenGrafcets, statements);
     if let Some(target) = task.again.filter(|_| lowering.edges.is_empty()) {
-        out.push(Statement::assign(Origin::Chart, target, lowering.pool.truth(false)));
+        moving.push(Statement::assign(Origin::Chart, target, lowering.pool.truth(false)));
     }
-    in_order(lowering, blocks, &mut out);
+    in_order(lowering, blocks, &mut moving);
+    out.extend(headed(lowering, Part::Transitions, moving));
     Some(out)
 }
 

@@ -112,7 +112,7 @@ pub(crate) fn orders(
             }
         };
         if let Forced::Steps(steps) = &order.forced {
-            let name = format!("force_{}_{}", grafcet.name, index + 1);
+            let name = format!("force_{}_by_{}", grafcet.name, net.places[order.step].label);
             let origin = lowering.order_origin(g, index);
             in_force.push((lowering.named(origin, &name, when, statements), steps.clone()));
         }

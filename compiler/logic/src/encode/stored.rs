@@ -7,6 +7,7 @@ use crate::encode::input_event::InputEvent;
 use crate::encode::task::Task;
 use crate::lower::{Context, Lowering};
 use crate::scan::{ActionId, Heading, Origin, Role, Statement, VarId};
+use ecow::eco_format;
 use grafc_formula::{Formula, FormulaId, Type};
 use grafc_model::chart::{Event, StepId};
 use rustc_hash::FxHashMap;
@@ -85,7 +86,8 @@ fn without_edges(
     for (part, formula) in lowering.parts.clone() {
         let level = lowering.pool.substitute(formula, &by);
         if level != formula {
-            let target = lowering.symbols.fresh(Role::Temporary, "level", Type::Bool, None);
+            let name = eco_format!("level_of_{}", lowering.symbols.table[part].name);
+            let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
             statements.push(Statement::assign(Origin::Chart, target, level));
             by.insert(part, lowering.symbols.read(&mut lowering.pool, target));
         }

@@ -5,6 +5,7 @@
 
 use super::{Context, Lowering};
 use crate::scan::{Division, Flag, Role, Statement, VarId};
+use ecow::eco_format;
 use grafc_formula::number::is_zero;
 use grafc_formula::{Arithmetic, Formula, FormulaId, Type, Value};
 
@@ -17,7 +18,7 @@ impl Lowering {
         let target = match cx.latched.get(&value) {
             Some(known) => *known,
             None => {
-                let target = self.intermediate(self.pool.ty(value));
+                let target = self.intermediate(cx, self.pool.ty(value));
                 cx.statements.push(Statement::assign(cx.origin, target, value));
                 cx.latch_in(value, target);
                 target
@@ -52,7 +53,7 @@ impl Lowering {
         if let Some(known) = cx.divided.get(&(modulo, a, b)) {
             return self.symbols.read(&mut self.pool, *known);
         }
-        let target = self.intermediate(ty);
+        let target = self.intermediate(cx, ty);
         let (dividend, divisor) = (self.operand(cx, a), self.operand(cx, b));
         let flag = self.symbols.flag(Flag::Div0);
         let origin = cx.origin;
@@ -67,13 +68,13 @@ impl Lowering {
         if self.pool.is_leaf(value) {
             return value;
         }
-        let target = self.intermediate(self.pool.ty(value));
+        let target = self.intermediate(cx, self.pool.ty(value));
         cx.statements.push(Statement::assign(cx.origin, target, value));
         self.symbols.read(&mut self.pool, target)
     }
 
-    fn intermediate(&mut self, ty: Type) -> VarId {
-        self.latches += 1;
-        self.symbols.fresh(Role::Temporary, format!("value_{}", self.latches), ty, None)
+    fn intermediate(&mut self, cx: &Context, ty: Type) -> VarId {
+        let name = eco_format!("value_{}", self.origin_word(cx.origin));
+        self.symbols.fresh(Role::Temporary, name, ty, None)
     }
 }

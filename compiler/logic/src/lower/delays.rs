@@ -3,8 +3,11 @@
 //! `on/e/off` is TOF(TON(e, on), off), each part left out where its time is zero. The off-delay is a TON on the negated
 //! signal and a bit that it resets, because targets disagree on the output of TOF before its first true input.
 
+use super::words::duration_word;
 use super::{Context, Lowering, Moment};
 use crate::scan::{Origin, Preset, Role, Statement, Timer, TimerId};
+use crate::spell::in_signs;
+use ecow::{EcoString, eco_format};
 use grafc_formula::{FormulaId, Type, Value};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, StepId};
 
@@ -36,7 +39,7 @@ impl Lowering {
                 let value = match self.delay_of.get(&(input, on, off)) {
                     Some(known) => *known,
                     None => {
-                        let value = self.run_delay(cx, input, on, operand, off);
+                        let value = self.run_delay(cx, e, input, on, operand, off);
                         self.delay_of.insert((input, on, off), value);
                         value
                     }
@@ -50,22 +53,23 @@ impl Lowering {
     fn run_delay(
         &mut self,
         cx: &mut Context,
+        e: ExprId,
         input: FormulaId,
         on: DelayTime,
         operand: ExprId,
         off: DelayTime,
     ) -> FormulaId {
-        let base = self.base_name(operand, self.delay_of.len() + 1);
+        let (base, comment) = self.delay_word(e, on, operand, off);
         let raised = if on.ms > 0 {
-            let timer = self.timer(format!("on_{base}"), on);
+            let timer = self.timer(format!("on_{base}"), on, comment.clone());
             cx.statements.push(Statement::CallTimer { timer, input, origin: cx.origin });
             self.pool.timer_done(timer)
         } else {
             input
         };
         if off.ms > 0 {
-            let held = self.symbols.fresh(Role::Memory, format!("held_{base}"), Type::Bool, None);
-            let timer = self.timer(format!("off_{base}"), off);
+            let held = self.symbols.fresh(Role::Memory, eco_format!("held_{base}"), Type::Bool, comment.clone());
+            let timer = self.timer(format!("off_{base}"), off, comment.clone());
             let low = self.pool.not(raised);
             cx.statements.push(Statement::CallTimer { timer, input: low, origin: cx.origin });
             let (still, over) = (self.symbols.read(&mut self.pool, held), self.pool.timer_done(timer));
@@ -78,15 +82,15 @@ impl Lowering {
             raised
         } else {
             // No delay at all: still a value of this micro-step, which outputs read after the situation has changed.
-            let value = self.symbols.fresh(Role::Temporary, format!("now_{base}"), Type::Bool, None);
+            let value = self.symbols.fresh(Role::Temporary, eco_format!("now_{base}"), Type::Bool, None);
             cx.statements.push(Statement::assign(cx.origin, value, input));
             self.symbols.read(&mut self.pool, value)
         }
     }
 
-    fn timer(&mut self, name: String, time: DelayTime) -> TimerId {
+    fn timer(&mut self, name: String, time: DelayTime, comment: Option<EcoString>) -> TimerId {
         let constant = time.constant.map(|c| self.symbols.declared(c));
-        self.timers.push(Timer { name, preset: Some(Preset { ms: time.ms, constant }), comment: None })
+        self.timers.push(Timer { name, preset: Some(Preset { ms: time.ms, constant }), comment })
     }
 
     /// `Tn`: its timer runs as soon as the step is active, see `compile`.
@@ -106,15 +110,32 @@ impl Lowering {
         self.pool.timer_elapsed(timer)
     }
 
-    /// A word for what an operand is: its name if it has one, else a number.
-    pub(super) fn base_name(&self, operand: ExprId, number: usize) -> String {
-        match &self.net.exprs[operand].kind {
-            ExprKind::Variable(v) => self.net.variables[*v].name.to_string(),
-            ExprKind::StepActive(s) => format!("X{}", self.net.places[*s].label),
-            ExprKind::MacroActive(m) => format!("X{}", self.net.macro_steps[*m].label),
-            ExprKind::GrafcetActive(g) => format!("X{}", self.net.grafcets[*g].name),
-            ExprKind::Literal(_)
-            | ExprKind::StepTime(_)
+    /// What a delay is called by: its operand and, if another delay of that came before, its time as well. Beside it what the
+    /// name cannot say.
+    fn delay_word(
+        &mut self,
+        e: ExprId,
+        on: DelayTime,
+        operand: ExprId,
+        off: DelayTime,
+    ) -> (EcoString, Option<EcoString>) {
+        let mut word = self.operand_word(operand);
+        if self.delay_words.contains(&word) {
+            let time = if on.ms > 0 { on } else { off };
+            let time = match time.constant {
+                Some(constant) => self.net.variables[constant].name.clone(),
+                None => duration_word(time.ms),
+            };
+            word = eco_format!("{word}_{time}");
+        }
+        self.delay_words.insert(word.clone());
+        let speaks_for_itself = match &self.net.exprs[operand].kind {
+            ExprKind::Variable(_)
+            | ExprKind::StepActive(_)
+            | ExprKind::MacroActive(_)
+            | ExprKind::GrafcetActive(_)
+            | ExprKind::Literal(_) => off.ms == 0 || on.ms == 0,
+            ExprKind::StepTime(_)
             | ExprKind::Not(_)
             | ExprKind::And(..)
             | ExprKind::Or(..)
@@ -125,7 +146,9 @@ impl Lowering {
             | ExprKind::Compare(..)
             | ExprKind::Arithmetic(..)
             | ExprKind::Negate(_)
-            | ExprKind::Widen(_) => number.to_string(),
-        }
+            | ExprKind::Widen(_) => false,
+        };
+        let comment = (!speaks_for_itself).then(|| in_signs(&self.net, e).into());
+        (word, comment)
     }
 }

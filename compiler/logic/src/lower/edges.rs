@@ -5,6 +5,7 @@
 
 use super::{Context, Lowering, Moment};
 use crate::scan::{Origin, Role, Statement};
+use ecow::eco_format;
 use grafc_formula::exclusion::EdgeOperand;
 use grafc_formula::{FormulaId, Type};
 use grafc_model::chart::{ExprId, ExprKind};
@@ -28,8 +29,8 @@ impl Lowering {
         if let Some(known) = *slot {
             return self.symbols.read(&mut self.pool, known);
         }
-        let base = self.base_name(self.edge_operands[index], index + 1);
-        let target = self.symbols.fresh(Role::Temporary, format!("{word}_{base}"), Type::Bool, None);
+        let base = self.operand_word(self.edge_operands[index]);
+        let target = self.symbols.fresh(Role::Temporary, eco_format!("{word}_{base}"), Type::Bool, None);
         let edge = &mut self.edges[index];
         *(if rising { &mut edge.rise } else { &mut edge.fall }) = Some(target);
         let (now, old) = (edge.now, self.symbols.read(&mut self.pool, edge.old));
@@ -45,21 +46,22 @@ impl Lowering {
     }
 
     fn remember(&mut self, cx: &mut Context, operand: ExprId, formula: FormulaId) -> usize {
-        let base = self.base_name(operand, self.edges.len() + 1);
+        let base = self.operand_word(operand);
         // Of a name, many conditions may ask for an edge; what else an operand is made of, the first that asks has written.
         let origin = match self.net.exprs[operand].kind {
             ExprKind::Variable(v) => Origin::Declaration(v),
             ExprKind::StepActive(s) => Origin::Step(s),
             _ => cx.origin,
         };
-        let now = if self.pool.is_leaf(formula) {
+        // The activity of a step is short, whatever holds it.
+        let now = if self.pool.is_leaf(formula) || matches!(self.net.exprs[operand].kind, ExprKind::StepActive(_)) {
             formula
         } else {
-            let target = self.symbols.fresh(Role::Temporary, format!("now_{base}"), Type::Bool, None);
+            let target = self.symbols.fresh(Role::Temporary, eco_format!("now_{base}"), Type::Bool, None);
             cx.statements.push(Statement::assign(origin, target, formula));
             self.symbols.read(&mut self.pool, target)
         };
-        let old = self.symbols.fresh(Role::Memory, format!("old_{base}"), Type::Bool, None);
+        let old = self.symbols.fresh(Role::Memory, eco_format!("old_{base}"), Type::Bool, None);
         let index = self.edges.len();
         self.edges.push(EdgeOperand { now, old, rise: None, fall: None });
         self.edge_operands.push(operand);

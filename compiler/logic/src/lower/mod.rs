@@ -9,11 +9,15 @@ mod arithmetic;
 pub(crate) mod cover;
 mod delays;
 mod edges;
+mod factored;
 pub(crate) mod situation;
 pub(crate) mod symbols;
+pub(crate) mod words;
 
-use crate::scan::{ActionId, OrderId, Origin, Role, Statement, Timer, TimerId, VarId};
+use crate::scan::{ActionId, OrderId, Origin, Role, Statement, Timer, TimerId, Told, VarId};
 use cover::Cover;
+use ecow::{EcoString, eco_format};
+use factored::factored;
 use grafc_formula::exclusion::EdgeOperand;
 use grafc_formula::{Formula, FormulaId, Pool, Type, Value};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, GrafcetId, MacroId, Mode, StepId, VariableId};
@@ -107,7 +111,10 @@ pub(crate) struct Lowering {
     continuous_of: FxHashMap<VariableId, Vec<usize>>,
     /// The number of the first order on each grafcet.
     first_order: IndexVec<GrafcetId, u32>,
-    latches: usize,
+    /// How often each designation is used.
+    designations: FxHashMap<EcoString, u32>,
+    /// The words that delays are called by.
+    delay_words: FxHashSet<EcoString>,
     /// The pieces of conditions that were too deep, in the order of their definition.
     pub(crate) parts: Vec<(VarId, FormulaId)>,
     /// Wires whose variables follow the situation by themselves, so that nothing need be computed to read them.
@@ -129,16 +136,17 @@ enum Need {
 }
 
 impl Lowering {
-    /// With a cover, steps that exclude each other share a state.
-    pub(crate) fn new(net: Arc<Net>, cover: Option<&Cover>) -> Self {
+    /// With a cover, steps that exclude each other share a state; if a `short` text is wanted, as a small chart does it.
+    pub(crate) fn new(net: Arc<Net>, cover: Option<&Cover>, short: bool) -> Self {
         let (mut symbols, mut pool) = (Symbols::new(&net), Pool::default());
-        let situation = Situation::new(&net, cover, &mut symbols, &mut pool);
+        let situation = Situation::new(&net, cover, short, &mut symbols, &mut pool);
         let mut continuous_of: FxHashMap<VariableId, Vec<usize>> = FxHashMap::default();
         for (index, action) in net.continuous.iter().enumerate() {
             continuous_of.entry(action.target).or_default().push(index);
         }
         let first = |sum: &mut u32, g: &Grafcet| Some(std::mem::replace(sum, *sum + g.orders.len() as u32));
         let first_order = net.grafcets.iter().scan(0, first).collect();
+        let designations = words::designations(&net);
         Lowering {
             net,
             symbols,
@@ -154,7 +162,8 @@ impl Lowering {
             delay_values: FxHashMap::default(),
             continuous_of,
             first_order,
-            latches: 0,
+            designations,
+            delay_words: FxHashSet::default(),
             parts: Vec::new(),
             kept_wires: FxHashSet::default(),
             redirected: FxHashMap::default(),
@@ -288,7 +297,8 @@ impl Lowering {
         if self.pool.depth(formula) < DEEPEST || self.pool.ty(formula) != Type::Bool {
             return formula;
         }
-        let target = self.symbols.fresh(Role::Temporary, format!("part_{}", self.parts.len() + 1), Type::Bool, None);
+        let target =
+            self.symbols.fresh(Role::Temporary, eco_format!("part_{}", self.origin_word(cx.origin)), Type::Bool, None);
         cx.statements.push(Statement::assign(cx.origin, target, formula));
         self.parts.push((target, formula));
         self.symbols.read(&mut self.pool, target)
@@ -304,7 +314,7 @@ impl Lowering {
         if self.pool.is_leaf(activity) {
             return activity;
         }
-        let target = self.symbols.fresh(Role::Temporary, format!("X{label}"), Type::Bool, None);
+        let target = self.symbols.fresh(Role::Temporary, eco_format!("X{label}"), Type::Bool, None);
         cx.statements.push(Statement::assign(cx.origin, target, activity));
         self.symbols.read(&mut self.pool, target)
     }
@@ -315,16 +325,14 @@ impl Lowering {
         let mut terms = Vec::new();
         for index in self.continuous_of.get(&wire).map_or(&[][..], Vec::as_slice).to_vec() {
             let action = &net.continuous[index];
-            let step = self.active(action.step);
-            let term = match action.condition {
-                Some(condition) => self.pool.and([step, cx.exprs[&condition]]),
-                None => step,
-            };
-            terms.push(term);
+            terms.push((self.active(action.step), action.condition.map(|condition| cx.exprs[&condition])));
         }
-        let value = self.pool.or(terms);
+        let value = factored(&mut self.pool, terms);
         let target = self.symbols.declared(wire);
-        cx.statements.push(Statement::assign(self.wire_origin(wire), target, value));
+        let in_state = |index: &usize| self.situation.bit(net.continuous[*index].step).is_none();
+        let of_states = self.continuous_of.get(&wire).is_some_and(|actions| actions.iter().any(in_state));
+        let told = if of_states { Told::Steps } else { Told::Nothing };
+        cx.statements.push(Statement::Assign { target, value, origin: self.wire_origin(wire), told });
         cx.wires.insert(wire);
     }
 

@@ -1,6 +1,6 @@
 //! How the situation is held: a bit a step, or one whole number for a set of steps that exclude each other.
 
-use super::cover::Cover;
+use super::cover::{Cover, is_small};
 use super::symbols::Symbols;
 use crate::scan::{Held, Role, State, Step, VarId, Variable};
 use ecow::eco_format;
@@ -9,7 +9,7 @@ use grafc_model::chart::{GrafcetId, StepId};
 use grafc_net::Net;
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// What holds a step.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -48,33 +48,42 @@ pub(crate) struct Situation {
     step_of_bit: FxHashMap<VarId, StepId>,
     set_of_state: FxHashMap<VarId, usize>,
     pub(crate) sets: Vec<Set>,
+    /// Whether transitions write states and bits at once.
+    pub(crate) in_place: bool,
+    /// Whether all is computed in every micro-step, since that takes fewer lines.
+    pub(crate) is_small: bool,
 }
 
 impl Situation {
     /// A bit a place; with a cover, one state a set, and bits for what is left.
-    pub(crate) fn new(net: &Net, cover: Option<&Cover>, symbols: &mut Symbols, pool: &mut Pool) -> Self {
+    pub(crate) fn new(net: &Net, cover: Option<&Cover>, short: bool, symbols: &mut Symbols, pool: &mut Pool) -> Self {
         let mut this = Situation {
             holder: IndexVec::with_capacity(net.places.len()),
             active: IndexVec::with_capacity(net.places.len()),
             step_of_bit: FxHashMap::default(),
             set_of_state: FxHashMap::default(),
             sets: Vec::new(),
+            in_place: false,
+            is_small: short && is_small(net),
         };
         let mut values: IndexVec<StepId, i64> = net.places.iter().map(|_| 0).collect();
-        let mut numbers: Vec<usize> = vec![0; net.grafcets.len()];
-        let several = several_sets(net, cover);
+        let mut named = vec![false; net.grafcets.len()];
         let in_place = cover.is_some_and(|cover| cover.moves_in_place(net));
+        this.in_place = in_place;
+        let cover = cover.map(|cover| cover.worth_a_number(net, this.is_small && !in_place));
+        let cover = cover.as_ref();
+        let next_role = if this.is_small { Role::Temporary } else { Role::Memory };
         for cover_set in cover.map_or(&[][..], |cover| &cover.sets) {
             let steps = cover_set.steps.clone();
             let Some(grafcet) = steps.first().map(|s| net.places[*s].grafcet) else { continue };
             let idle = number(net, &steps, &mut values);
-            numbers[grafcet.index()] += 1;
             let name = &net.grafcets[grafcet].name;
             let name = if name.is_empty() { &net.name } else { name };
-            let base = if several[grafcet.index()] {
-                format!("{name}_{}", numbers[grafcet.index()])
-            } else {
+            // The first set is called like its grafcet, others by their first step as well.
+            let base = if !std::mem::replace(&mut named[grafcet.index()], true) {
                 name.to_string()
+            } else {
+                format!("{name}_{}", net.places[steps[0]].label)
             };
             let widest = steps.iter().map(|s| values[*s]).max().unwrap_or_default();
             let ty = if widest <= i64::from(i16::MAX) { Type::Int } else { Type::Dint };
@@ -89,7 +98,7 @@ impl Situation {
                 span: None,
             });
             // Where transitions write the states themselves there is no next one.
-            let next = if in_place { variable } else { symbols.fresh(Role::Memory, format!("next_{base}"), ty, None) };
+            let next = if in_place { variable } else { symbols.fresh(next_role, format!("next_{base}"), ty, None) };
             this.set_of_state.insert(variable, this.sets.len());
             this.sets.push(Set {
                 steps,
@@ -190,17 +199,6 @@ pub(crate) fn equals(symbols: &Symbols, pool: &mut Pool, variable: VarId, value:
     let ty = symbols.table[variable].ty;
     let (read, constant) = (symbols.read(pool, variable), pool.constant(Value::Int(value), ty));
     pool.compare(Comparison::Equal, read, constant)
-}
-
-/// Which grafcets have more than one set.
-fn several_sets(net: &Net, cover: Option<&Cover>) -> Vec<bool> {
-    let mut counts: BTreeMap<usize, usize> = BTreeMap::new();
-    for set in cover.map_or(&[][..], |cover| &cover.sets) {
-        if let Some(s) = set.steps.first() {
-            *counts.entry(net.places[*s].grafcet.index()).or_default() += 1;
-        }
-    }
-    (0..net.grafcets.len()).map(|g| counts.get(&g).is_some_and(|n| *n > 1)).collect()
 }
 
 /// Gives each step of a set its value and returns the idle one. Steps keep their numbers: all of them if they are called

@@ -136,7 +136,7 @@ impl<'p> Dump<'p> {
         let deeper = format!("{indent}  ");
         for statement in statements {
             match statement {
-                Statement::Heading(heading) => lines.push(format!("{indent}-- {}", heading.text())),
+                Statement::Heading(heading) => lines.push(format!("{indent}-- {}", self.program.heading(*heading))),
                 Statement::Assign { target, value, origin, told } => {
                     let (target, value) = (&self.variables[*target], self.formula(*value));
                     lines.push(match self.style {

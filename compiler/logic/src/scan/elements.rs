@@ -1,6 +1,6 @@
 //! The elements of the chart that statements come from, beside steps and variables.
 
-use super::{Held, Origin, Program, Role, Statement, StepId, TimerId, Told, TransitionId, VarId, Variable};
+use super::{Heading, Held, Origin, Program, Role, Statement, StepId, TimerId, Told, TransitionId, VarId, Variable};
 use ecow::EcoString;
 use grafc_diagnostics::Span;
 use grafc_formula::{FormulaId, Pool, Value};
@@ -8,6 +8,7 @@ use grafc_model::chart::{GrafcetId, VariableId};
 use grafc_net::Net;
 use index_vec::{IndexVec, define_index_type};
 use rustc_hash::FxHashMap;
+use std::borrow::Cow;
 use std::ops::Range;
 
 define_index_type! {
@@ -33,10 +34,35 @@ pub struct Elements {
     pub actions: IndexVec<ActionId, Action>,
     /// Forcing orders.
     pub orders: IndexVec<OrderId, Order>,
+    /// Grafcets.
+    pub grafcets: IndexVec<GrafcetId, Grafcet>,
     /// The steps around transitions.
     around: Vec<StepId>,
+    /// The grafcet of each step of the chart.
+    grafcet_of: IndexVec<StepId, GrafcetId>,
+    /// The steps that set each variable by continuous actions, if that was asked for.
+    setters: FxHashMap<VariableId, Vec<StepId>>,
     /// Labels of steps that a pass has added, which come after those of the chart.
     added: Vec<EcoString>,
+}
+
+/// A partial grafcet.
+#[derive(Clone, Debug)]
+pub struct Grafcet {
+    /// The name.
+    pub name: EcoString,
+    /// The attached comment.
+    pub comment: Option<EcoString>,
+}
+
+impl Grafcet {
+    /// How it is headed: `G1: the cycle`.
+    pub fn title(&self) -> String {
+        match &self.comment {
+            Some(comment) => format!("{}: {comment}", self.name),
+            None => self.name.to_string(),
+        }
+    }
 }
 
 /// A transition.
@@ -57,10 +83,27 @@ pub struct Transition {
 pub struct Action {
     /// The step or the transition that it belongs to.
     pub of: Origin,
+    /// When it is done.
+    pub when: When,
     /// What it assigns.
     pub target: VariableId,
     /// The action in the chart.
     pub span: Span,
+}
+
+/// When an action is done.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum When {
+    /// While its step is active.
+    Active,
+    /// On an event while its step is active.
+    Event,
+    /// On deactivation of its step.
+    Deactivation,
+    /// On clearing of its transition.
+    Clearing,
+    /// On activation of its step.
+    Activation,
 }
 
 /// A forcing order.
@@ -85,14 +128,20 @@ impl Elements {
         for t in &net.transitions {
             elements.transition(t.designation.clone(), t.comment.clone(), t.span, &t.pre, &t.post);
         }
-        let continuous =
-            net.continuous.iter().map(|a| Action { of: Origin::Step(a.step), target: a.target, span: a.span });
+        let continuous = net.continuous.iter().map(|a| Action {
+            of: Origin::Step(a.step),
+            when: When::Active,
+            target: a.target,
+            span: a.span,
+        });
         let stored = net.stored.iter().map(|a| {
-            let of = match a.event {
-                Event::Event(s, _) | Event::Deactivation(s) | Event::Activation(s) => Origin::Step(s),
-                Event::Clearing(t) => Origin::Transition(t),
+            let (of, when) = match a.event {
+                Event::Event(s, _) => (Origin::Step(s), When::Event),
+                Event::Deactivation(s) => (Origin::Step(s), When::Deactivation),
+                Event::Clearing(t) => (Origin::Transition(t), When::Clearing),
+                Event::Activation(s) => (Origin::Step(s), When::Activation),
             };
-            Action { of, target: a.target, span: a.span }
+            Action { of, when, target: a.target, span: a.span }
         });
         elements.actions = continuous.chain(stored).collect();
         for (grafcet, of) in net.grafcets.iter_enumerated() {
@@ -104,6 +153,9 @@ impl Elements {
                 span: o.span,
             }));
         }
+        let grafcets = net.grafcets.iter();
+        elements.grafcets = grafcets.map(|g| Grafcet { name: g.name.clone(), comment: g.comment.clone() }).collect();
+        elements.grafcet_of = net.places.iter().map(|place| place.grafcet).collect();
         elements.added = net.places.iter().filter(|place| place.auxiliary).map(|place| place.label.clone()).collect();
         elements
     }
@@ -124,6 +176,34 @@ impl Elements {
         };
         let (before, after) = (range(before), range(after));
         self.transitions.push(Transition { designation, comment, span, before, after })
+    }
+
+    /// Finds which steps set each variable.
+    pub(crate) fn find_setters(&mut self, net: &Net) {
+        for action in &net.continuous {
+            let steps = self.setters.entry(action.target).or_default();
+            if steps.last() != Some(&action.step) {
+                steps.push(action.step);
+            }
+        }
+    }
+
+    /// Whether the chart has several grafcets, so that it is said of each part which one it is about.
+    pub fn has_several_grafcets(&self) -> bool {
+        self.grafcets.len() > 1
+    }
+
+    /// The grafcet of a step, if it is known.
+    pub fn grafcet_of(&self, step: StepId) -> Option<GrafcetId> {
+        self.grafcet_of.get(step).copied()
+    }
+
+    /// A word for a transition: its designation, or the first steps around it.
+    pub(super) fn word<'l>(&self, transition: TransitionId, label: impl Fn(StepId) -> &'l str) -> EcoString {
+        let Transition { designation, before, after, .. } = &self.transitions[transition];
+        let steps = self.steps(before).iter().take(1).chain(self.steps(after).iter().take(1));
+        let labels = || steps.map(|s| label(*s)).collect::<Vec<_>>().join("_").into();
+        designation.clone().unwrap_or_else(labels)
     }
 
     fn steps(&self, range: &Range<u32>) -> &[StepId] {
@@ -231,13 +311,85 @@ impl Program {
         }
     }
 
+    /// When an action is done, in words.
+    fn occasion(&self, action: &Action) -> String {
+        let of = match action.of {
+            Origin::Step(s) => self.label(s).to_owned(),
+            Origin::Transition(t) => self.arrow(t),
+            Origin::Chart
+            | Origin::Action(_)
+            | Origin::Actions(_)
+            | Origin::Order(_)
+            | Origin::Orders(_)
+            | Origin::Declaration(_) => String::new(),
+        };
+        match action.when {
+            When::Active => of,
+            When::Event => format!("event in {of}"),
+            When::Deactivation => format!("deactivation of {of}"),
+            When::Clearing => format!("clearing of {of}"),
+            When::Activation => format!("activation of {of}"),
+        }
+    }
+
+    /// The steps that set a variable, the first ones.
+    fn steps_on(&self, variable: VariableId) -> String {
+        const NAMED: usize = 6;
+        let steps = self.elements.setters.get(&variable).map_or(&[][..], Vec::as_slice);
+        let rest = steps.len().checked_sub(NAMED).filter(|rest| *rest > 0).map(|_| "…");
+        steps.iter().take(NAMED).map(|s| self.label(*s)).chain(rest).collect::<Vec<_>>().join(", ")
+    }
+
+    /// The words of a heading.
+    pub fn heading(&self, heading: Heading) -> Cow<'static, str> {
+        let words = heading.text();
+        match heading {
+            Heading::Of(_, g) => format!("{words} in {}", self.elements.grafcets[g].title()).into(),
+            Heading::Conditions
+            | Heading::MemoryOfEdges
+            | Heading::TransitionsThatClear
+            | Heading::Transitions
+            | Heading::NextSituation
+            | Heading::FrozenGrafcets
+            | Heading::EnclosuresAndOrders
+            | Heading::StoredActions
+            | Heading::OutputsOfTheSteps
+            | Heading::Situation
+            | Heading::WhatTheClearingsBringAbout
+            | Heading::TimersOfTheStepBefore
+            | Heading::TimersOfTheActiveStep
+            | Heading::Outputs => words.into(),
+        }
+    }
+
+    /// Whether anything is said beside a statement of where it comes from.
+    pub fn says(&self, origin: Origin, told: Told) -> bool {
+        match (told, origin) {
+            (Told::Nothing, _) => false,
+            (Told::Comment, Origin::Step(s)) => self.steps.get(s).is_some_and(|step| step.comment.is_some()),
+            (Told::Name | Told::All | Told::Comment | Told::Steps | Told::Before(_), _) => true,
+        }
+    }
+
     /// What is said beside a statement of where it comes from.
     pub fn remark(&self, origin: Origin, told: Told) -> Option<String> {
         let (name, comment) = match (origin, told) {
             (_, Told::Nothing) => return None,
+            (_, Told::Before(read)) => {
+                let read = self.variables.get(VarId::from_usize(read.index()));
+                return read.map(|v| format!("reads {} before that is written", v.name));
+            }
+            (Origin::Step(s), Told::Comment) => {
+                return self.steps.get(s).and_then(|step| step.comment.as_ref()).map(ToString::to_string);
+            }
             (Origin::Step(s), _) => {
                 (format!("step {}", self.label(s)), self.steps.get(s).and_then(|step| step.comment.as_deref()))
             }
+            (Origin::Action(a), Told::Name) => return self.elements.actions.get(a).map(|action| self.occasion(action)),
+            (Origin::Action(a), Told::Steps) => {
+                return self.elements.actions.get(a).map(|action| self.steps_on(action.target));
+            }
+            (Origin::Actions(v), Told::Steps) => return Some(self.steps_on(v)),
             (Origin::Transition(t), _) => (self.arrow(t), self.elements.transitions[t].comment.as_deref()),
             (
                 Origin::Chart

@@ -9,6 +9,7 @@
 //! | `variable` | what a variable is for, which of them keep their values, what holds a step, how long a timer runs |
 //! | `statement` | the statements |
 //! | `origin`, `elements` | where in the chart a statement comes from, and what is said of that beside it |
+//! | `words` | what a statement is called where it needs a label |
 //! | `division` | which divisors a division looks at first, and what comes out then |
 //! | `facts` | sections, loops over all statements, what is read of timers, which state a variable takes its values from |
 //! | `verify` | the check of the invariants |
@@ -39,15 +40,16 @@ mod statement;
 mod tests;
 mod variable;
 mod verify;
+mod words;
 
 pub use division::{ByMinusOne, Division, Guard};
 pub use dump::{dump, equations};
-pub use elements::{Action, ActionId, Elements, Order, OrderId, Origins, Transition};
+pub use elements::{Action, ActionId, Elements, Grafcet, Order, OrderId, Origins, Transition, When};
 pub use facts::{Divided, Reads};
 pub use grafc_formula::{TimerId, VarId};
 pub use grafc_model::chart::{GrafcetId, StepId, TransitionId, VariableId};
 pub use measure::{Measure, measure};
-pub use origin::{Heading, Origin, Told};
+pub use origin::{Heading, Origin, Part, Told};
 pub use statement::{Arm, Statement, is_empty, origin_of, origin_of_end};
 pub use variable::{Flag, Held, Preset, Role, State, Step, Timer, Variable};
 pub use verify::verify;

@@ -48,6 +48,12 @@ pub enum Told {
     Name,
     /// And the comment that the chart attaches to it.
     All,
+    /// The comment alone, where the name of what is written says the rest.
+    Comment,
+    /// The steps that have a part in it, where values of states do not name them.
+    Steps,
+    /// Why it does not stand where the chart has it: it reads a variable that is written later.
+    Before(VariableId),
 }
 
 /// What a part of a program is about, as a heading.
@@ -63,6 +69,8 @@ pub enum Heading {
     Transitions,
     /// The next situation, where it is computed before it is written.
     NextSituation,
+    /// Which grafcets orders freeze.
+    FrozenGrafcets,
     /// What the steps enclose, and what orders force.
     EnclosuresAndOrders,
     /// Stored actions.
@@ -79,12 +87,44 @@ pub enum Heading {
     TimersOfTheActiveStep,
     /// Continuous actions.
     Outputs,
+    /// A part that is about one of several grafcets.
+    Of(Part, GrafcetId),
+}
+
+/// Parts that each grafcet has.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Part {
+    /// Which transitions clear, where that is latched.
+    TransitionsThatClear,
+    /// Transitions that write the situation themselves.
+    Transitions,
+    /// The next situation, where it is computed before it is written.
+    NextSituation,
+    /// The situation is written.
+    Situation,
+    /// Continuous actions.
+    Outputs,
+}
+
+impl Part {
+    /// The heading over the parts of all grafcets.
+    pub fn of_all(self) -> Heading {
+        match self {
+            Part::TransitionsThatClear => Heading::TransitionsThatClear,
+            Part::Transitions => Heading::Transitions,
+            Part::NextSituation => Heading::NextSituation,
+            Part::Situation => Heading::Situation,
+            Part::Outputs => Heading::Outputs,
+        }
+    }
 }
 
 impl Heading {
-    /// Its words.
+    /// Its words; of one that is about a grafcet, those that do not name it.
     pub fn text(self) -> &'static str {
         match self {
+            Heading::Of(part, _) => part.of_all().text(),
+            Heading::FrozenGrafcets => "grafcets that orders freeze",
             Heading::Conditions => "conditions",
             Heading::MemoryOfEdges => "memory of edges",
             Heading::TransitionsThatClear => "transitions that clear",

@@ -15,7 +15,7 @@ mod prepare;
 mod prepared;
 
 use crate::analysis::Analysis;
-use crate::scan::{Elements, Program, Role, VarId, Variable};
+use crate::scan::{Elements, Program, Role, Statement, VarId, Variable};
 use ecow::EcoString;
 use ecow::eco_format;
 use expressions::Expressions;
@@ -30,7 +30,8 @@ use index_vec::IndexVec;
 #[derive(Clone, Debug)]
 pub struct Sequence {
     /// The variables and formulas. A step's activity and duration are among the variables. Statements are only those that
-    /// are done before the chart, in each call: they find what it is given.
+    /// are done before the chart, in each call, which find what it is given, and those after it, which find outputs from
+    /// what it shows.
     pub program: Program,
     /// What the statements find for the chart; if there is nothing, there are no statements.
     pub given: Vec<VarId>,
@@ -44,6 +45,25 @@ pub struct Sequence {
     pub transitions: Vec<SequenceTransition>,
     /// What continuous actions set, in order of declaration.
     pub wires: Vec<Wire>,
+}
+
+impl Sequence {
+    /// Whether something is done before or after the chart, so that another block holds it.
+    pub fn is_held(&self) -> bool {
+        !self.given.is_empty() || !self.program.after.is_empty()
+    }
+
+    /// The outputs that are found after the chart.
+    pub fn found_after(&self) -> impl Iterator<Item = VarId> + '_ {
+        self.program.after.iter().filter_map(|statement| match statement {
+            Statement::Assign { target, .. } => Some(*target),
+            Statement::Heading(_)
+            | Statement::Divide(_)
+            | Statement::CallTimer { .. }
+            | Statement::Case { .. }
+            | Statement::If { .. } => None,
+        })
+    }
 }
 
 /// A step.
@@ -93,7 +113,7 @@ pub struct SequenceTransition {
 pub struct Wire {
     /// The variable.
     pub target: VarId,
-    /// Whether one step alone sets it, whatever else holds.
+    /// Whether each of its steps sets it, whatever else holds.
     pub plain: bool,
     /// Its value in terms of the situation.
     pub value: FormulaId,
@@ -114,7 +134,7 @@ pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagn
         condition: expressions.formula(transition.condition, own(&transition.pre), &mut reasons),
     });
     let transitions = transitions.collect();
-    let (wires, mut steps) = actions::collect(net, steps.clone(), &mut expressions, &mut reasons);
+    let (wires, mut steps) = actions::collect(analysis, steps.clone(), &mut expressions, &mut reasons);
     reasons.refuse()?;
     for (step, marker) in &expressions.markers {
         steps[*step].marker = Some(*marker);
@@ -137,7 +157,7 @@ pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagn
         before: [prepared.before, prepared.last].concat(),
         micro_step: Vec::new(),
         repeat: None,
-        after: Vec::new(),
+        after: prepared.after,
     };
     let (given, memory, shown) = (prepared.given, prepared.memory, prepared.shown);
     Ok(Sequence { program, given, memory, shown, steps, transitions, wires })

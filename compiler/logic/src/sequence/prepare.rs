@@ -11,9 +11,11 @@
 
 use super::Reasons;
 use super::expressions::Expressions;
+use crate::lower::words::operand_word;
 use crate::scan::{Origin, Preset, Role, Statement, Timer, VarId, Variable};
+use ecow::EcoString;
 use grafc_formula::{Formula, FormulaId, Type, Value};
-use grafc_model::chart::{DelayTime, ExprId, ExprKind, Mode, VariableKind};
+use grafc_model::chart::{DelayTime, ExprId, ExprKind, Mode, VariableId, VariableKind};
 use grafc_model::reaction::Evolution;
 use rustc_hash::FxHashSet;
 
@@ -61,17 +63,49 @@ impl Expressions<'_> {
         let (owner, known) = (self.owner.take(), std::mem::take(&mut self.known));
         let formula = self.formula(operand, None, reasons);
         (self.owner, self.known) = (owner, known);
-        let (mut open, mut seen) = (vec![formula], FxHashSet::default());
-        while let Some(id) = open.pop() {
+        self.show_markers(formula);
+        formula
+    }
+
+    /// The chart shows the markers that a formula reads.
+    fn show_markers(&mut self, formula: FormulaId) {
+        let markers: FxHashSet<VarId> = self.markers.values().copied().collect();
+        for id in self.pool.below(formula) {
             if let Formula::Variable(variable) = self.pool.get(id)
-                && self.markers.values().any(|marker| marker == variable)
-                && !self.prepared.shown.contains(variable)
+                && markers.contains(variable)
+                && self.prepared.is_shown.insert(*variable)
             {
                 self.prepared.shown.push(*variable);
             }
-            open.extend(self.pool.operands(id).filter(|operand| seen.insert(*operand)));
         }
-        formula
+    }
+
+    /// Whether all that a value reads is known outside of the chart: inputs, constants, what is found before it, and the
+    /// markers of steps.
+    pub fn is_known_outside(&self, value: FormulaId) -> bool {
+        self.pool.below(value).into_iter().all(|id| match self.pool.get(id) {
+            Formula::Variable(v) => match self.net.variables.get(VariableId::from_usize(v.index())) {
+                Some(variable) => matches!(variable.kind, VariableKind::Input | VariableKind::Constant),
+                None => v.index() >= self.variables,
+            },
+            Formula::TimerDone(_) | Formula::TimerElapsed(_) => false,
+            Formula::Constant(_)
+            | Formula::Not(_)
+            | Formula::And(_)
+            | Formula::Or(_)
+            | Formula::Xor(..)
+            | Formula::Compare(..)
+            | Formula::Arithmetic(..)
+            | Formula::Negate(_)
+            | Formula::Widen(_) => true,
+        })
+    }
+
+    /// Finds an output behind the chart.
+    pub fn afterwards(&mut self, target: VariableId, value: FormulaId) {
+        self.show_markers(value);
+        let statement = Statement::assign(Origin::Actions(target), self.declared(target), value);
+        self.prepared.after.push(statement);
     }
 
     /// `↑e` or `↓e` of an operand that is known before.
@@ -166,15 +200,9 @@ impl Expressions<'_> {
         VarId::from_usize(self.variables + self.more.len() - 1)
     }
 
-    /// A word for what an operand is: its name if it has one, else a number.
-    fn word(&self, operand: ExprId) -> String {
-        if let ExprKind::Variable(variable) = self.net.exprs[operand].kind {
-            return self.net.variables[variable].name.to_string();
-        }
-        if let ExprKind::StepActive(step) = self.net.exprs[operand].kind {
-            return format!("X{}", self.net.places[step].label);
-        }
-        (self.more.len() + 1).to_string()
+    /// A word for what an operand is.
+    fn word(&self, operand: ExprId) -> EcoString {
+        operand_word(self.net, operand)
     }
 
     /// The mark of the first call, if something waits for it.

@@ -3,7 +3,7 @@
 use crate::scan::{Statement, Timer, TimerId, VarId};
 use grafc_formula::FormulaId;
 use index_vec::IndexVec;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The statements so far.
 #[derive(Default)]
@@ -14,6 +14,7 @@ pub(super) struct Prepared {
     pub memory: Vec<VarId>,
     /// The markers of steps that are read.
     pub shown: Vec<VarId>,
+    pub is_shown: FxHashSet<VarId>,
     pub timers: IndexVec<TimerId, Timer>,
     /// In the first call, before all others.
     pub first: Vec<Statement>,
@@ -21,6 +22,8 @@ pub(super) struct Prepared {
     pub before: Vec<Statement>,
     /// In each call, behind those: edge operands are kept as they are before the chart goes on.
     pub last: Vec<Statement>,
+    /// In each call, behind the chart.
+    pub after: Vec<Statement>,
     pub old: FxHashMap<FormulaId, VarId>,
     pub edges: FxHashMap<(FormulaId, bool), VarId>,
     pub delays: FxHashMap<(FormulaId, i64, i64), VarId>,

@@ -9,6 +9,7 @@
 //!
 //! Nothing is multiplied out, factored or reordered.
 
+use super::words::formula_word;
 use crate::analysis::components::Components;
 use crate::lower::Lowering;
 use crate::scan::{Origin, Program, Role, Statement};
@@ -62,9 +63,10 @@ pub(crate) fn share(lowering: &mut Lowering, conditions: &mut IndexVec<Transitio
     shared.sort_unstable();
     let mut statements = Vec::new();
     let mut by: FxHashMap<FormulaId, FormulaId> = FxHashMap::default();
-    for (f, number) in shared.into_iter().zip(1..) {
+    for f in shared {
         let value = lowering.pool.replace(f, &by);
-        let target = lowering.symbols.fresh(Role::Temporary, format!("both_{number}"), Type::Bool, None);
+        let name = formula_word(&lowering.pool, &lowering.symbols.table, &lowering.timers, value);
+        let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
         statements.push(Statement::assign(Origin::Chart, target, value));
         by.insert(f, lowering.symbols.read(&mut lowering.pool, target));
     }

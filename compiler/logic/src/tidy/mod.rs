@@ -2,5 +2,8 @@
 
 pub(crate) mod absorb;
 pub(crate) mod idle_delays;
+pub(crate) mod join;
 pub(crate) mod long_chains;
+pub(crate) mod once;
 pub(crate) mod sweep;
+mod words;

@@ -3,6 +3,7 @@
 
 use super::Does;
 use super::tree::Element;
+use crate::plcopen::dialect::Dialect;
 use crate::plcopen::sfc::texts::Texts;
 use crate::xml::Xml;
 
@@ -30,7 +31,8 @@ pub(super) fn write(xml: &mut Xml, elements: &[Element], texts: &Texts, does: &[
                 let id = fresh();
                 let actions: Vec<(String, &str)> =
                     does[*step].while_active.iter().map(|name| (fresh(), name.as_str())).collect();
-                self::step(xml, &id, &texts.steps[*step], from.map(|from| ids[from].as_str()), &does[*step]);
+                let (name, comment) = (&texts.steps[*step], &texts.comments[*step]);
+                self::step(xml, &id, name, comment, from.map(|from| ids[from].as_str()), &does[*step]);
                 if !actions.is_empty() {
                     action_block(xml, &fresh(), &id, &actions);
                 }
@@ -76,7 +78,7 @@ pub(super) fn write(xml: &mut Xml, elements: &[Element], texts: &Texts, does: &[
     xml.close();
 }
 
-fn step(xml: &mut Xml, id: &str, name: &str, from: Option<&str>, does: &Does) {
+fn step(xml: &mut Xml, id: &str, name: &str, comment: &str, from: Option<&str>, does: &Does) {
     match from {
         Some(_) => xml.open("step", &[("localId", id), ("name", name)]),
         None => xml.open("step", &[("localId", id), ("name", name), ("initialStep", "true")]),
@@ -95,6 +97,9 @@ fn step(xml: &mut Xml, id: &str, name: &str, from: Option<&str>, does: &Does) {
     attributes.extend(does.entry.as_deref().map(|action| (ENTRY, action)));
     attributes.extend(does.exit.as_deref().map(|action| (EXIT, action)));
     data(xml, &attributes);
+    if !comment.is_empty() {
+        Dialect::Codesys.documentation(xml, comment);
+    }
     xml.close();
 }
 

@@ -33,7 +33,7 @@ struct Arranged {
 }
 
 fn search_alone(net: &Net) -> Arranged {
-    let conditions = Conditions::new(Lowering::new(Arc::new(net.clone()), None));
+    let conditions = Conditions::new(Lowering::new(Arc::new(net.clone()), None, false));
     let facts = EdgeFacts::new(&conditions.lowering.edges);
     let canonical = Canonical::new(net);
     let rivals = Rivals::new(net, &Arcs::of(net, |_| true), &conditions, &facts);
@@ -50,7 +50,7 @@ fn search_alone(net: &Net) -> Arranged {
 }
 
 fn arranged(net: &Net) -> Arranged {
-    let conditions = Conditions::new(Lowering::new(Arc::new(net.clone()), None));
+    let conditions = Conditions::new(Lowering::new(Arc::new(net.clone()), None, false));
     let (pool, of) = (&conditions.lowering.pool, &conditions.of_transition);
     let facts = EdgeFacts::new(&conditions.lowering.edges);
     let found = search_alone(net);

@@ -25,7 +25,7 @@ fn net(text: &str) -> Net {
 
 /// The situations of all parts, also of those that nobody would ask about.
 fn reachable(net: &Net) -> Reachable {
-    let conditions = Conditions::new(Lowering::new(Arc::new(net.clone()), None));
+    let conditions = Conditions::new(Lowering::new(Arc::new(net.clone()), None, false));
     let facts = EdgeFacts::new(&conditions.lowering.edges);
     let canonical = Canonical::new(net);
     let rivals = Rivals::new(net, &Arcs::of(net, |_| true), &conditions, &facts);

@@ -18,7 +18,7 @@ impl Switch<'_> {
         let again = self.task.again?;
         let told: IndexVec<TransitionId, bool> =
             lowering.net.transitions.indices().map(|t| !changes_of(lowering, t).is_empty()).collect();
-        let mut terms = clearings.changes(lowering, self.task, |t| told[t]);
+        let mut terms = clearings.changes(lowering, self.task, |_| false, |t| told[t]);
         if terms.is_empty() {
             return None;
         }

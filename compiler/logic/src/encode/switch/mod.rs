@@ -10,12 +10,14 @@
 //!   at := next                                             from the bottom up
 //! ```
 //!
-//! Where nothing else hangs on a clearing, its transition writes the states themselves, see `in_place`.
+//! Where nothing else hangs on a clearing, its transition writes the states themselves, see `in_place`. A small chart costs
+//! little in any case; there `compact` takes the fewest lines.
 //!
 //! Outside of a micro-step `next` equals the state, so nothing has to be copied where nothing moves. Steps that no set
 //! covers stay bits, with the formulas of the single-phase encoding; a transition that touches one is latched like there.
 
 mod commit;
+mod compact;
 mod hierarchy;
 mod in_place;
 mod moves;
@@ -23,6 +25,7 @@ mod transitions;
 
 use super::bits;
 use super::task::Task;
+use crate::encode::by_grafcet::headed;
 use crate::encode::clearings::{Clearings, StepEvents};
 use crate::encode::input_event::InputEvent;
 use crate::encode::outputs::Followers;
@@ -32,7 +35,7 @@ use crate::lower::cover::is_forced;
 use crate::lower::situation::{Holder, equals};
 use crate::lower::{Context, Lowering};
 use crate::options::Encoding;
-use crate::scan::{Heading, Origin, Statement, VarId};
+use crate::scan::{Heading, Origin, Part, Statement, VarId};
 use grafc_formula::{FormulaId, Value};
 use grafc_model::chart::{GrafcetId, StepId, TransitionId};
 use grafc_net::Net;
@@ -98,8 +101,12 @@ pub(super) fn micro_step(
     let layout = Layout::new(lowering);
     let mut out = Vec::new();
     stored::heading(&mut out, Heading::MemoryOfEdges, bits::edges(lowering, task.again));
-    if lowering.situation.sets.iter().any(|set| set.next == set.variable) {
+    if lowering.situation.in_place {
         out.extend(in_place::in_place(lowering, task));
+        return out;
+    }
+    if lowering.situation.is_small {
+        out.extend(compact::micro_step(lowering, cx, task, input_event));
         return out;
     }
     let (frozen, freezing) = settle::frozen(lowering);
@@ -108,9 +115,8 @@ pub(super) fn micro_step(
 
     let mut switch = Switch { task, layout, numbered, moved, cleared: IndexVec::new() };
     let transitions = switch.transitions(lowering, &frozen);
-    out.push(Statement::Heading(Heading::Transitions));
-    out.extend(freezing);
-    out.extend(transitions);
+    stored::heading(&mut out, Heading::FrozenGrafcets, freezing);
+    out.extend(headed(lowering, Part::Transitions, transitions));
 
     // What follows happens only where something clears, unless an action on an event has to be done in any case.
     let mut inner = Vec::new();
@@ -141,8 +147,11 @@ pub(crate) fn start(lowering: &mut Lowering, followers: &Followers) -> Vec<State
         let initial = set.steps.iter().copied().find(|s| net.places[*s].initial);
         let value = initial.map_or(set.idle, |s| value_of(lowering, s));
         let origin = initial.map_or(Origin::Chart, Origin::Step);
-        out.push(assign_number(lowering, origin, set.variable, value));
-        if set.next != set.variable {
+        // Before the first call all variables are 0.
+        if value != 0 {
+            out.push(assign_number(lowering, origin, set.variable, value));
+        }
+        if set.next != set.variable && !lowering.situation.is_small {
             out.push(assign_number(lowering, origin, set.next, value));
         }
         for s in set.steps.iter().filter(|s| net.places[**s].initial) {

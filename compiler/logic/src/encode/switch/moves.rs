@@ -6,30 +6,36 @@ use crate::lower::situation::Holder;
 use crate::scan::{Role, VarId};
 use grafc_formula::Type;
 use grafc_model::chart::{Event, StepId, TransitionId};
-use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;
 
 /// Which transition of a set clears, where an action waits for it.
 pub(super) struct Numbered {
     /// The variable of each set that has such a transition, 0 outside of a micro-step.
     pub variable: BTreeMap<usize, VarId>,
-    pub transitions: FxHashSet<TransitionId>,
+    /// The number of each such transition within its set.
+    pub transitions: BTreeMap<TransitionId, i64>,
 }
 
 impl Numbered {
     pub fn new(lowering: &mut Lowering) -> Self {
         let net = &*lowering.net.clone();
-        let mut numbered = Numbered { variable: BTreeMap::new(), transitions: FxHashSet::default() };
+        let mut numbered = Numbered { variable: BTreeMap::new(), transitions: BTreeMap::new() };
         for action in &net.stored {
             let Event::Clearing(t) = action.event else { continue };
             let Some(set) = home(lowering, t) else { continue };
-            numbered.transitions.insert(t);
+            numbered.transitions.insert(t, 0);
             numbered.variable.entry(set).or_insert_with(|| {
                 let base = lowering.symbols.table[lowering.situation.sets[set].variable].name.clone();
                 let base = base.strip_prefix("at_").unwrap_or(&base);
                 let comment = Some("number of the transition that clears, else 0".into());
                 lowering.symbols.fresh(Role::Memory, format!("clears_{base}"), Type::Dint, comment)
             });
+        }
+        let mut last: BTreeMap<usize, i64> = BTreeMap::new();
+        for (t, number) in &mut numbered.transitions {
+            let last = last.entry(home(lowering, *t).unwrap_or_default()).or_default();
+            *last += 1;
+            *number = *last;
         }
         numbered
     }
@@ -55,7 +61,7 @@ pub(super) struct Moved {
 impl Moved {
     pub fn new(lowering: &mut Lowering, task: &Task, numbered: &Numbered) -> Self {
         // A clearing that leads back to where it came from changes nothing, but its actions are done.
-        let only_back = numbered.transitions.iter().any(|t| changes_of(lowering, *t).is_empty());
+        let only_back = numbered.transitions.keys().any(|t| changes_of(lowering, *t).is_empty());
         let bits = lowering.net.places.indices().any(|s| lowering.situation.bit(s).is_some());
         match task.again.filter(|_| lowering.edges.is_empty() && !only_back && !bits) {
             Some(variable) => Moved { variable, asks_again: true },

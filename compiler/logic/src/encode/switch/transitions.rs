@@ -3,12 +3,13 @@
 use super::moves::{changes_of, home};
 use super::{Switch, assign_number, assign_truth, within};
 use crate::encode::allocate::choose;
-use crate::encode::clearings::{clears, designation};
+use crate::encode::clearings::clears;
 use crate::encode::settle;
 use crate::encode::state_case::StateCase;
 use crate::lower::Lowering;
 use crate::lower::situation::equals;
 use crate::scan::{Origin, Role, Statement, Told};
+use ecow::eco_format;
 use grafc_formula::{FormulaId, Type};
 use grafc_model::chart::{GrafcetId, StepId};
 use index_vec::IndexVec;
@@ -35,8 +36,8 @@ impl Switch<'_> {
             }
             let home = home(lowering, t);
             let mut cleared = lowering.pool.truth(false);
-            if let (Some(set), true) = (home, self.numbered.transitions.contains(&t)) {
-                let (variable, number) = (self.numbered.variable[&set], t.index() as i64 + 1);
+            if let (Some(set), Some(number)) = (home, self.numbered.transitions.get(&t).copied()) {
+                let variable = self.numbered.variable[&set];
                 body.push(assign_number(lowering, origin, variable, number));
                 cleared = equals(&lowering.symbols, &mut lowering.pool, variable, number);
             }
@@ -58,7 +59,7 @@ impl Switch<'_> {
                 }
                 _ => {
                     let value = lowering.pool.and(factors);
-                    let name = format!("clr_{}", designation(net, t));
+                    let name = eco_format!("clr_{}", lowering.transition_word(t));
                     let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
                     latched.push(Statement::Assign { target, value, origin, told: Told::All });
                     cleared = lowering.symbols.read(&mut lowering.pool, target);

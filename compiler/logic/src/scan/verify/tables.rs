@@ -21,7 +21,12 @@ pub(super) fn verify(program: &Program) -> Result<(), String> {
 /// Statements come from elements that there are, and only of steps and transitions is something said beside them.
 fn come_from_something(program: &Program) -> Result<(), String> {
     let said = |origin: Origin, told: Told| {
-        let is_told = told == Told::Nothing || program.remark(origin, told).is_some();
+        let unsaid = match told {
+            Told::Nothing => true,
+            Told::Comment => matches!(origin, Origin::Step(_)),
+            Told::Name | Told::All | Told::Steps | Told::Before(_) => false,
+        };
+        let is_told = unsaid || program.remark(origin, told).is_some();
         if program.has(origin) && is_told {
             Ok(())
         } else {
