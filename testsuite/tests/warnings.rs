@@ -26,7 +26,7 @@ use grafc_logic::{Encoding, Options};
 use grafc_model::chart::{
     Chart, ExprId, ExprKind, GrafcetId, Node, Order, Situation, StepId, TransitionId, Value, VariableId,
 };
-use grafc_model::reaction::{Evolution, Profile};
+use grafc_model::reaction::{Evolution, Profile, Stimulus};
 use grafc_model::simulate::Activity;
 use grafc_testsuite::compare::first_difference;
 use grafc_testsuite::net_steps::same;
@@ -179,6 +179,14 @@ fn bounded(profile: Profile) -> Profile {
     Profile { bound: Some(profile.bound.unwrap_or(12)), ..profile }
 }
 
+/// A restart leads to the initial situation without a transition, so it shows nothing of what clears at once.
+fn without_restarts(mut stimuli: Vec<Stimulus>) -> Vec<Stimulus> {
+    for stimulus in &mut stimuli {
+        stimulus.restart = false;
+    }
+    stimuli
+}
+
 #[test]
 fn what_happens_at_once_was_warned_of() {
     let mut counts = Counts::default();
@@ -187,7 +195,7 @@ fn what_happens_at_once_was_warned_of() {
             let mut drawn = checked(seed, kind);
             enrich::for_meetings(drawn.chart.edit(), seed);
             let chart = &drawn.chart;
-            let watched = watch(chart, bounded(profile(seed)), &trace(seed, chart, 40));
+            let watched = watch(chart, bounded(profile(seed)), &without_restarts(trace(seed, chart, 40)));
             if let Err(fault) = look(chart, &watched, &warnings(chart), &mut counts) {
                 panic!("{kind:?}, seed {}: {fault}\n{}\n{}", drawn.seed, drawn.text, grafc_model::dump(chart));
             }
