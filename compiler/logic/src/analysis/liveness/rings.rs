@@ -109,7 +109,7 @@ impl Search<'_, '_> {
                 continue;
             };
             tried += 1;
-            let Some(left) = self.left.checked_sub(1).filter(|_| tried < MOST) else { return None };
+            let left = self.left.checked_sub(1).filter(|_| tried < MOST)?;
             *self.left = left;
             if path.len() >= LONGEST || on_path.contains(&to) || !self.agrees(&row, t) {
                 continue;

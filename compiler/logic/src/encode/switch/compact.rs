@@ -169,8 +169,8 @@ fn settled(lowering: &mut Lowering, task: &Task, short: &[bool], clearings: &mut
             let name = eco_format!("next_{}", net.places[*s].label);
             clearings.next[*s] = Some(lowering.named(Origin::Step(*s), &name, value, &mut out));
         }
-        for index in 0..lowering.situation.sets.len() {
-            if lowering.situation.sets[index].grafcet == *g && !short[index] {
+        for (index, is_short) in short.iter().enumerate() {
+            if lowering.situation.sets[index].grafcet == *g && !is_short {
                 enclose(lowering, *g, index, around, &mut out);
                 if let Some(in_force) = &in_force {
                     force(lowering, *g, index, around, in_force, &mut out);
