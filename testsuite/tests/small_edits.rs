@@ -150,9 +150,6 @@ fn a_small_edit_changes_few_lines() {
                 for (name, target) in targets() {
                     let (before, after) = (made(&text, encoding, &target), made(&edited, encoding, &target));
                     let lines = difference(&before, &after);
-                    if std::env::var_os("SHOW").is_some() {
-                        println!("{lines:4} of {:4} {name:18} {:13} {what}", before.len(), encoding.name());
-                    }
                     if lines > most(&name) {
                         worst.push(format!("{lines} lines of {}: {what}, {} {name}", before.len(), encoding.name()));
                     }
