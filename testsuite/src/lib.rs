@@ -12,6 +12,7 @@ pub mod drawing_lint;
 pub mod drawn_chart;
 pub mod excerpts;
 pub mod executors;
+pub mod expected;
 pub mod fuzzing;
 pub mod markdown;
 pub mod mutants;

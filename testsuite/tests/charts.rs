@@ -3,70 +3,36 @@
 use grafc_backends::st;
 use grafc_diagnostics::FileId;
 use grafc_logic::{Encoding, Options};
-use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli};
+use grafc_testsuite::charts::{cases, charts_folder, check};
+use grafc_testsuite::expected::{each, programs_agree, same, simulator_agrees};
 use grafc_testsuite::runs;
 
-/// Runs a check over all charts and reports every fault at once.
-fn each(test: impl Fn(&Case) -> Result<(), String>) {
-    let cases = cases(&charts_folder());
-    assert!(cases.len() >= 16, "charts are missing: only {} were found", cases.len());
-    let faults: Vec<String> =
-        cases.iter().filter_map(|case| test(case).err().map(|fault| format!("{}:\n{fault}", case.name))).collect();
-    assert!(faults.is_empty(), "{} of {} charts fail\n\n{}", faults.len(), cases.len(), faults.join("\n"));
-}
-
-fn compare(expected: &str, actual: &str) -> Result<(), String> {
-    if expected == actual {
-        return Ok(());
-    }
-    let (mut left, mut right) = (expected.lines(), actual.lines());
-    let mut fault = String::new();
-    loop {
-        match (left.next(), right.next()) {
-            (None, None) => return Err(fault),
-            (l, r) if l == r => {}
-            (l, r) => fault += &format!("  expected {}\n  actual   {}\n", l.unwrap_or("-"), r.unwrap_or("-")),
-        }
-    }
-}
+const AT_LEAST: usize = 16;
 
 #[test]
 fn the_simulator_agrees() {
-    each(|case| {
-        let chart = check(&case.name, &case.text)?;
-        let stimuli = stimuli(&case.name, &case.trace, &chart)?;
-        let run = runs::simulate(&chart, case.profile, &stimuli);
-        compare(&case.expected, &spell(&chart, &stimuli, &run))
-    });
+    each(&cases(&charts_folder()), AT_LEAST, simulator_agrees);
 }
 
 #[test]
 fn the_scan_programs_agree() {
-    each(|case| {
-        let chart = check(&case.name, &case.text)?;
-        let stimuli = stimuli(&case.name, &case.trace, &chart)?;
-        for (way, options) in case.ways() {
-            let run = runs::evaluate(&chart, &options, &stimuli)?;
-            compare(&case.expected, &spell(&chart, &stimuli, &run)).map_err(|fault| format!("{way}\n{fault}"))?;
-        }
-        Ok(())
-    });
+    each(&cases(&charts_folder()), AT_LEAST, programs_agree);
 }
 
 #[test]
 fn every_chart_is_in_canonical_format() {
-    each(|case| {
+    each(&cases(&charts_folder()), AT_LEAST, |case| {
         let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), &case.text);
         if diagnostics.has_errors() {
             return Err(format!("{diagnostics:?}"));
         }
-        compare(&case.text, &grafc_syntax::format(&case.text, &tree))
+        same(&case.text, &grafc_syntax::format(&case.text, &tree))
     });
 }
 
 #[test]
 fn every_chart_compiles_to_structured_text_in_every_encoding() {
-    each(|case| {
+    each(&cases(&charts_folder()), AT_LEAST, |case| {
         let chart = check(&case.name, &case.text)?;
         for encoding in Encoding::ALL {
             let options = Options { profile: case.profile, encoding, simplify: true };

@@ -7,7 +7,7 @@ use grafc::{Document, Options, Product};
 use grafc_backends::Target;
 use grafc_backends::plcopen::{self, Body};
 use grafc_diagnostics::{Code, Diagnostics, FileId};
-use grafc_logic::{Encoding, Method, Options as Lowering, exclusion};
+use grafc_logic::{Encoding, Method, Options as Lowering, exclusion, sets};
 use grafc_model::chart::StepId;
 use grafc_model::reaction::{Evolution, Profile};
 use grafc_testsuite::charts::field_cases;
@@ -88,20 +88,12 @@ impl Net {
     fn chart(&self, order: u64) -> String {
         format!("input a, b, c, d : bool\n{}", self.items(order))
     }
+}
 
-    fn sets(&self, document: &mut Document) -> BTreeSet<BTreeSet<String>> {
-        let profile = Profile { evolution: Evolution::Scan, ..Profile::default() };
-        document.set_options(Lowering { profile, encoding: Encoding::Switch, simplify: true });
-        let labels = |steps: Vec<StepId>, document: &Document| -> BTreeSet<String> {
-            let chart = document.chart().expect("a chart");
-            steps.into_iter().map(|s| chart.steps[s].label.to_string()).collect()
-        };
-        let states: Vec<Vec<StepId>> = {
-            let program = document.program().expect("a program");
-            program.states.iter().map(|state| state.values.iter().map(|(s, _)| *s).collect()).collect()
-        };
-        states.into_iter().map(|steps| labels(steps, document)).collect()
-    }
+/// The sets of steps that `switch` can hold in one state each.
+fn sets_of(document: &Document) -> BTreeSet<BTreeSet<String>> {
+    let (chart, analysis) = (document.chart().expect("a chart"), document.analysis().expect("an analysis"));
+    sets(analysis).map(|steps| steps.iter().map(|s| chart.steps[*s].label.to_string()).collect()).collect()
 }
 
 /// The warnings of what may happen together.
@@ -127,11 +119,11 @@ fn nine_nets_are_safe_in_forty_orders() {
         let mut known: Option<BTreeSet<BTreeSet<String>>> = None;
         for order in 0..ORDERS {
             let text = net.chart(order);
-            let mut document = Document::new("chart", text.as_str());
+            let document = Document::new("chart", text.as_str());
             assert_eq!(said_of(&document), [], "{}\n{text}", net.name);
             let drawn = draw(&text);
             assert!(drawn.is_ok(), "{}: {:?}\n{text}", net.name, drawn.err());
-            let sets = net.sets(&mut document);
+            let sets = sets_of(&document);
             let covered: usize = sets.iter().map(BTreeSet::len).sum();
             assert_eq!(covered, net.steps.len(), "{}: {sets:?}\n{text}", net.name);
             assert_eq!(*known.get_or_insert_with(|| sets.clone()), sets, "{}\n{text}", net.name);
@@ -230,11 +222,9 @@ fn plants_are_proved() {
     let cases: Vec<_> = field_cases().into_iter().filter(|case| plants.contains(&case.name.as_str())).collect();
     assert_eq!(cases.len(), plants.len());
     for case in cases {
-        let mut document = Document::new(&*case.name, case.text.as_str());
+        let document = Document::new(&*case.name, case.text.as_str());
         assert_eq!(said_of(&document), [], "{}", case.name);
-        document.set_options(Lowering { profile: case.profile, encoding: Encoding::Switch, simplify: true });
-        let program = document.program().expect("a program");
-        let covered: usize = program.states.iter().map(|state| state.values.len()).sum();
+        let covered: usize = sets_of(&document).iter().map(BTreeSet::len).sum();
         assert_eq!(covered, document.chart().expect("a chart").steps.len(), "{}", case.name);
         let drawn = draw(&case.text);
         assert!(drawn.is_ok(), "{}: {:?}", case.name, drawn.err());

@@ -188,14 +188,14 @@ impl Notation for StructuredText<'_> {
                 (StLevel::Comparison, Arrangement::Infix("<>", pair(*a, *b)))
             }
             Formula::Xor(a, b) => (StLevel::Junction, Arrangement::Infix("XOR", pair(*a, *b))),
-            Formula::Compare(op, a, b) => (StLevel::Comparison, Arrangement::Infix(comparison(*op), pair(*a, *b))),
+            Formula::Compare(op, a, b) => (StLevel::Comparison, Arrangement::Infix(op.sign(), pair(*a, *b))),
             // `TIME * n` is taken everywhere, `n * TIME` is not.
             Formula::Arithmetic(Arithmetic::Multiply, a, b)
                 if pool.ty(*b) == Type::Time && pool.ty(*a) != Type::Time =>
             {
                 (StLevel::Arithmetic, Arrangement::Infix("*", pair(*b, *a)))
             }
-            Formula::Arithmetic(op, a, b) => (StLevel::Arithmetic, Arrangement::Infix(arithmetic(*op), pair(*a, *b))),
+            Formula::Arithmetic(op, a, b) => (StLevel::Arithmetic, Arrangement::Infix(operator(*op), pair(*a, *b))),
             Formula::Negate(a) => (StLevel::Arithmetic, Arrangement::Prefix(negation(pool.ty(id)), *a)),
             Formula::Widen(a) => {
                 let function = eco_format!("{}_TO_{}(", type_name(pool.ty(*a)), type_name(pool.ty(id)));
@@ -270,25 +270,9 @@ impl StructuredText<'_> {
     }
 }
 
-fn comparison(op: Comparison) -> &'static str {
-    match op {
-        Comparison::Equal => "=",
-        Comparison::NotEqual => "<>",
-        Comparison::Less => "<",
-        Comparison::LessEqual => "<=",
-        Comparison::Greater => ">",
-        Comparison::GreaterEqual => ">=",
-    }
-}
-
-fn arithmetic(op: Arithmetic) -> &'static str {
-    match op {
-        Arithmetic::Add => "+",
-        Arithmetic::Subtract => "-",
-        Arithmetic::Multiply => "*",
-        Arithmetic::Divide => "/",
-        Arithmetic::Modulo => "MOD",
-    }
+/// Words are in capitals in ST.
+fn operator(op: Arithmetic) -> &'static str {
+    if op == Arithmetic::Modulo { "MOD" } else { op.sign() }
 }
 
 /// A minus sign where the type has one.

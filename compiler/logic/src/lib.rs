@@ -35,5 +35,5 @@ pub use analysis::Analysis;
 pub use analysis::transients::Transients;
 pub use compile::compile;
 pub use options::{Encoding, Options};
-pub use report::{Method, arrow, bits, exclusion};
+pub use report::{Method, arrow, bits, exclusion, sets};
 pub use warn::warn;

@@ -5,6 +5,12 @@ use crate::analysis::components::Reason;
 use grafc_model::chart::{StepId, TransitionId};
 use grafc_net::Net;
 
+/// The sets of steps of which at most one is ever active, so that one state can hold which: each step is in at most one.
+/// Short ones `switch` may hold as bits all the same, where that makes a shorter text.
+pub fn sets(analysis: &Analysis) -> impl Iterator<Item = &[StepId]> + '_ {
+    analysis.cover.sets.iter().map(|set| set.steps.as_slice())
+}
+
 /// The steps that share a state with none, and why.
 pub fn bits(analysis: &Analysis) -> impl Iterator<Item = (StepId, String)> + '_ {
     analysis.reasons.iter().map(|(s, reason)| (*s, because(analysis.net(), *reason)))

@@ -1,6 +1,6 @@
 //! Conditions as the chart writes them: in words for messages, in the signs of the standard beside generated code.
 
-use grafc_model::chart::{Arithmetic, Comparison, DelayTime, ExprId, ExprKind, Value};
+use grafc_model::chart::{DelayTime, ExprId, ExprKind, Value};
 use grafc_net::Net;
 
 /// A condition that nests deeper than this is not spelt out.
@@ -74,8 +74,8 @@ fn spell(net: &Net, expr: ExprId, left: usize, signs: &Signs) -> Option<String> 
             let off = if off.ms > 0 { format!("/{}", delay(net, off)) } else { String::new() };
             Some(format!("{on}{}{off}", operand(inner)?))
         }
-        ExprKind::Compare(op, a, b) => binary(a, comparison(op), b),
-        ExprKind::Arithmetic(op, a, b) => binary(a, arithmetic(op), b),
+        ExprKind::Compare(op, a, b) => binary(a, op.sign(), b),
+        ExprKind::Arithmetic(op, a, b) => binary(a, op.sign(), b),
         ExprKind::Negate(a) => Some(format!("-{}", operand(a)?)),
         ExprKind::Widen(a) => spell(net, a, left, signs),
     }
@@ -120,26 +120,5 @@ fn literal(value: Value) -> String {
         Value::Int(value) => value.to_string(),
         Value::Real(value) => format!("{value:?}"),
         Value::Time(ms) => duration(ms),
-    }
-}
-
-fn comparison(op: Comparison) -> &'static str {
-    match op {
-        Comparison::Equal => "=",
-        Comparison::NotEqual => "<>",
-        Comparison::Less => "<",
-        Comparison::LessEqual => "<=",
-        Comparison::Greater => ">",
-        Comparison::GreaterEqual => ">=",
-    }
-}
-
-fn arithmetic(op: Arithmetic) -> &'static str {
-    match op {
-        Arithmetic::Add => "+",
-        Arithmetic::Subtract => "-",
-        Arithmetic::Multiply => "*",
-        Arithmetic::Divide => "/",
-        Arithmetic::Modulo => "mod",
     }
 }

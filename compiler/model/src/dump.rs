@@ -4,8 +4,8 @@
 //! where what it says does. Later stages keep expressions, actions and labels, and write them like here.
 
 use crate::chart::{
-    Arithmetic, Chart, Comparison, Continuous, DelayTime, Event, Expr, ExprId, ExprKind, GrafcetId, MacroId, Mode,
-    Node, Situation, StepId, Stored, TransitionId, Type, Value, Variable, VariableId, VariableKind,
+    Chart, Continuous, DelayTime, Event, Expr, ExprId, ExprKind, GrafcetId, MacroId, Mode, Node, Situation, StepId,
+    Stored, TransitionId, Type, Value, Variable, VariableId, VariableKind,
 };
 pub use crate::resolve::types::name as type_name;
 use ecow::EcoString;
@@ -242,8 +242,8 @@ pub fn expression(exprs: &IndexVec<ExprId, Expr>, labels: &impl Labels, root: Ex
             ExprKind::And(a, b) => infix(*a, "and", *b),
             ExprKind::Or(a, b) => infix(*a, "or", *b),
             ExprKind::Xor(a, b) => infix(*a, "xor", *b),
-            ExprKind::Compare(op, a, b) => infix(*a, comparison(*op), *b),
-            ExprKind::Arithmetic(op, a, b) => infix(*a, arithmetic(*op), *b),
+            ExprKind::Compare(op, a, b) => infix(*a, op.sign(), *b),
+            ExprKind::Arithmetic(op, a, b) => infix(*a, op.sign(), *b),
             ExprKind::Delay { on, operand: a, off } => {
                 let mut pieces = vec![Piece::Text(format!("{}/", delay(labels, *on)))];
                 pieces.extend(operand(*a, 0));
@@ -293,29 +293,6 @@ fn needs_parentheses(exprs: &IndexVec<ExprId, Expr>, parent: ExprId, operand: Ex
 
 fn delay(labels: &impl Labels, delay: DelayTime) -> String {
     delay.constant.map_or_else(|| value(Value::Time(delay.ms)), |constant| labels.variable(constant))
-}
-
-/// How a comparison is written.
-pub fn comparison(op: Comparison) -> &'static str {
-    match op {
-        Comparison::Equal => "=",
-        Comparison::NotEqual => "<>",
-        Comparison::Less => "<",
-        Comparison::LessEqual => "<=",
-        Comparison::Greater => ">",
-        Comparison::GreaterEqual => ">=",
-    }
-}
-
-/// How an arithmetic operator is written.
-pub fn arithmetic(op: Arithmetic) -> &'static str {
-    match op {
-        Arithmetic::Add => "+",
-        Arithmetic::Subtract => "-",
-        Arithmetic::Multiply => "*",
-        Arithmetic::Divide => "/",
-        Arithmetic::Modulo => "mod",
-    }
 }
 
 #[cfg(test)]

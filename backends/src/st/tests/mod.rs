@@ -38,23 +38,7 @@ impl Build {
     }
 
     pub(crate) fn var(&mut self, role: Role, name: &str, ty: Type) -> VarId {
-        let initial = match ty {
-            Type::Bool => Value::Bool(false),
-            Type::Int | Type::Dint | Type::Uint | Type::Udint => Value::Int(0),
-            Type::Real | Type::Lreal => Value::Real(0.0),
-            Type::Time => Value::Time(0),
-        };
-        let name = name.to_owned();
-        self.program.variables.push(Variable {
-            role,
-            name: name.into(),
-            ty,
-            initial,
-            comment: None,
-            retain: false,
-            address: None,
-            span: None,
-        })
+        self.program.variables.push(Variable::new(role, name, ty))
     }
 
     pub(crate) fn bit(&mut self, role: Role, name: &str) -> VarId {

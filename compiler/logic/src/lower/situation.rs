@@ -2,7 +2,7 @@
 
 use super::cover::{Cover, is_small};
 use super::symbols::Symbols;
-use crate::scan::{Held, Role, State, Step, VarId, Variable};
+use crate::scan::{Held, Role, State, Step, VarId};
 use ecow::eco_format;
 use grafc_formula::{Comparison, FormulaId, Pool, Type, Value};
 use grafc_model::chart::{GrafcetId, StepId};
@@ -87,16 +87,7 @@ impl Situation {
             };
             let widest = steps.iter().map(|s| values[*s]).max().unwrap_or_default();
             let ty = if widest <= i64::from(i16::MAX) { Type::Int } else { Type::Dint };
-            let variable = symbols.table.push(Variable {
-                role: Role::State,
-                name: eco_format!("at_{base}"),
-                ty,
-                initial: Value::Int(0),
-                comment: None,
-                retain: false,
-                address: None,
-                span: None,
-            });
+            let variable = symbols.fresh(Role::State, eco_format!("at_{base}"), ty, None);
             // Where transitions write the states themselves there is no next one.
             let next = if in_place { variable } else { symbols.fresh(next_role, format!("next_{base}"), ty, None) };
             this.set_of_state.insert(variable, this.sets.len());

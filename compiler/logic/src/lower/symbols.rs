@@ -1,10 +1,10 @@
 //! The variables of the program that is being made.
 
 use crate::scan::{Flag, Role, VarId, Variable};
-use ecow::{EcoString, eco_format};
+use ecow::EcoString;
 use grafc_formula::number::zero;
-use grafc_formula::{FormulaId, Pool, Type, Value};
-use grafc_model::chart::{VariableId, VariableKind};
+use grafc_formula::{FormulaId, Pool, Type};
+use grafc_model::chart::VariableId;
 use grafc_net::Net;
 use grafc_net::net::Place;
 use index_vec::IndexVec;
@@ -31,30 +31,13 @@ impl Symbols {
             .variables
             .iter()
             .map(|v| {
-                let role = match v.kind {
-                    VariableKind::Input => Role::Input,
-                    VariableKind::Output => Role::Output,
-                    VariableKind::Internal => Role::Internal,
-                    VariableKind::Constant => Role::Constant,
-                };
+                let declared = Variable::declared(v);
                 // What the chart assigns gets its initial value in `first`: not every compiler keeps the initial
                 // values of a function block's variables. What is retained has it in both places: a controller that
                 // gets a new version of the program gives it to what is new.
-                let initial = match role {
-                    Role::Input | Role::Constant => v.initial,
-                    Role::Output | Role::Internal if v.retain => v.initial,
-                    _ => zero(v.ty),
-                };
-                table.push(Variable {
-                    role,
-                    name: v.name.clone(),
-                    ty: v.ty,
-                    initial,
-                    comment: v.comment.clone(),
-                    retain: v.retain,
-                    address: v.address.clone(),
-                    span: Some(v.span),
-                })
+                let is_set_in_first = declared.role.is_kept() && !v.retain;
+                let initial = if is_set_in_first { zero(v.ty) } else { v.initial };
+                table.push(Variable { initial, ..declared })
             })
             .collect();
         Symbols { table, declared, flags: BTreeMap::new() }
@@ -73,30 +56,12 @@ impl Symbols {
         ty: Type,
         comment: Option<EcoString>,
     ) -> VarId {
-        self.table.push(Variable {
-            role,
-            name: name.into(),
-            ty,
-            initial: zero(ty),
-            comment,
-            retain: false,
-            address: None,
-            span: None,
-        })
+        self.table.push(Variable { comment, ..Variable::new(role, name, ty) })
     }
 
     /// A new variable for the activity of a place.
     pub(crate) fn bit(&mut self, place: &Place) -> VarId {
-        self.table.push(Variable {
-            role: Role::Step,
-            name: eco_format!("X{}", place.label),
-            ty: Type::Bool,
-            initial: Value::Bool(false),
-            comment: place.comment.clone(),
-            retain: false,
-            address: None,
-            span: Some(place.span),
-        })
+        self.table.push(Variable::of_step(place))
     }
 
     /// The variable of a flag, which exists from its first use on.

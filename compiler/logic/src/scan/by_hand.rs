@@ -26,18 +26,7 @@ pub(crate) fn empty() -> Program {
 
 /// A variable without a name.
 pub(crate) fn variable(program: &mut Program, role: Role, ty: Type) -> VarId {
-    let initial = grafc_formula::number::zero(ty);
-    let name = String::new();
-    program.variables.push(Variable {
-        role,
-        name: name.into(),
-        ty,
-        initial,
-        comment: None,
-        retain: false,
-        address: None,
-        span: None,
-    })
+    program.variables.push(Variable::new(role, "", ty))
 }
 
 /// A Boolean variable, and the formula that reads it.

@@ -6,7 +6,7 @@
 use crate::scan::{Division, Origin, Program, Role, State, Statement, TimerId, Told, VarId, Variable};
 use grafc_formula::number::zero;
 use grafc_formula::{Formula, FormulaId, Type, Value};
-use grafc_model::dump::{arithmetic, comment, comparison, list, literal, name, section, type_name, value};
+use grafc_model::dump::{comment, list, literal, name, section, type_name, value};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
@@ -240,8 +240,8 @@ impl<'p> Dump<'p> {
                 Formula::And(_) => infix(&mut open, "AND"),
                 Formula::Or(_) => infix(&mut open, "OR"),
                 Formula::Xor(..) => infix(&mut open, "XOR"),
-                Formula::Compare(op, ..) => infix(&mut open, comparison(*op)),
-                Formula::Arithmetic(op, ..) => infix(&mut open, arithmetic(*op)),
+                Formula::Compare(op, ..) => infix(&mut open, op.sign()),
+                Formula::Arithmetic(op, ..) => infix(&mut open, op.sign()),
                 Formula::Widen(a) => {
                     out.push_str(type_name(pool.ty(id)));
                     open.extend([Piece::Text(")"), Piece::Formula(*a), Piece::Text("(")]);

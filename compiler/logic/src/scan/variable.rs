@@ -1,9 +1,12 @@
 //! Variables, steps, states and timers of a program: what each is for.
 
 use super::{StepId, VarId};
-use ecow::EcoString;
+use ecow::{EcoString, eco_format};
 use grafc_diagnostics::Span;
+use grafc_formula::number::zero;
 use grafc_formula::{FormulaId, Type, Value};
+use grafc_model::chart::{self, VariableKind};
+use grafc_net::net::Place;
 
 /// A step of the chart.
 #[derive(Clone, Debug)]
@@ -119,6 +122,49 @@ impl Role {
 }
 
 impl Variable {
+    /// A variable of ours: it starts with the zero of its type.
+    pub fn new(role: Role, name: impl Into<EcoString>, ty: Type) -> Variable {
+        Variable {
+            role,
+            name: name.into(),
+            ty,
+            initial: zero(ty),
+            retain: false,
+            comment: None,
+            address: None,
+            span: None,
+        }
+    }
+
+    /// A variable that the chart declares, with the value that it declares.
+    pub fn declared(declared: &chart::Variable) -> Variable {
+        let role = match declared.kind {
+            VariableKind::Input => Role::Input,
+            VariableKind::Output => Role::Output,
+            VariableKind::Internal => Role::Internal,
+            VariableKind::Constant => Role::Constant,
+        };
+        Variable {
+            role,
+            name: declared.name.clone(),
+            ty: declared.ty,
+            initial: declared.initial,
+            retain: declared.retain,
+            comment: declared.comment.clone(),
+            address: declared.address.clone(),
+            span: Some(declared.span),
+        }
+    }
+
+    /// The activity of a step.
+    pub fn of_step(place: &Place) -> Variable {
+        Variable {
+            comment: place.comment.clone(),
+            span: Some(place.span),
+            ..Variable::new(Role::Step, eco_format!("X{}", place.label), Type::Bool)
+        }
+    }
+
     /// Whether it is shown to the outside after each call: outputs, flags, and what has an address.
     pub fn is_published(&self) -> bool {
         match self.role {

@@ -21,7 +21,7 @@ use ecow::eco_format;
 use expressions::Expressions;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use grafc_formula::{FormulaId, Pool};
-use grafc_model::chart::{StepId, Type, Value, VariableKind};
+use grafc_model::chart::{StepId, Type, Value};
 use grafc_model::reaction::Profile;
 use grafc_net::Net;
 use index_vec::IndexVec;
@@ -173,40 +173,21 @@ fn own(steps: &[StepId]) -> Option<StepId> {
 
 /// The chart's variables, with the values that they start from; the first of the table, in order of declaration.
 fn declared(net: &Net) -> IndexVec<VarId, Variable> {
-    let all = net.variables.iter().map(|variable| Variable {
-        role: match variable.kind {
-            VariableKind::Input => Role::Input,
-            VariableKind::Output => Role::Output,
-            VariableKind::Internal => Role::Internal,
-            VariableKind::Constant => Role::Constant,
-        },
-        name: variable.name.clone(),
-        ty: variable.ty,
-        initial: variable.initial,
-        comment: variable.comment.clone(),
-        retain: variable.retain,
-        address: variable.address.clone(),
-        span: Some(variable.span),
-    });
-    all.collect()
+    net.variables.iter().map(Variable::declared).collect()
 }
 
 fn step(place: &grafc_net::net::Place, variables: &mut IndexVec<VarId, Variable>) -> SequenceStep {
-    let mut variable = |role, letter, ty, initial| {
-        variables.push(Variable {
-            role,
-            name: eco_format!("{letter}{}", place.label),
-            ty,
-            initial,
-            comment: place.comment.clone(),
-            retain: false,
-            address: None,
-            span: Some(place.span),
-        })
+    let active = Variable::of_step(place);
+    let duration = Variable {
+        role: Role::Temporary,
+        name: eco_format!("T{}", place.label),
+        ty: Type::Time,
+        initial: Value::Time(0),
+        ..active.clone()
     };
     SequenceStep {
-        active: variable(Role::Step, "X", Type::Bool, Value::Bool(false)),
-        duration: variable(Role::Temporary, "T", Type::Time, Value::Time(0)),
+        active: variables.push(active),
+        duration: variables.push(duration),
         marker: None,
         initial: place.initial,
         comment: place.comment.clone(),

@@ -14,7 +14,7 @@ use super::expressions::Expressions;
 use crate::lower::words::operand_word;
 use crate::scan::{Origin, Preset, Role, Statement, Timer, VarId, Variable};
 use ecow::EcoString;
-use grafc_formula::{Formula, FormulaId, Type, Value};
+use grafc_formula::{Formula, FormulaId, Type};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, Mode, VariableId, VariableKind};
 use grafc_model::reaction::Evolution;
 use rustc_hash::FxHashSet;
@@ -186,17 +186,7 @@ impl Expressions<'_> {
 
     /// A new variable behind those of the chart.
     pub fn fresh(&mut self, role: Role, name: String) -> VarId {
-        let (ty, initial) = (Type::Bool, Value::Bool(false));
-        self.more.push(Variable {
-            role,
-            name: name.into(),
-            ty,
-            initial,
-            comment: None,
-            retain: false,
-            address: None,
-            span: None,
-        });
+        self.more.push(Variable::new(role, name, Type::Bool));
         VarId::from_usize(self.variables + self.more.len() - 1)
     }
 

@@ -15,7 +15,6 @@
 //! as long as between the two places nothing reads the timer and nothing writes what its input reads.
 
 use crate::scan::{Arm, Heading, Origin, Program, Role, Statement, TimerId, Told, VarId, Variable};
-use grafc_formula::number::zero;
 use grafc_formula::{Comparison, Formula, FormulaId, Pool, Value};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
@@ -174,17 +173,7 @@ fn remember(program: &mut Program, index: usize) -> VarId {
     let at = &program.variables[program.states[index].variable];
     let (name, ty) = (format!("timed_{}", at.name.trim_start_matches("at_")), at.ty);
     let comment = Some("the step whose timers were last called".into());
-    let variable = Variable {
-        role: Role::Memory,
-        name: name.into(),
-        ty,
-        initial: zero(ty),
-        comment,
-        retain: false,
-        address: None,
-        span: None,
-    };
-    let timed = program.variables.push(variable);
+    let timed = program.variables.push(Variable { comment, ..Variable::new(Role::Memory, name, ty) });
     program.states[index].copies.push(timed);
     timed
 }

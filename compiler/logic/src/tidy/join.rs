@@ -1,9 +1,13 @@
 //! Neighbours under the same guards become one: `IF c THEN a; END_IF; IF c THEN b; END_IF;` is `IF c THEN a; b; END_IF;`, as
 //! long as `a` writes nothing that `c` reads.
 
-use crate::scan::{Division, Program, Statement, TimerId, VarId};
-use grafc_formula::{Formula, FormulaId, Pool};
+use super::cells::{Cell, each_written, read_by};
+use crate::scan::{Program, Statement};
+use grafc_formula::{FormulaId, Pool};
 use rustc_hash::FxHashSet;
+
+/// An alternative with its guard.
+type Branch = (FormulaId, Vec<Statement>);
 
 /// Joins what can be joined in all blocks of a program.
 pub(crate) fn join(program: &mut Program) {
@@ -13,63 +17,24 @@ pub(crate) fn join(program: &mut Program) {
     }
 }
 
-/// What guards read.
-#[derive(Default)]
-struct Read {
-    variables: FxHashSet<VarId>,
-    timers: FxHashSet<TimerId>,
+/// What the guards of a statement read.
+fn read_by_guards(pool: &Pool, branches: &[Branch]) -> FxHashSet<Cell> {
+    branches.iter().flat_map(|(when, _)| read_by(pool, *when)).collect()
 }
 
-impl Read {
-    fn of(pool: &Pool, branches: &[(FormulaId, Vec<Statement>)]) -> Read {
-        let mut read = Read::default();
-        for (when, _) in branches {
-            for f in pool.below(*when) {
-                match pool.get(f) {
-                    Formula::Variable(v) => {
-                        read.variables.insert(*v);
-                    }
-                    Formula::TimerDone(t) | Formula::TimerElapsed(t) => {
-                        read.timers.insert(*t);
-                    }
-                    Formula::Constant(_)
-                    | Formula::Not(_)
-                    | Formula::And(_)
-                    | Formula::Or(_)
-                    | Formula::Xor(..)
-                    | Formula::Compare(..)
-                    | Formula::Arithmetic(..)
-                    | Formula::Negate(_)
-                    | Formula::Widen(_) => {}
-                }
-            }
-        }
-        read
+fn is_changed_by(read: &FxHashSet<Cell>, branches: &[Branch], otherwise: &[Statement]) -> bool {
+    let mut changed = false;
+    for statement in branches.iter().flat_map(|(_, body)| body).chain(otherwise) {
+        each_written(statement, &mut |cell| changed |= read.contains(&cell));
     }
-
-    fn is_changed_by(&self, branches: &[(FormulaId, Vec<Statement>)], otherwise: &[Statement]) -> bool {
-        branches.iter().any(|(_, body)| self.is_written_by(body)) || self.is_written_by(otherwise)
-    }
-
-    /// Statements nest no deeper than lowering nests them.
-    fn is_written_by(&self, statements: &[Statement]) -> bool {
-        statements.iter().any(|statement| match statement {
-            Statement::Heading(_) => false,
-            Statement::Assign { target, .. } => self.variables.contains(target),
-            Statement::Divide(Division { target, flag, .. }) => {
-                self.variables.contains(target) || self.variables.contains(flag)
-            }
-            Statement::CallTimer { timer, .. } => self.timers.contains(timer),
-            Statement::Case { .. } | Statement::If { .. } => statement.bodies().any(|body| self.is_written_by(body)),
-        })
-    }
+    changed
 }
 
 /// Statements nest no deeper than lowering nests them.
 fn block(pool: &Pool, statements: &mut Vec<Statement>) {
     let mut out: Vec<Statement> = Vec::with_capacity(statements.len());
     // What the guards of the last statement read, if another has been joined to it; whether others may be.
-    let mut read: Option<Read> = None;
+    let mut read: Option<FxHashSet<Cell>> = None;
     let mut closed = true;
     for mut statement in statements.drain(..) {
         match &mut statement {
@@ -80,12 +45,12 @@ fn block(pool: &Pool, statements: &mut Vec<Statement>) {
                     && same(known, branches)
                 {
                     let read = read.get_or_insert_with(|| {
-                        let read = Read::of(pool, known);
-                        closed = read.is_changed_by(known, other);
+                        let read = read_by_guards(pool, known);
+                        closed = is_changed_by(&read, known, other);
                         read
                     });
                     if !closed {
-                        closed = read.is_changed_by(branches, otherwise);
+                        closed = is_changed_by(read, branches, otherwise);
                         for ((_, body), (_, more)) in known.iter_mut().zip(branches) {
                             body.append(more);
                         }
@@ -111,7 +76,7 @@ fn block(pool: &Pool, statements: &mut Vec<Statement>) {
     *statements = out;
 }
 
-fn same(a: &[(FormulaId, Vec<Statement>)], b: &[(FormulaId, Vec<Statement>)]) -> bool {
+fn same(a: &[Branch], b: &[Branch]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|((a, _), (b, _))| a == b)
 }
 

@@ -11,8 +11,8 @@
 //! Formulas have no effects, so the pieces stand before the statement that reads them; those of a condition before the
 //! whole `If`.
 
-use crate::scan::{Origin, Program, Role, Statement, VarId, Variable, origin_of};
-use grafc_formula::{Formula, FormulaId, Type, Value};
+use crate::scan::{Origin, Program, Role, Statement, Variable, origin_of};
+use grafc_formula::{Formula, FormulaId, Type};
 use rustc_hash::FxHashMap;
 
 /// The most operands of one conjunction or disjunction.
@@ -118,16 +118,8 @@ impl Cutter<'_> {
     /// A variable for a piece of a long formula.
     fn piece(&mut self, piece: Vec<FormulaId>, conjunction: bool, before: &mut Vec<Statement>) -> FormulaId {
         let value = self.junction(piece, conjunction);
-        let target: VarId = self.program.variables.push(Variable {
-            role: Role::Temporary,
-            name: if conjunction { "all" } else { "any" }.into(),
-            ty: Type::Bool,
-            initial: Value::Bool(false),
-            comment: None,
-            retain: false,
-            address: None,
-            span: None,
-        });
+        let name = if conjunction { "all" } else { "any" };
+        let target = self.program.variables.push(Variable::new(Role::Temporary, name, Type::Bool));
         before.push(Statement::assign(self.origin, target, value));
         self.program.pool.variable(target, Type::Bool)
     }
@@ -143,6 +135,7 @@ mod tests {
     use super::*;
     use crate::scan::by_hand::{assign, bit, empty};
     use crate::scan::evaluate::Evaluator;
+    use grafc_formula::Value;
     use grafc_model::reaction::Stimulus;
 
     /// `w := NOT (i0 OR i1 OR …)` and, if that is false, `v := i0 AND i1 AND …`.

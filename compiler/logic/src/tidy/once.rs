@@ -9,10 +9,11 @@
 //! as long as nothing in between writes what it reads. Statements within others are a block of their own: what is looked at
 //! in one arm only is not computed for the others.
 
+use super::cells::{Cell, each_written, read_by};
 use super::words::formula_word;
-use crate::scan::{Division, Origin, Program, Role, Statement, TimerId, VarId, Variable};
-use grafc_formula::{Formula, FormulaId, Pool, Type, Value};
-use rustc_hash::{FxHashMap, FxHashSet};
+use crate::scan::{Origin, Program, Role, Statement, VarId, Variable};
+use grafc_formula::{Formula, FormulaId, Type};
+use rustc_hash::FxHashMap;
 
 /// A formula that reads fewer variables is not worth a name.
 const WORTH_A_NAME: u32 = 3;
@@ -187,7 +188,7 @@ impl Once<'_> {
         let pool = &self.program.pool;
         let mut spans: Vec<Span> = Vec::new();
         let mut known: FxHashMap<FormulaId, usize> = FxHashMap::default();
-        let mut reads: FxHashMap<Place, Vec<FormulaId>> = FxHashMap::default();
+        let mut reads: FxHashMap<Cell, Vec<FormulaId>> = FxHashMap::default();
         for (at, statement) in statements.iter().enumerate() {
             let mut open = Vec::new();
             roots(statement, &mut open);
@@ -209,23 +210,23 @@ impl Once<'_> {
                         }
                         _ => None,
                     };
-                    for place in read_by(pool, id) {
-                        reads.entry(place).or_default().push(id);
+                    for cell in read_by(pool, id) {
+                        reads.entry(cell).or_default().push(id);
                     }
                     spans.push(Span { formula: id, uses: vec![at], carrier });
                 }
                 open.extend(pool.operands(id));
             }
             // What is written from here on has another value.
-            each_written(statement, &mut |place| {
-                for id in reads.remove(&place).unwrap_or_default() {
+            each_written(statement, &mut |cell| {
+                for id in reads.remove(&cell).unwrap_or_default() {
                     known.remove(&id);
                 }
             });
             if let Statement::Assign { target, value, .. } = statement
                 && known.get(value).is_some_and(|span| spans[*span].carrier == Some(*target))
             {
-                reads.entry(Place::Variable(*target)).or_default().push(*value);
+                reads.entry(Cell::Variable(*target)).or_default().push(*value);
             }
         }
         spans.retain(|span| span.uses.len() > 1);
@@ -234,16 +235,7 @@ impl Once<'_> {
 
     fn define(&mut self, value: FormulaId, origin: Origin) -> (FormulaId, Statement) {
         let name = formula_word(&self.program.pool, &self.program.variables, &self.program.timers, value);
-        let target = self.program.variables.push(Variable {
-            role: Role::Temporary,
-            name,
-            ty: Type::Bool,
-            initial: Value::Bool(false),
-            comment: None,
-            address: None,
-            retain: false,
-            span: None,
-        });
+        let target = self.program.variables.push(Variable::new(Role::Temporary, name, Type::Bool));
         (self.program.pool.variable(target, Type::Bool), Statement::assign(origin, target, value))
     }
 
@@ -272,54 +264,6 @@ impl Once<'_> {
             }
         }
         statement
-    }
-}
-
-/// What has a value that may change.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
-enum Place {
-    Variable(VarId),
-    Timer(TimerId),
-}
-
-/// What a formula reads.
-fn read_by(pool: &Pool, root: FormulaId) -> FxHashSet<Place> {
-    let mut read = FxHashSet::default();
-    for id in pool.below(root) {
-        match pool.get(id) {
-            Formula::Variable(v) => {
-                read.insert(Place::Variable(*v));
-            }
-            Formula::TimerDone(t) | Formula::TimerElapsed(t) => {
-                read.insert(Place::Timer(*t));
-            }
-            Formula::Constant(_)
-            | Formula::Not(_)
-            | Formula::And(_)
-            | Formula::Or(_)
-            | Formula::Xor(..)
-            | Formula::Compare(..)
-            | Formula::Arithmetic(..)
-            | Formula::Negate(_)
-            | Formula::Widen(_) => {}
-        }
-    }
-    read
-}
-
-/// What a statement writes, and those within it. Statements nest no deeper than lowering nests them.
-fn each_written(statement: &Statement, of: &mut dyn FnMut(Place)) {
-    match statement {
-        Statement::Heading(_) => {}
-        Statement::Assign { target, .. } => of(Place::Variable(*target)),
-        Statement::Divide(Division { target, flag, .. }) => {
-            of(Place::Variable(*target));
-            of(Place::Variable(*flag));
-        }
-        Statement::CallTimer { timer, .. } => of(Place::Timer(*timer)),
-        Statement::Case { .. } | Statement::If { .. } => {
-            statement.bodies().flatten().for_each(|inner| each_written(inner, of));
-        }
     }
 }
 

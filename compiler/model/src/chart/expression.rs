@@ -112,6 +112,18 @@ pub enum Comparison {
 }
 
 impl Comparison {
+    /// How it is written in a chart, and in ST.
+    pub fn sign(self) -> &'static str {
+        match self {
+            Comparison::Equal => "=",
+            Comparison::NotEqual => "<>",
+            Comparison::Less => "<",
+            Comparison::LessEqual => "<=",
+            Comparison::Greater => ">",
+            Comparison::GreaterEqual => ">=",
+        }
+    }
+
     /// What holds between two values in the other order.
     pub fn mirrored(self) -> Comparison {
         match self {
@@ -138,4 +150,17 @@ pub enum Arithmetic {
     Divide,
     /// `mod`, with the sign of the dividend
     Modulo,
+}
+
+impl Arithmetic {
+    /// How it is written in a chart.
+    pub fn sign(self) -> &'static str {
+        match self {
+            Arithmetic::Add => "+",
+            Arithmetic::Subtract => "-",
+            Arithmetic::Multiply => "*",
+            Arithmetic::Divide => "/",
+            Arithmetic::Modulo => "mod",
+        }
+    }
 }

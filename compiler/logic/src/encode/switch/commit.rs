@@ -1,14 +1,13 @@
 //! What the next situation brings about: another micro-step, outputs that follow a state, and the situation itself.
 
 use super::moves::changes_of;
-use super::{Encoding, Switch, assign_number, assign_truth, copy, differs, entered, within};
+use super::{Switch, assign_number, assign_truth, copy, differs, entered, uncovered, within};
 use crate::encode::allocate::choose;
 use crate::encode::clearings::Clearings;
-use crate::encode::next_activity::next_activity;
 use crate::encode::state_case::StateCase;
 use crate::lower::Lowering;
 use crate::lower::situation::Set;
-use crate::scan::{Origin, Statement};
+use crate::scan::{Origin, Statement, Told};
 use grafc_model::chart::TransitionId;
 use index_vec::IndexVec;
 
@@ -56,19 +55,7 @@ impl Switch<'_> {
     /// The next situation becomes the situation, from the bottom up: a state is read until what it encloses is written.
     pub(super) fn commit(&self, lowering: &mut Lowering, clearings: &Clearings) -> Vec<Statement> {
         let net = &*lowering.net.clone();
-        let mut out = Vec::new();
-        for s in net.places.indices() {
-            let Some(target) = lowering.situation.bit(s) else { continue };
-            let value = match clearings.next[s] {
-                Some(next) => Some(next),
-                None => clearings
-                    .set_and_reset(lowering, s, false)
-                    .map(|place| next_activity(Encoding::Switch, &mut lowering.pool, &place)),
-            };
-            if let Some(value) = value.filter(|value| *value != lowering.active(s)) {
-                out.push(Statement::assign(Origin::Step(s), target, value));
-            }
-        }
+        let mut out = uncovered::commit(lowering, clearings, Told::Nothing);
         for g in net.hierarchy.iter().rev() {
             for index in &self.layout.sets_of[*g] {
                 let set = lowering.situation.sets[*index].clone();

@@ -15,19 +15,17 @@
 //! A set of few steps needs no arms and, if no enclosure or order acts on it, no next state: its transitions are latched.
 
 use super::moves::{changes_of, home};
-use super::{assign_number, copy, differs, next_in_set, value_of, within};
+use super::{assign_number, copy, differs, next_in_set, uncovered, value_of, within};
 use crate::encode::allocate::choose;
 use crate::encode::by_grafcet::sorted;
 use crate::encode::clearings::{Clearings, StepEvents, clears};
 use crate::encode::input_event::InputEvent;
-use crate::encode::next_activity::next_activity;
 use crate::encode::state_case::StateCase;
 use crate::encode::task::Task;
 use crate::encode::{settle, stored};
 use crate::lower::cover::FEW;
 use crate::lower::situation::{Holder, Set};
 use crate::lower::{Context, Lowering};
-use crate::options::Encoding;
 use crate::scan::{Heading, Origin, Part, Role, Statement, Told};
 use ecow::eco_format;
 use grafc_formula::{FormulaId, Type};
@@ -153,22 +151,11 @@ fn settled(lowering: &mut Lowering, task: &Task, short: &[bool], clearings: &mut
     let acted_on = settle::acted_on(net);
     let mut out = Vec::new();
     for g in &net.hierarchy {
-        let around = within(net, *g).map(|e| next_of(lowering, clearings, e));
+        let around = within(net, *g).map(|e| uncovered::next(lowering, clearings, e));
         let known = &clearings.next;
         let mut next = |lowering: &mut Lowering, s: StepId| known[s].unwrap_or_else(|| next_in_set(lowering, s));
         let in_force = settle::orders(lowering, task.components, *g, around, &mut next, &mut out);
-        for s in net.grafcets[*g].steps.iter().filter(|s| acted_on[**s]) {
-            if lowering.situation.bit(*s).is_none() {
-                continue;
-            }
-            let own = match clearings.set_and_reset(lowering, *s, false) {
-                Some(place) => next_activity(Encoding::Switch, &mut lowering.pool, &place),
-                None => lowering.active(*s),
-            };
-            let value = settle::settled(lowering, *s, own, around, in_force.as_ref());
-            let name = eco_format!("next_{}", net.places[*s].label);
-            clearings.next[*s] = Some(lowering.named(Origin::Step(*s), &name, value, &mut out));
-        }
+        out.extend(uncovered::settle(lowering, clearings, &acted_on, *g, around, in_force.as_ref()));
         for (index, is_short) in short.iter().enumerate() {
             if lowering.situation.sets[index].grafcet == *g && !is_short {
                 enclose(lowering, *g, index, around, &mut out);
@@ -185,14 +172,6 @@ fn settled(lowering: &mut Lowering, task: &Task, short: &[bool], clearings: &mut
         }
     }
     out
-}
-
-/// The next activity of a step.
-fn next_of(lowering: &mut Lowering, clearings: &Clearings, s: StepId) -> FormulaId {
-    match clearings.next[s] {
-        Some(next) => next,
-        None => next_in_set(lowering, s),
-    }
 }
 
 /// A set is emptied with the step around it, and starts with that (R5a).
@@ -276,17 +255,6 @@ fn situation(lowering: &mut Lowering, short: &[bool], mut moves: Moves, clearing
             out.extend(choose(lowering, vec![(when, body)]));
         }
     }
-    for s in lowering.net.places.indices() {
-        let Some(target) = lowering.situation.bit(s) else { continue };
-        let value = match clearings.next[s] {
-            Some(next) => Some(next),
-            None => clearings
-                .set_and_reset(lowering, s, false)
-                .map(|place| next_activity(Encoding::Switch, &mut lowering.pool, &place)),
-        };
-        if let Some(value) = value.filter(|value| *value != lowering.active(s)) {
-            out.push(Statement::Assign { target, value, origin: Origin::Step(s), told: Told::Comment });
-        }
-    }
+    out.extend(uncovered::commit(lowering, clearings, Told::Comment));
     out
 }

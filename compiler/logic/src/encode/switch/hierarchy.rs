@@ -1,14 +1,12 @@
 //! Enclosures and orders on the next situation, from the top of the hierarchy down.
 
-use super::{Encoding, Switch, assign_number, differs, next_in_set, value_of, within};
+use super::{Switch, assign_number, differs, next_in_set, uncovered, value_of, within};
 use crate::encode::allocate::choose;
 use crate::encode::clearings::Clearings;
-use crate::encode::next_activity::next_activity;
 use crate::encode::settle;
 use crate::encode::state_case::StateCase;
 use crate::lower::Lowering;
-use crate::scan::{Origin, Role, Statement};
-use grafc_formula::{FormulaId, Type};
+use crate::scan::{Origin, Statement};
 use grafc_model::chart::{GrafcetId, StepId};
 
 impl Switch<'_> {
@@ -18,27 +16,14 @@ impl Switch<'_> {
         let acted_on = settle::acted_on(net);
         let mut out = Vec::new();
         for g in &net.hierarchy {
-            let around = within(net, *g).map(|e| self.next(lowering, clearings, e));
+            let around = within(net, *g).map(|e| uncovered::next(lowering, clearings, e));
             let known = &clearings.next;
             let mut next = |lowering: &mut Lowering, s: StepId| match known[s] {
                 Some(next) => next,
                 None => next_in_set(lowering, s),
             };
             let in_force = settle::orders(lowering, self.task.components, *g, around, &mut next, &mut out);
-            for s in net.grafcets[*g].steps.iter().filter(|s| acted_on[**s]) {
-                if lowering.situation.bit(*s).is_none() {
-                    continue;
-                }
-                let own = match clearings.set_and_reset(lowering, *s, false) {
-                    Some(place) => next_activity(Encoding::Switch, &mut lowering.pool, &place),
-                    None => lowering.active(*s),
-                };
-                let value = settle::settled(lowering, *s, own, around, in_force.as_ref());
-                let name = format!("next_{}", net.places[*s].label);
-                let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
-                out.push(Statement::assign(Origin::Step(*s), target, value));
-                clearings.next[*s] = Some(lowering.symbols.read(&mut lowering.pool, target));
-            }
+            out.extend(uncovered::settle(lowering, clearings, &acted_on, *g, around, in_force.as_ref()));
             if let Some(in_force) = in_force {
                 for index in &self.layout.sets_of[*g] {
                     let set = lowering.situation.sets[*index].clone();
@@ -120,13 +105,5 @@ impl Switch<'_> {
             }
         }
         body
-    }
-
-    /// The next activity of a step.
-    fn next(&self, lowering: &mut Lowering, clearings: &Clearings, s: StepId) -> FormulaId {
-        match clearings.next[s] {
-            Some(next) => next,
-            None => next_in_set(lowering, s),
-        }
     }
 }

@@ -22,6 +22,7 @@ mod hierarchy;
 mod in_place;
 mod moves;
 mod transitions;
+mod uncovered;
 
 use super::bits;
 use super::task::Task;
@@ -34,7 +35,6 @@ use crate::encode::stored;
 use crate::lower::cover::is_forced;
 use crate::lower::situation::{Holder, equals};
 use crate::lower::{Context, Lowering};
-use crate::options::Encoding;
 use crate::scan::{Heading, Origin, Part, Statement, VarId};
 use grafc_formula::{FormulaId, Value};
 use grafc_model::chart::{GrafcetId, StepId, TransitionId};
