@@ -14,6 +14,9 @@ pub trait Source {
     /// The scan program.
     fn program(&mut self) -> Result<&Program, Diagnostics>;
 
+    /// The scan program with what gives saved memory back; a target asks for one of the two.
+    fn saved_program(&mut self) -> Result<&Program, Diagnostics>;
+
     /// The chart as a sequential function chart.
     fn sequence(&mut self) -> Result<&Sequence, Diagnostics>;
 

@@ -8,7 +8,7 @@
 //! - [`Timer`]: the on-delay of `t1/e`;
 //! - [`divide`] and [`remainder`]: division that is defined for zero too;
 //! - [`Flags`]: what went wrong at run time;
-//! - [`Saver`] and [`Restorer`]: the memory of a chart as bytes;
+//! - [`Saver`], [`seal`] and [`Restorer`]: the memory of a chart as bytes, with a checksum;
 //! - [`Chart`]: what all generated charts have in common;
 //! - [`Runner`]: a chart with a fixed period.
 //!
@@ -66,7 +66,7 @@ pub use chart::Chart;
 pub use flags::Flags;
 pub use number::{Number, divide, remainder};
 pub use runner::Runner;
-pub use saved::{Restorer, Saved, Saver};
+pub use saved::{Restorer, SEAL_LEN, Saved, Saver, crc32, seal};
 pub use timer::Timer;
 
 /// The example of the README is compiled and run with the tests.

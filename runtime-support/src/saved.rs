@@ -1,7 +1,8 @@
 //! The memory of a chart as bytes, for flash, EEPROM, backup RAM or a file.
 //!
 //! Values stand one after the other, little endian, with nothing in between. They
-//! are taken back in the order in which they were put.
+//! are taken back in the order in which they were put. A checksum behind them, the
+//! seal, tells bytes that have changed from those that were saved.
 
 /// A value that can be saved in a fixed number of bytes.
 pub trait Saved: Sized {
@@ -15,6 +16,34 @@ pub trait Saved: Sized {
     /// Reads a value from the first `LEN` bytes. None if there are fewer, or if
     /// they are no value of this type.
     fn read(from: &[u8]) -> Option<Self>;
+}
+
+/// How many bytes the seal takes.
+pub const SEAL_LEN: usize = u32::LEN;
+
+/// The CRC-32 of IEEE 802.3, as zip and Ethernet have it. It finds each change of
+/// one, two or three bits in up to 11 KiB, each change of one or two in any buffer
+/// up to 512 MiB, and of other changes all but one in four thousand million.
+pub fn crc32(bytes: &[u8]) -> u32 {
+    // Bit by bit: a table would be larger than most charts.
+    let mut crc = u32::MAX;
+    for byte in bytes {
+        crc ^= u32::from(*byte);
+        for _ in 0..u8::BITS {
+            let feedback = if crc & 1 == 1 { 0xEDB8_8320 } else { 0 };
+            crc = (crc >> 1) ^ feedback;
+        }
+    }
+    !crc
+}
+
+/// Writes the seal of all bytes before it to the last [`SEAL_LEN`] bytes. A buffer
+/// that is shorter is left as it is.
+pub fn seal(buffer: &mut [u8]) {
+    if let Some(length) = buffer.len().checked_sub(SEAL_LEN) {
+        let (bytes, seal) = buffer.split_at_mut(length);
+        crc32(bytes).write(seal);
+    }
 }
 
 /// Saves values in a buffer, one after the other.
@@ -54,6 +83,13 @@ impl<'b> Restorer<'b> {
     #[inline]
     pub const fn new(buffer: &'b [u8]) -> Self {
         Self { rest: buffer }
+    }
+
+    /// Begins at the start of a buffer that was sealed, and ends before the seal.
+    /// None if the seal is not that of the bytes before it.
+    pub fn sealed(buffer: &'b [u8]) -> Option<Self> {
+        let (bytes, seal) = buffer.split_at_checked(buffer.len().checked_sub(SEAL_LEN)?)?;
+        (u32::read(seal) == Some(crc32(bytes))).then_some(Self::new(bytes))
     }
 
     /// Takes the next value. None, and nothing is taken, if there are not enough

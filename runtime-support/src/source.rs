@@ -10,5 +10,5 @@ pub const TIMER: &str = include_str!("timer.rs");
 pub const NUMBER: &str = include_str!("number.rs");
 /// What went wrong at run time: `Flags`.
 pub const FLAGS: &str = include_str!("flags.rs");
-/// The memory of a chart as bytes: `Saved`, `Saver`, `Restorer`.
+/// The memory of a chart as bytes: `Saved`, `Saver`, `seal`, `Restorer`.
 pub const SAVED: &str = include_str!("saved.rs");

@@ -66,18 +66,19 @@ impl Timer {
     }
 
     /// The timer that was saved as `state`, going on at `now`. The time in between
-    /// does not count. A timer that does not run has no elapsed time, and a
-    /// negative one is taken as 0.
-    pub const fn resumed(state: (bool, i64), now: u32) -> Self {
+    /// does not count. None if no timer has this state: an elapsed time is not
+    /// negative, and of a timer that does not run it is 0.
+    pub const fn resumed(state: (bool, i64), now: u32) -> Option<Self> {
         let (running, elapsed) = state;
+        if elapsed < 0 || (!running && elapsed > 0) {
+            return None;
+        }
         let mut timer = Self::new();
         if running {
             timer.running = true;
             timer.last = now;
-            if elapsed > 0 {
-                timer.elapsed = elapsed;
-            }
+            timer.elapsed = elapsed;
         }
-        timer
+        Some(timer)
     }
 }

@@ -1,6 +1,6 @@
 //! Saving and restoring.
 
-use grafc_runtime::{Restorer, Saved, Saver, Timer};
+use grafc_runtime::{Restorer, SEAL_LEN, Saved, Saver, Timer, crc32, seal};
 
 /// Saves `value` alone, compares the bytes and takes the value back.
 #[track_caller]
@@ -98,4 +98,51 @@ fn bytes_that_are_no_bool_are_not_taken() {
         assert!(!restorer.is_done());
         assert_eq!(restorer.take(), Some(bad));
     }
+}
+
+#[test]
+fn the_checksum_is_the_common_one() {
+    // The check value in the catalogues of CRCs, and that of nothing.
+    assert_eq!(crc32(b"123456789"), 0xCBF4_3926);
+    assert_eq!(crc32(b""), 0);
+    assert_eq!(crc32(&[0]), 0xD202_EF8D);
+}
+
+#[test]
+fn what_was_sealed_is_taken_back() {
+    let mut buffer = [0; 2 + SEAL_LEN];
+    Saver::new(&mut buffer).put(0x1234_u16);
+    seal(&mut buffer);
+    assert_eq!(buffer[2..], crc32(&[0x34, 0x12]).to_le_bytes());
+    let mut restorer = Restorer::sealed(&buffer).unwrap();
+    assert_eq!(restorer.take(), Some(0x1234_u16));
+    assert!(restorer.is_done());
+}
+
+#[test]
+fn what_has_changed_is_not() {
+    let mut buffer = [0x5A; 60];
+    seal(&mut buffer);
+    for one in 0..buffer.len() * 8 {
+        for other in 0..=one {
+            let mut bytes = buffer;
+            bytes[one / 8] ^= 1 << (one % 8);
+            if other < one {
+                bytes[other / 8] ^= 1 << (other % 8);
+            }
+            assert!(Restorer::sealed(&bytes).is_none(), "bits {one} and {other}");
+        }
+    }
+    assert!(Restorer::sealed(&buffer[1..]).is_none());
+    assert!(Restorer::sealed(&buffer[..59]).is_none());
+}
+
+#[test]
+fn erased_memory_is_not_sealed() {
+    assert!(Restorer::sealed(&[0xFF; 60]).is_none());
+    assert!(Restorer::sealed(&[0; 60]).is_none());
+    assert!(Restorer::sealed(&[1, 2, 3]).is_none());
+    let mut short = [1, 2, 3];
+    seal(&mut short);
+    assert_eq!(short, [1, 2, 3]);
 }

@@ -18,16 +18,32 @@ pub fn simulate(chart: &Chart, profile: Profile, stimuli: &[Stimulus]) -> Vec<Re
 
 /// The scan program of a chart, or the messages of the stages.
 pub fn compile(chart: &Chart, options: &Options) -> Result<Program, String> {
-    let (program, diagnostics) = lowered(chart, options);
+    made(chart, lowered(chart, options))
+}
+
+/// The same with what gives saved memory back, as a target needs it that saves it.
+pub fn compile_saved(chart: &Chart, options: &Options) -> Result<Program, String> {
+    made(chart, lowered_by(chart, options, grafc_logic::compile_saved))
+}
+
+fn made(chart: &Chart, (program, diagnostics): (Program, Diagnostics)) -> Result<Program, String> {
     if diagnostics.has_errors() { Err(charts::render(&chart.name, "", &diagnostics)) } else { Ok(program) }
 }
 
 /// The scan program of a chart, and what the stages say.
 pub fn lowered(chart: &Chart, options: &Options) -> (Program, Diagnostics) {
+    lowered_by(chart, options, grafc_logic::compile)
+}
+
+fn lowered_by(
+    chart: &Chart,
+    options: &Options,
+    compile: fn(Analysis, &Options) -> (Program, Diagnostics),
+) -> (Program, Diagnostics) {
     let mut diagnostics = Diagnostics::new();
     let mut net = grafc_net::build(chart);
     grafc_net::passes::run(&mut net, options.encoding.overlaps(), &mut diagnostics);
-    let (program, more) = grafc_logic::compile(Analysis::new(net), options);
+    let (program, more) = compile(Analysis::new(net), options);
     diagnostics.append(more);
     (program, diagnostics)
 }

@@ -11,7 +11,7 @@ use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::executors::rust::{Tools, run};
 use grafc_testsuite::random::profile;
 use grafc_testsuite::random::{ChartKind, Drawn, checked, trace};
-use grafc_testsuite::runs::{compile, simulate};
+use grafc_testsuite::runs::{compile_saved, simulate};
 use grafc_testsuite::scaling::SHAPES;
 use grafc_testsuite::ways::exact;
 
@@ -28,7 +28,7 @@ fn agree(cases: &[Case]) {
         let chart = check(&case.name, &case.text).expect("a chart without errors");
         let stimuli = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
         for (way, options) in case.ways() {
-            let program = compile(&chart, &options).expect("a scan program");
+            let program = compile_saved(&chart, &options).expect("a scan program");
             jobs.push(Job { program, stimuli: stimuli.clone() });
             charts.push((format!("{}, {way}", case.name), case, chart.clone()));
         }
@@ -70,7 +70,7 @@ fn random_charts_agree() {
         let job = |drawn: &Drawn| {
             let ways = exact(profile(drawn.seed));
             let (_, options): &(String, Options) = &ways[drawn.seed as usize % ways.len()];
-            let program = compile(&drawn.chart, options).unwrap_or_else(|e| panic!("{}: {e}", drawn.seed));
+            let program = compile_saved(&drawn.chart, options).unwrap_or_else(|e| panic!("{}: {e}", drawn.seed));
             Job { program, stimuli: trace(drawn.seed, &drawn.chart, 30) }
         };
         let jobs: Vec<Job> = drawn.iter().map(job).collect();
@@ -103,7 +103,7 @@ fn large_charts_agree() {
         let chart = check(shape.name, &(shape.write)(1_100)).expect("a chart without errors");
         assert!(chart.steps.len() > 1_000, "{}: {} steps", shape.name, chart.steps.len());
         let options = Options { profile: profile(0), encoding: Encoding::Switch, simplify: true };
-        let program = compile(&chart, &options).expect("a scan program");
+        let program = compile_saved(&chart, &options).expect("a scan program");
         let stimuli = trace(1, &chart, 40);
         let expected = simulate(&chart, options.profile, &stimuli);
         let actual = run(&tools, &[Job { program, stimuli: stimuli.clone() }]).remove(0);
@@ -127,7 +127,7 @@ fn overlapping_encodings_are_written_as_they_are() {
         let stimuli = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
         let encoding = if index % 2 == 0 { Encoding::RTrigger } else { Encoding::STrigger };
         let options = Options { profile: case.profile, encoding, simplify: true };
-        let program = compile(&chart, &options).expect("a scan program");
+        let program = compile_saved(&chart, &options).expect("a scan program");
         let mut evaluator = grafc_logic::scan::evaluate::Evaluator::new(&program);
         expected.push(stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect::<Vec<_>>());
         jobs.push(Job { program, stimuli });

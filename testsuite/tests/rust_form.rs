@@ -7,7 +7,7 @@ use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::Profile;
 use grafc_testsuite::charts::{cases, charts_folder, check, vectors_folder};
 use grafc_testsuite::rings::Rings;
-use grafc_testsuite::runs::compile;
+use grafc_testsuite::runs::compile_saved;
 use grafc_testsuite::tools::{Tool, or_skip};
 use std::fs;
 use std::path::Path;
@@ -20,7 +20,7 @@ fn write(folder: &Path) -> Vec<String> {
     let mut add = |name: &str, text: &str, profile: Profile, encoding: Encoding| {
         let chart = check(name, text).expect("a chart without errors");
         let simplify = modules.len() % 3 > 0;
-        let program = compile(&chart, &Options { profile, encoding, simplify }).expect("a program");
+        let program = compile_saved(&chart, &Options { profile, encoding, simplify }).expect("a program");
         let mut options = rust::Options { header: vec![format!("from {name}")], ..rust::Options::default() };
         if modules.len() % 2 == 1 {
             options.longest_function = 1 + modules.len() % 7;

@@ -34,7 +34,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &RustNames, plac
     out.blank();
     chart.accessors(out);
     situation::write(out, program, names, places);
-    saved::write(out, program, names, places, split.longest);
+    saved::write(out, program, places, split);
     retained::write(out, program, names, places, split.longest);
     out.close("}");
 }

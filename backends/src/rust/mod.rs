@@ -3,7 +3,8 @@
 //! ```text
 //! constants · Inputs · Outputs · Variables     what a program around the chart sees      interface
 //! Step, and an enum for each state             the situation                             steps
-//! struct Chart { … }                           its memory and what can be done with it   chart, situation, saved
+//! struct Chart { … }                           its memory and what can be done with it   chart, situation,
+//!                                                                                        saved, retained, record
 //!     fn scan(&mut self, inputs, now)          the statements of the scan program        scan, split, uses, locals,
 //!                                                                                        expressions
 //! mod runtime { … }                            what it needs at run time                 runtime
@@ -21,6 +22,7 @@ mod locals;
 mod memory;
 mod names;
 mod places;
+mod record;
 mod retained;
 mod runtime;
 mod saved;

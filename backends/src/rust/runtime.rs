@@ -7,9 +7,10 @@ use crate::writer::Writer;
 use grafc_logic::scan::Program;
 use grafc_runtime::source;
 
-/// What a chart needs beside its flags and the saving of its memory.
+/// What a chart needs beside its flags.
 #[derive(Clone, Copy)]
 pub(super) struct Needs {
+    pub saving: bool,
     pub timers: bool,
     pub division: bool,
     pub remainder: bool,
@@ -19,21 +20,27 @@ impl Needs {
     /// What a program needs.
     pub fn of(program: &Program) -> Self {
         let divided = program.divided();
-        Needs { timers: !program.timers.is_empty(), division: divided.quotient, remainder: divided.remainder }
+        let saving = program.restoring.is_some() || program.variables.iter().any(|variable| variable.retain);
+        Needs { saving, timers: !program.timers.is_empty(), division: divided.quotient, remainder: divided.remainder }
     }
 }
 
 /// Writes the `use` of what is needed.
 pub(super) fn imports(out: &mut Writer, runtime: Runtime, needs: Needs) {
-    let mut items = vec!["Flags", "Restorer", "Saver"];
+    let mut items = vec!["Flags"];
+    items.extend(needs.saving.then_some(["Restorer", "Saver"]).into_iter().flatten());
     items.extend(needs.timers.then_some("Timer"));
     items.extend(needs.division.then_some("divide"));
     items.extend(needs.remainder.then_some("remainder"));
+    items.extend(needs.saving.then_some("seal"));
     let from = match runtime {
         Runtime::Inline => "self::runtime",
         Runtime::Crate => "grafc_runtime",
     };
-    out.line(&format!("use {from}::{{{}}};", items.join(", ")));
+    match items.as_slice() {
+        [only] => out.line(&format!("use {from}::{only};")),
+        _ => out.line(&format!("use {from}::{{{}}};", items.join(", "))),
+    }
 }
 
 /// Writes the module of its own.
@@ -41,7 +48,8 @@ pub(super) fn module(out: &mut Writer, needs: Needs) {
     out.blank();
     out.line("/// What the chart needs at run time.");
     out.open("pub mod runtime {");
-    let mut pieces = vec![source::FLAGS, source::SAVED];
+    let mut pieces = vec![source::FLAGS];
+    pieces.extend(needs.saving.then_some(source::SAVED));
     pieces.extend(needs.timers.then_some(source::TIMER));
     pieces.extend((needs.division || needs.remainder).then_some(source::NUMBER));
     for piece in pieces {

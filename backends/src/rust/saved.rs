@@ -1,203 +1,102 @@
-//! Saving the memory of a chart as bytes, and restoring it.
+//! Saving all memory of a chart as bytes, and going on with it: only with that of this very program, only if not a bit of
+//! it has changed, and only if it is a situation that the chart can be in.
 
-use super::literals::size;
-use super::memory::{self, words};
-use super::names::RustNames;
+use super::memory::{self, WORD, words};
 use super::places::Places;
+use super::record::{Piece, Record};
+use super::split::Split;
+use super::steps::filled;
 use crate::writer::Writer;
-use grafc_logic::scan::{Program, Role, VarId};
+use grafc_logic::scan::{Exclusive, Program, Role, VarId};
 
-/// The bytes of the mark that says which chart, in which form, they are the memory of.
-pub(super) const MARK: usize = 4;
-
-/// Such a mark: FNV-1a over texts.
-pub(super) struct Fingerprint(pub u32);
-
-impl Fingerprint {
-    /// That of one text.
-    pub fn of(text: &str) -> Self {
-        let mut print = Fingerprint(0x811c_9dc5);
-        print.add(text);
-        print
+/// Writes `save` and `restore`, if the program was made for that.
+pub(super) fn write(out: &mut Writer, program: &Program, places: &Places, split: &Split) {
+    let Some(restoring) = &program.restoring else { return };
+    let pieces = pieces(program, places);
+    let inputs = split.restore_outputs.is_some_and(|function| split.functions[function].needs.inputs);
+    let mut refused = Vec::new();
+    let spare = program.steps.len() % WORD;
+    if words(program) > 0 && spare > 0 {
+        refused.push(format!("chart.situation[{}] >> {spare} != 0", words(program) - 1));
     }
-
-    /// Takes another text in.
-    pub fn add(&mut self, text: &str) {
-        for byte in text.bytes().chain([0]) {
-            self.0 = (self.0 ^ u32::from(byte)).wrapping_mul(0x0100_0193);
-        }
+    if let Some(started) = program.started.filter(|_| words(program) > 0) {
+        let started = places.read(started).replacen("self.", "chart.", 1);
+        refused.push(format!("!{started} && chart.active_steps().next().is_some()"));
+    }
+    if !restoring.exclusive.is_empty() {
+        refused.push("!chart.is_possible()".into());
+    }
+    let then = split.restore_outputs.map(|_| if inputs { "inputs" } else { "" });
+    let name = |name: &str, used: bool| if used { name.to_owned() } else { format!("_{name}") };
+    let given = format!(", {}: &Inputs, {}: u32", name("inputs", inputs), name("now", !program.timers.is_empty()));
+    Record {
+        what: "the saved memory takes",
+        constants: ["SAVED_LEN", "FINGERPRINT"],
+        fingerprint: (
+            "Which program saved bytes belong to: another chart, or encoding, has another.",
+            program.fingerprint(),
+        ),
+        save: ("save", &["All memory as bytes, to be kept where power does not matter."]),
+        restore: (
+            "restore",
+            &[
+                "The chart as it was saved; none if these are not the bytes of this very program, not all as",
+                "they were saved, or no situation of the chart. Outputs are those of its situation under",
+                "`inputs`. Delays go on at `now`: the time in between does not count.",
+            ],
+            &given,
+        ),
+        pieces,
+        refused,
+        then: then.map(|inputs| format!("chart.restore_outputs({inputs});")),
+    }
+    .write(out, program, places, split.longest);
+    if !restoring.exclusive.is_empty() {
+        is_possible(out, program, places, &restoring.exclusive);
     }
 }
 
-/// Writes `save` and `restore`, in functions of at most about `longest` lines.
-pub(super) fn write(out: &mut Writer, program: &Program, names: &RustNames, places: &Places, longest: usize) {
-    let saved = Saved { program, names, places, longest };
-    out.line("/// How many bytes the saved memory takes.");
-    out.line(&format!("pub const SAVED_LEN: usize = {};", saved.length()));
+/// Everything that keeps its value, except what follows from the rest.
+fn pieces(program: &Program, places: &Places) -> Vec<Piece> {
+    let mut list: Vec<VarId> = memory::fields(program, places).into_iter().flat_map(|(_, group)| group).collect();
+    let kept = |role| matches!(role, Role::Output | Role::Internal | Role::Flag(_));
+    list.extend(program.variables.iter_enumerated().filter(|(_, v)| kept(v.role)).map(|(id, _)| id));
+    let derived = program.derived();
+    list.retain(|id| !derived.contains(id));
+    let situation = (words(program) > 0).then(|| Piece::Situation(words(program)));
+    let timers = program.timers.indices().map(Piece::Timer);
+    situation.into_iter().chain(list.into_iter().map(Piece::Variable)).chain(timers).collect()
+}
+
+/// Writes the function that tells whether active steps can be active together.
+fn is_possible(out: &mut Writer, program: &Program, places: &Places, exclusive: &[Exclusive]) {
+    let mut set_of = vec![0_usize; program.steps.len()];
+    for (number, set) in (1..).zip(exclusive) {
+        set.steps.iter().for_each(|s| set_of[s.index()] = number);
+    }
     out.blank();
-    out.line("/// Which chart, and which form of its memory, saved bytes belong to.");
-    out.line(&format!("const FINGERPRINT: u32 = 0x{:08x};", saved.fingerprint()));
-    saved.save(out);
-    saved.restore(out);
-}
-
-struct Saved<'p> {
-    program: &'p Program,
-    names: &'p RustNames,
-    places: &'p Places<'p>,
-    longest: usize,
-}
-
-impl Saved<'_> {
-    /// Everything that keeps its value, except the packed situation and the timers.
-    fn variables(&self) -> Vec<VarId> {
-        let mut list: Vec<VarId> =
-            memory::fields(self.program, self.places).into_iter().flat_map(|(_, group)| group).collect();
-        let kept = |role| matches!(role, Role::Output | Role::Internal | Role::Flag(_));
-        list.extend(self.program.variables.iter_enumerated().filter(|(_, v)| kept(v.role)).map(|(id, _)| id));
-        list
-    }
-
-    /// A state is saved as the number of its variant.
-    fn size(&self, id: VarId) -> usize {
-        match self.places.state(id) {
-            Some(_) => 4,
-            None => size(self.program.variables[id].ty),
+    out.line("/// For each step the number of the set that it excludes the others of; 0 is none.");
+    let head = format!("const SETS: [usize; {}] =", set_of.len());
+    filled(out, &head, &set_of.iter().map(usize::to_string).collect::<Vec<_>>());
+    out.blank();
+    out.line("/// Whether the active steps can be active together.");
+    out.open("fn is_possible(&self) -> bool {");
+    out.line(&format!("let mut taken = [false; {}];", exclusive.len()));
+    out.open("for step in self.active_steps() {");
+    out.line("let set = Self::SETS[step as usize];");
+    out.open("if set > 0 && core::mem::replace(&mut taken[set - 1], true) {");
+    out.line("return false;");
+    out.close("}");
+    out.close("}");
+    let always = exclusive.iter().take_while(|set| set.always).count();
+    match program.started.filter(|_| always > 0) {
+        None => out.line("true"),
+        Some(started) => {
+            out.comment("of the first sets, one step is always active");
+            let of =
+                if always == exclusive.len() { "taken.iter()".into() } else { format!("taken[..{always}].iter()") };
+            out.line(&format!("!{} || {of}.all(|taken| *taken)", places.read(started)));
         }
     }
-
-    fn length(&self) -> usize {
-        let variables: usize = self.variables().into_iter().map(|id| self.size(id)).sum();
-        MARK + 4 * words(self.program) + variables + self.program.timers.len() * (1 + 8)
-    }
-
-    /// Of the names and types of all that is saved.
-    fn fingerprint(&self) -> u32 {
-        let mut print = Fingerprint::of(&self.program.name);
-        for step in &self.program.steps {
-            print.add(&step.label);
-        }
-        for id in self.variables() {
-            print.add(&self.names.variables[id]);
-            match self.places.state(id) {
-                Some(state) => state.variants.iter().for_each(|(_, name)| print.add(name)),
-                None => print.add(super::literals::type_name(self.program.variables[id].ty)),
-            }
-        }
-        for timer in &self.names.timers {
-            print.add(timer);
-        }
-        print.0
-    }
-
-    fn save(&self, out: &mut Writer) {
-        let mut lines = Vec::new();
-        for id in self.variables() {
-            let place = self.places.read(id);
-            lines.push(match self.places.state(id) {
-                Some(_) => format!("out.put({place} as u32);"),
-                None => format!("out.put({place});"),
-            });
-        }
-        for id in self.program.timers.indices() {
-            let timer = self.places.timer(id);
-            lines.push(format!("out.put({timer}.state().0);"));
-            lines.push(format!("out.put({timer}.state().1);"));
-        }
-        let chunks = Chunks::new("save", &lines, self.longest);
-        out.blank();
-        out.line("/// All memory as bytes, to be kept where power does not matter.");
-        out.open("pub fn save(&self) -> [u8; Self::SAVED_LEN] {");
-        out.line("let mut bytes = [0; Self::SAVED_LEN];");
-        out.line("let mut out = Saver::new(&mut bytes);");
-        out.line("out.put(Self::FINGERPRINT);");
-        if words(self.program) > 0 {
-            out.open("for word in self.situation {");
-            out.line("out.put(word);");
-            out.close("}");
-        }
-        match &chunks {
-            None => lines.iter().for_each(|line| out.line(line)),
-            Some(chunks) => chunks.call(out, |name| format!("self.{name}(&mut out);")),
-        }
-        out.line("bytes");
-        out.close("}");
-        if let Some(chunks) = chunks {
-            chunks.write(out, |_| "(&self, out: &mut Saver)".to_owned(), None);
-        }
-    }
-
-    fn restore(&self, out: &mut Writer) {
-        let mut lines = Vec::new();
-        for id in self.variables() {
-            let place = self.places.read(id);
-            lines.push(match self.places.state(id) {
-                Some(state) => format!("{place} = *{}::ALL.get(from.take::<u32>()? as usize)?;", state.ty),
-                None => format!("{place} = from.take()?;"),
-            });
-        }
-        for id in self.program.timers.indices() {
-            lines.push(format!("{} = Timer::resumed((from.take()?, from.take()?), now);", self.places.timer(id)));
-        }
-        let chunks = Chunks::new("restore", &lines, self.longest);
-        let now = if self.program.timers.is_empty() { "_now" } else { "now" };
-        out.blank();
-        out.line("/// The chart as it was saved; none if these are not the bytes of this chart. Delays go on at");
-        out.line("/// `now`: the time in between does not count.");
-        out.open(&format!("pub fn restore(bytes: &[u8], {now}: u32) -> Option<Self> {{"));
-        out.line("let mut from = Restorer::new(bytes);");
-        out.open("if bytes.len() != Self::SAVED_LEN || from.take() != Some(Self::FINGERPRINT) {");
-        out.line("return None;");
-        out.close("}");
-        out.line("let mut chart = Self::new();");
-        if words(self.program) > 0 {
-            out.open("for word in &mut chart.situation {");
-            out.line("*word = from.take()?;");
-            out.close("}");
-        }
-        match &chunks {
-            None => lines.iter().for_each(|line| out.line(&line.replacen("self.", "chart.", 1))),
-            Some(chunks) => chunks.call(out, |name| format!("chart.{name}(&mut from, {now})?;")),
-        }
-        out.line("Some(chart)");
-        out.close("}");
-        if let Some(chunks) = chunks {
-            let timers = |lines: &[String]| lines.iter().any(|line| line.contains("Timer::resumed("));
-            let now = |lines: &[String]| if timers(lines) { "now" } else { "_now" };
-            let head =
-                |lines: &[String]| format!("(&mut self, from: &mut Restorer, {}: u32) -> Option<()>", now(lines));
-            chunks.write(out, head, Some("Some(())"));
-        }
-    }
-}
-
-/// The lines of a function that is too long for rustc, as functions of their own.
-pub(super) struct Chunks<'l> {
-    function: &'static str,
-    lines: std::slice::Chunks<'l, String>,
-}
-
-impl<'l> Chunks<'l> {
-    pub fn new(function: &'static str, lines: &'l [String], longest: usize) -> Option<Self> {
-        (lines.len() > longest).then(|| Chunks { function, lines: lines.chunks(longest) })
-    }
-
-    /// Writes the calls of all parts.
-    pub fn call(&self, out: &mut Writer, call: impl Fn(&str) -> String) {
-        for part in 1..=self.lines.len() {
-            out.line(&call(&format!("{}_{part}", self.function)));
-        }
-    }
-
-    /// Writes the parts; `end` is the last line of each.
-    pub fn write(self, out: &mut Writer, head: impl Fn(&[String]) -> String, end: Option<&str>) {
-        for (part, lines) in (1..).zip(self.lines) {
-            out.blank();
-            out.line("#[inline(never)]");
-            out.open(&format!("fn {}_{part}{} {{", self.function, head(lines)));
-            lines.iter().for_each(|line| out.line(line));
-            end.iter().for_each(|line| out.line(line));
-            out.close("}");
-        }
-    }
+    out.close("}");
 }

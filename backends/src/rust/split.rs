@@ -22,6 +22,9 @@ const FORMULA: usize = 8;
 /// What stands above the function of a micro-step.
 const MICRO_STEP: &str = "one micro-step; true if another is needed";
 
+/// What stands above the function that gives outputs back.
+const RESTORE_OUTPUTS: &str = "what follows from the memory that has been restored";
+
 /// What stands above a function.
 #[derive(Clone, Copy)]
 pub(super) enum About {
@@ -60,6 +63,8 @@ pub(super) struct Split<'p> {
     pub tables: Vec<Table>,
     /// The function of a micro-step, if there is a loop.
     pub micro_step: Option<usize>,
+    /// The function that gives outputs back, if the situation decides on any.
+    pub restore_outputs: Option<usize>,
     /// Temporaries that several functions need, in order.
     pub shared: Vec<VarId>,
     /// Statements of a function, about.
@@ -69,7 +74,7 @@ pub(super) struct Split<'p> {
 impl<'p> Split<'p> {
     /// Splits the program if it is large.
     pub fn new(program: &'p Program, places: &Places, longest: usize) -> Self {
-        let sections = program.sections();
+        let sections = [&program.first, &program.before, &program.micro_step, &program.after];
         let weights = Weights { sizes: limits::sizes(program) };
         let large = sections.iter().map(|section| weights.all(section)).sum::<usize>() > longest.saturating_mul(LARGE);
         let functions = vec![Function::default()];
@@ -91,16 +96,31 @@ impl<'p> Split<'p> {
         }
         code.extend(splitter.block(&program.after));
         splitter.functions[0].code = code;
+        let restored = program.restoring.as_ref().filter(|restoring| !restoring.statements.is_empty());
+        let restore_outputs = restored.map(|restoring| {
+            let function = splitter.reserve();
+            let code = splitter.block(&restoring.statements);
+            splitter.functions[function] =
+                Function { about: Some(About::Words(RESTORE_OUTPUTS)), code, ..Function::default() };
+            function
+        });
         let Splitter { functions, tables, .. } = splitter;
         let uses: Vec<Uses> = functions.iter().map(|function| Uses::of(program, places, &function.code)).collect();
-        let mut split = Split { functions, tables, micro_step, shared: shared(program, &uses), longest };
+        let mut split =
+            Split { functions, tables, micro_step, restore_outputs, shared: shared(program, &uses), longest };
         split.tell_needs(&uses);
         split
     }
 
     /// What a function is called.
     pub fn name(&self, function: usize) -> String {
-        if self.micro_step == Some(function) { "micro_step".to_owned() } else { format!("part_{function}") }
+        if self.micro_step == Some(function) {
+            "micro_step".to_owned()
+        } else if self.restore_outputs == Some(function) {
+            "restore_outputs".to_owned()
+        } else {
+            format!("part_{function}")
+        }
     }
 
     /// Whether a function only calls the arms of the active steps. To put it where it is called saves a call then.

@@ -145,7 +145,7 @@ pub(super) fn list(out: &mut Writer, head: &str, open: &str, items: &[String]) {
 }
 
 /// The same of short literals, with many on a line.
-fn filled(out: &mut Writer, head: &str, items: &[String]) {
+pub(super) fn filled(out: &mut Writer, head: &str, items: &[String]) {
     if flat(out, head, "[", items) {
         return;
     }

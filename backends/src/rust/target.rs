@@ -49,6 +49,6 @@ pub(crate) fn spelled(options: &Options) -> String {
 
 pub(crate) fn emit(source: &mut dyn Source, options: &Options) -> Result<Output, Diagnostics> {
     let wants_map = source.wants_map();
-    let program = source.program()?;
+    let program = source.saved_program()?;
     super::write(program, options, wants_map).map(|written| Output::mapped(program, wants_map, written))
 }

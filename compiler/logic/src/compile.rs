@@ -7,6 +7,7 @@ use crate::encode;
 use crate::encode::first_call::first_call;
 use crate::encode::input_event::InputEvent;
 use crate::encode::outputs;
+use crate::encode::restoring::restoring;
 use crate::encode::stored::heading;
 use crate::encode::task::Task;
 use crate::lower::Lowering;
@@ -23,6 +24,15 @@ use grafc_net::Net;
 /// The scan program of a flat net under one encoding, and a warning where that encoding does not do exactly what the
 /// rules say. What is proved is used up; keep a copy to compile again.
 pub fn compile(analysis: Analysis, options: &Options) -> (Program, Diagnostics) {
+    make(analysis, options, false)
+}
+
+/// The same with what gives saved memory back, for a target that saves it.
+pub fn compile_saved(analysis: Analysis, options: &Options) -> (Program, Diagnostics) {
+    make(analysis, options, true)
+}
+
+fn make(analysis: Analysis, options: &Options, saved: bool) -> (Program, Diagnostics) {
     // Where steps overlap, those of a component are active together for one micro-step: what is proved does not hold.
     let overlaps = options.encoding.overlaps();
     let proofs = options.simplify && !overlaps;
@@ -89,6 +99,12 @@ pub fn compile(analysis: Analysis, options: &Options) -> (Program, Diagnostics) 
     let mut before = lowering.call_step_timers();
     before.extend(input_event.found(&mut lowering));
 
+    let restoring = saved.then(|| {
+        // Steps that overlap are active together, whatever excludes each other by the rules.
+        let cover = Some(&cover).filter(|_| !overlaps);
+        restoring(&mut lowering, started, [&first, &before, &micro_step, &after], cover)
+    });
+
     let mut elements = Elements::of(&net);
     if options.encoding == Encoding::Switch {
         elements.find_setters(&net);
@@ -108,6 +124,7 @@ pub fn compile(analysis: Analysis, options: &Options) -> (Program, Diagnostics) 
         micro_step,
         repeat,
         after,
+        restoring,
     };
     if options.simplify {
         absorb::absorb(&mut program);

@@ -33,7 +33,7 @@ mod warn;
 
 pub use analysis::Analysis;
 pub use analysis::transients::Transients;
-pub use compile::compile;
+pub use compile::{compile, compile_saved};
 pub use options::{Encoding, Options};
 pub use report::{Method, arrow, bits, exclusion, sets};
 pub use warn::warn;

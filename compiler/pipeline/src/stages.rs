@@ -73,13 +73,16 @@ impl<'o> Last<'o> {
     }
 }
 
-impl Source for Last<'_> {
-    fn program(&mut self) -> Result<&Program, Diagnostics> {
+impl Last<'_> {
+    fn lowered(
+        &mut self,
+        compile: impl Fn(Analysis, &Options) -> (Program, Diagnostics),
+    ) -> Result<&Program, Diagnostics> {
         let program = match self.program.take() {
             Some(program) => program,
             None => {
                 let analysis = self.analysis.take().ok_or_else(used_up)?;
-                let (program, found) = grafc_logic::compile(analysis, self.options);
+                let (program, found) = compile(analysis, self.options);
                 if found.has_errors() {
                     return Err(found);
                 }
@@ -88,6 +91,16 @@ impl Source for Last<'_> {
             }
         };
         Ok(self.program.insert(program))
+    }
+}
+
+impl Source for Last<'_> {
+    fn program(&mut self) -> Result<&Program, Diagnostics> {
+        self.lowered(grafc_logic::compile)
+    }
+
+    fn saved_program(&mut self) -> Result<&Program, Diagnostics> {
+        self.lowered(grafc_logic::compile_saved)
     }
 
     fn sequence(&mut self) -> Result<&Sequence, Diagnostics> {

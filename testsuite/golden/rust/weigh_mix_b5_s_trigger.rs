@@ -22,7 +22,7 @@
     reason = "conditions are those of the chart"
 )]
 
-use self::runtime::{Flags, Restorer, Saver, Timer};
+use self::runtime::{Flags, Restorer, Saver, Timer, seal};
 
 /// `mix_time`, in milliseconds
 pub const MIX_TIME: i64 = 8000;
@@ -339,6 +339,23 @@ impl WeighMixB5 {
         again
     }
 
+    // what follows from the memory that has been restored
+    fn restore_outputs(&mut self) {
+        use Step::*;
+
+        if self.started {
+            // outputs
+            self.outputs.va = self.is_active(X2);
+            self.outputs.vb = self.is_active(X3);
+            self.outputs.vc = self.is_active(X4);
+            self.outputs.bm = self.is_active(X6) || self.is_active(X7);
+            self.outputs.mr = self.is_active(X9) || self.is_active(X10);
+            self.outputs.tm_down = self.is_active(X10);
+            self.outputs.tm_up = self.is_active(X11);
+            self.outputs.emc = self.is_active(A6);
+        }
+    }
+
     /// The outputs of the last scan.
     pub const fn outputs(&self) -> &Outputs {
         &self.outputs
@@ -384,62 +401,54 @@ impl WeighMixB5 {
     /// How many bytes the saved memory takes.
     pub const SAVED_LEN: usize = 31;
 
-    /// Which chart, and which form of its memory, saved bytes belong to.
-    const FINGERPRINT: u32 = 0x45795196;
+    /// Which program saved bytes belong to: another chart, or encoding, has another.
+    const FINGERPRINT: u64 = 0x7ca408e56a9651ff;
 
     /// All memory as bytes, to be kept where power does not matter.
     pub fn save(&self) -> [u8; Self::SAVED_LEN] {
         let mut bytes = [0; Self::SAVED_LEN];
         let mut out = Saver::new(&mut bytes);
         out.put(Self::FINGERPRINT);
-        for word in self.situation {
-            out.put(word);
-        }
+        out.put(self.situation[0]);
         out.put(self.xa6_d1);
         out.put(self.xf1_a6);
         out.put(self.old_td);
         out.put(self.started);
-        out.put(self.outputs.va);
-        out.put(self.outputs.vb);
-        out.put(self.outputs.vc);
-        out.put(self.outputs.bm);
-        out.put(self.outputs.mr);
-        out.put(self.outputs.tm_down);
-        out.put(self.outputs.tm_up);
-        out.put(self.outputs.emc);
         out.put(self.flags.livelock);
         out.put(self.flags.force_conflict);
         out.put(self.on_x9.state().0);
         out.put(self.on_x9.state().1);
+        seal(&mut bytes);
         bytes
     }
 
-    /// The chart as it was saved; none if these are not the bytes of this chart. Delays go on at
-    /// `now`: the time in between does not count.
-    pub fn restore(bytes: &[u8], now: u32) -> Option<Self> {
-        let mut from = Restorer::new(bytes);
-        if bytes.len() != Self::SAVED_LEN || from.take() != Some(Self::FINGERPRINT) {
+    /// The chart as it was saved; none if these are not the bytes of this very program, not all as
+    /// they were saved, or no situation of the chart. Outputs are those of its situation under
+    /// `inputs`. Delays go on at `now`: the time in between does not count.
+    pub fn restore(bytes: &[u8], _inputs: &Inputs, now: u32) -> Option<Self> {
+        if bytes.len() != Self::SAVED_LEN {
+            return None;
+        }
+        let mut from = Restorer::sealed(bytes)?;
+        if from.take() != Some(Self::FINGERPRINT) {
             return None;
         }
         let mut chart = Self::new();
-        for word in &mut chart.situation {
-            *word = from.take()?;
-        }
+        chart.situation[0] = from.take()?;
         chart.xa6_d1 = from.take()?;
         chart.xf1_a6 = from.take()?;
         chart.old_td = from.take()?;
         chart.started = from.take()?;
-        chart.outputs.va = from.take()?;
-        chart.outputs.vb = from.take()?;
-        chart.outputs.vc = from.take()?;
-        chart.outputs.bm = from.take()?;
-        chart.outputs.mr = from.take()?;
-        chart.outputs.tm_down = from.take()?;
-        chart.outputs.tm_up = from.take()?;
-        chart.outputs.emc = from.take()?;
         chart.flags.livelock = from.take()?;
         chart.flags.force_conflict = from.take()?;
-        chart.on_x9 = Timer::resumed((from.take()?, from.take()?), now);
+        chart.on_x9 = Timer::resumed((from.take()?, from.take()?), now)?;
+        if chart.situation[0] >> 14 != 0 {
+            return None;
+        }
+        if !chart.started && chart.active_steps().next().is_some() {
+            return None;
+        }
+        chart.restore_outputs();
         Some(chart)
     }
 }
@@ -485,6 +494,34 @@ pub mod runtime {
         fn read(from: &[u8]) -> Option<Self>;
     }
 
+    /// How many bytes the seal takes.
+    pub const SEAL_LEN: usize = u32::LEN;
+
+    /// The CRC-32 of IEEE 802.3, as zip and Ethernet have it. It finds each change of
+    /// one, two or three bits in up to 11 KiB, each change of one or two in any buffer
+    /// up to 512 MiB, and of other changes all but one in four thousand million.
+    pub fn crc32(bytes: &[u8]) -> u32 {
+        // Bit by bit: a table would be larger than most charts.
+        let mut crc = u32::MAX;
+        for byte in bytes {
+            crc ^= u32::from(*byte);
+            for _ in 0..u8::BITS {
+                let feedback = if crc & 1 == 1 { 0xEDB8_8320 } else { 0 };
+                crc = (crc >> 1) ^ feedback;
+            }
+        }
+        !crc
+    }
+
+    /// Writes the seal of all bytes before it to the last [`SEAL_LEN`] bytes. A buffer
+    /// that is shorter is left as it is.
+    pub fn seal(buffer: &mut [u8]) {
+        if let Some(length) = buffer.len().checked_sub(SEAL_LEN) {
+            let (bytes, seal) = buffer.split_at_mut(length);
+            crc32(bytes).write(seal);
+        }
+    }
+
     /// Saves values in a buffer, one after the other.
     #[derive(Debug)]
     pub struct Saver<'b> {
@@ -522,6 +559,13 @@ pub mod runtime {
         #[inline]
         pub const fn new(buffer: &'b [u8]) -> Self {
             Self { rest: buffer }
+        }
+
+        /// Begins at the start of a buffer that was sealed, and ends before the seal.
+        /// None if the seal is not that of the bytes before it.
+        pub fn sealed(buffer: &'b [u8]) -> Option<Self> {
+            let (bytes, seal) = buffer.split_at_checked(buffer.len().checked_sub(SEAL_LEN)?)?;
+            (u32::read(seal) == Some(crc32(bytes))).then_some(Self::new(bytes))
         }
 
         /// Takes the next value. None, and nothing is taken, if there are not enough
@@ -645,19 +689,20 @@ pub mod runtime {
         }
 
         /// The timer that was saved as `state`, going on at `now`. The time in between
-        /// does not count. A timer that does not run has no elapsed time, and a
-        /// negative one is taken as 0.
-        pub const fn resumed(state: (bool, i64), now: u32) -> Self {
+        /// does not count. None if no timer has this state: an elapsed time is not
+        /// negative, and of a timer that does not run it is 0.
+        pub const fn resumed(state: (bool, i64), now: u32) -> Option<Self> {
             let (running, elapsed) = state;
+            if elapsed < 0 || (!running && elapsed > 0) {
+                return None;
+            }
             let mut timer = Self::new();
             if running {
                 timer.running = true;
                 timer.last = now;
-                if elapsed > 0 {
-                    timer.elapsed = elapsed;
-                }
+                timer.elapsed = elapsed;
             }
-            timer
+            Some(timer)
         }
     }
 }

@@ -4,10 +4,11 @@
 //! order of the program. Reals come with as many digits as their type needs to be read back exactly.
 
 use super::task::{Outcome, Task};
-use crate::runs::{caught, compile};
+use crate::runs::{caught, compile, compile_saved};
 use crate::ways::exact;
+use grafc_logic::Options;
 use grafc_logic::scan::{Flag, Program, Role, VarId, Variable};
-use grafc_model::chart::{Type, Value};
+use grafc_model::chart::{Chart, Type, Value};
 use grafc_model::reaction::{Flags, Response, Stimulus};
 
 /// A program and what it is given.
@@ -21,6 +22,15 @@ pub struct Job {
 impl Job {
     /// A task as a job, in the encoding whose turn it is; an error is what the compiler said.
     pub(crate) fn of(task: &Task) -> Result<Job, String> {
+        Self::by(task, compile)
+    }
+
+    /// The same for a target that saves the memory of its charts.
+    pub(crate) fn saved(task: &Task) -> Result<Job, String> {
+        Self::by(task, compile_saved)
+    }
+
+    fn by(task: &Task, compile: fn(&Chart, &Options) -> Result<Program, String>) -> Result<Job, String> {
         let ways = exact(task.profile);
         let program = caught(|| compile(task.chart, &ways[task.turn % ways.len()].1))?;
         Ok(Job { program, stimuli: task.stimuli.to_vec() })

@@ -13,7 +13,7 @@ use crate::charts;
 use crate::executors::matiec;
 use crate::executors::rust::Tools;
 use crate::rings::Rings;
-use crate::runs::compile;
+use crate::runs::compile_saved;
 use crate::scan_cost::{self, texts};
 use crate::turns::{self, Sample};
 use grafc_backends::rust;
@@ -193,7 +193,7 @@ fn build(
 fn by_grafc(rings: Rings, encoding: Encoding, evolution: Evolution) -> Result<String, String> {
     let chart = charts::check("ring", &rings.chart())?;
     let profile = Profile { evolution, ..Profile::default() };
-    let program = compile(&chart, &Options { profile, encoding, simplify: true })?;
+    let program = compile_saved(&chart, &Options { profile, encoding, simplify: true })?;
     rust::emit(&program, &rust::Options::default()).map_err(|diagnostics| format!("{diagnostics:#?}"))
 }
 

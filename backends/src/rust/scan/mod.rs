@@ -49,6 +49,11 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &RustNames, plac
                 Some(About::Words(_)) | None => Origin::Chart,
             });
             out.comment(&about.map(|text| clean(&text)).unwrap_or_default());
+            if split.restore_outputs == Some(index) {
+                body.restore_outputs(out, &function.code, function.needs);
+                out.origin(outer);
+                continue;
+            }
             // Else the functions would be put together again.
             if !split.only_finds(index) {
                 out.line("#[inline(never)]");
@@ -108,19 +113,33 @@ impl RustStatements<'_> {
         let parameter = |name: &str, needed: bool| if needed { name.to_owned() } else { format!("_{name}") };
         let (inputs, now) = (parameter("inputs", needs.inputs), parameter("now", needs.now));
         out.open(&format!("pub fn scan(&mut self, {inputs}: &Inputs, {now}: u32) -> &Outputs {{"));
-        if needs.values {
-            let zero = |v: &VarId| {
-                let ty = self.program.variables[*v].ty;
-                let first = |state: &super::names::StateNames| eco_format!("{}::{}", state.ty, state.variants[0].1);
-                (self.names.variables[*v].clone(), self.places.state(*v).map_or(zero(ty).into(), first))
-            };
-            let values: Vec<(EcoString, EcoString)> = self.split.shared.iter().map(zero).collect();
-            fields(out, "let values = &mut Values", &values, ";");
-        }
+        self.values(out, needs);
         self.function(out, code, needs);
         out.blank();
         out.line("&self.outputs");
         out.close("}");
+    }
+
+    fn restore_outputs(&self, out: &mut Writer, code: &[Code], needs: Needs) {
+        let inputs = if needs.inputs { format!(", inputs: {INPUTS}") } else { String::new() };
+        out.open(&format!("fn restore_outputs(&mut self{inputs}) {{"));
+        self.values(out, needs);
+        self.function(out, code, needs);
+        out.close("}");
+    }
+
+    /// The values that functions share, where the first of them begins.
+    fn values(&self, out: &mut Writer, needs: Needs) {
+        if !needs.values {
+            return;
+        }
+        let zero = |v: &VarId| {
+            let ty = self.program.variables[*v].ty;
+            let first = |state: &super::names::StateNames| eco_format!("{}::{}", state.ty, state.variants[0].1);
+            (self.names.variables[*v].clone(), self.places.state(*v).map_or(zero(ty).into(), first))
+        };
+        let values: Vec<(EcoString, EcoString)> = self.split.shared.iter().map(zero).collect();
+        fields(out, "let values = &mut Values", &values, ";");
     }
 
     fn function(&self, out: &mut Writer, code: &[Code], needs: Needs) {

@@ -33,6 +33,7 @@ impl Build {
             micro_step: Vec::new(),
             repeat: None,
             after: Vec::new(),
+            restoring: None,
         };
         Build { program }
     }

@@ -20,6 +20,7 @@ pub(crate) mod input_event;
 mod next_activity;
 pub(crate) mod outputs;
 mod r_trigger;
+pub(crate) mod restoring;
 mod s_trigger;
 mod sequent;
 mod settle;

@@ -33,7 +33,8 @@ impl Lowering {
         match cx.moment {
             Moment::First if on.ms > 0 => self.pool.truth(false),
             Moment::First => cx.exprs[&operand],
-            Moment::After => self.delay_values[&e],
+            Moment::Restored if on.ms == 0 && off.ms == 0 => cx.exprs[&operand],
+            Moment::After | Moment::Restored => self.delay_values[&e],
             Moment::MicroStep => {
                 let input = cx.exprs[&operand];
                 let value = match self.delay_of.get(&(input, on, off)) {

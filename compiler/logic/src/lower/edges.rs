@@ -14,7 +14,7 @@ impl Lowering {
     pub(super) fn edge(&mut self, cx: &mut Context, operand: ExprId, rising: bool) -> FormulaId {
         match cx.moment {
             // No edge is true at the start (R10), and the checks allow none in continuous actions.
-            Moment::First | Moment::After => return self.pool.truth(false),
+            Moment::First | Moment::After | Moment::Restored => return self.pool.truth(false),
             Moment::MicroStep => {}
         }
         let formula = cx.exprs[&operand];

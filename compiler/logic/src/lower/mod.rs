@@ -39,6 +39,8 @@ pub(crate) enum Moment {
     MicroStep,
     /// After the evolution: the new situation, with the delays of the last micro-step (R11, R14).
     After,
+    /// When memory has been given back: the same, with the delays as they were saved.
+    Restored,
 }
 
 /// What has been lowered at one moment.
@@ -238,11 +240,13 @@ impl Lowering {
                         out.push(Need::Expr(*a));
                     }
                 }
-                ExprKind::Delay { on, operand, .. } => {
+                ExprKind::Delay { on, operand, off } => {
                     let read = match cx.moment {
                         Moment::First => on.ms == 0,
                         Moment::MicroStep => true,
                         Moment::After => false,
+                        // What is no delay at all is not kept.
+                        Moment::Restored => on.ms == 0 && off.ms == 0,
                     };
                     if read {
                         out.push(Need::Expr(*operand));

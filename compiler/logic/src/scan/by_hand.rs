@@ -21,6 +21,7 @@ pub(crate) fn empty() -> Program {
         micro_step: Vec::new(),
         repeat: None,
         after: Vec::new(),
+        restoring: None,
     }
 }
 

@@ -24,9 +24,10 @@ pub struct Reads {
 }
 
 impl Program {
-    /// The sections, in the order in which a call runs them.
-    pub fn sections(&self) -> [&[Statement]; 4] {
-        [&self.first, &self.before, &self.micro_step, &self.after]
+    /// The sections, in the order in which a call runs them; the last is what gives memory back, which no call runs.
+    pub fn sections(&self) -> [&[Statement]; 5] {
+        let restoring = self.restoring.as_ref().map_or(&[][..], |restoring| &restoring.statements);
+        [&self.first, &self.before, &self.micro_step, &self.after, restoring]
     }
 
     /// All statements, a statement before those within it.

@@ -11,6 +11,8 @@
 //! | `origin`, `elements` | where in the chart a statement comes from, and what is said of that beside it |
 //! | `words` | what a statement is called where it needs a label |
 //! | `division` | which divisors a division looks at first, and what comes out then |
+//! | `restoring` | what gives saved memory back |
+//! | `fingerprint` | a number that tells programs apart |
 //! | `facts` | sections, loops over all statements, what is read of timers, which state a variable takes its values from |
 //! | `verify` | the check of the invariants |
 //! | `dump`, `evaluate`, `measure` | the program as text, run, counted |
@@ -33,8 +35,10 @@ mod dump;
 mod elements;
 pub mod evaluate;
 mod facts;
+mod fingerprint;
 mod measure;
 mod origin;
+mod restoring;
 mod statement;
 #[cfg(test)]
 mod tests;
@@ -46,10 +50,12 @@ pub use division::{ByMinusOne, Division, Guard};
 pub use dump::{dump, equations};
 pub use elements::{Action, ActionId, Elements, Grafcet, Order, OrderId, Origins, Transition, When};
 pub use facts::{Divided, Reads};
+pub use fingerprint::Fingerprint;
 pub use grafc_formula::{TimerId, VarId};
 pub use grafc_model::chart::{GrafcetId, StepId, TransitionId, VariableId};
 pub use measure::{Measure, measure};
 pub use origin::{Heading, Origin, Part, Told};
+pub use restoring::{Exclusive, Restoring};
 pub use statement::{Arm, Statement, is_empty, origin_of, origin_of_end};
 pub use variable::{Flag, Held, Preset, Role, State, Step, Timer, Variable};
 pub use verify::verify;
@@ -89,6 +95,8 @@ pub struct Program {
     pub repeat: Option<Repeat>,
     /// Once a call, after the evolution.
     pub after: Vec<Statement>,
+    /// What gives saved memory back, for a target that saves it.
+    pub restoring: Option<Restoring>,
 }
 
 /// The stability loop (R9).

@@ -158,6 +158,7 @@ pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagn
         micro_step: Vec::new(),
         repeat: None,
         after: prepared.after,
+        restoring: None,
     };
     let (given, memory, shown) = (prepared.given, prepared.memory, prepared.shown);
     Ok(Sequence { program, given, memory, shown, steps, transitions, wires })

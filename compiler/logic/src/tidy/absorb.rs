@@ -83,7 +83,9 @@ pub(crate) fn absorb(program: &mut Program) {
     let pool = std::mem::take(&mut program.pool);
     let shorter = pool.ids().map(|_| None).collect();
     let mut absorbing = Absorbing { pool, shorter };
-    for section in [&mut program.first, &mut program.before, &mut program.micro_step, &mut program.after] {
+    let restored = program.restoring.iter_mut().map(|restoring| &mut restoring.statements);
+    let sections = [&mut program.first, &mut program.before, &mut program.micro_step, &mut program.after];
+    for section in sections.into_iter().chain(restored) {
         absorbing.block(section);
     }
     program.pool = absorbing.pool;

@@ -34,8 +34,13 @@ pub(crate) fn cut(program: &mut Program) {
     program.variables.raw.reserve_exact(pieces);
     let sections = [&mut program.first, &mut program.before, &mut program.micro_step, &mut program.after];
     let sections = sections.map(std::mem::take);
+    let mut restoring = program.restoring.take();
     let mut cutter = Cutter { program, concerned, origin: Origin::Chart };
     let [first, before, micro_step, after] = sections.map(|section| cutter.block(section));
+    if let Some(restoring) = &mut restoring {
+        restoring.statements = cutter.block(std::mem::take(&mut restoring.statements));
+    }
+    program.restoring = restoring;
     (program.first, program.before, program.micro_step, program.after) = (first, before, micro_step, after);
 }
 

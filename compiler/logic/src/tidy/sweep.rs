@@ -22,7 +22,12 @@ pub(crate) fn sweep(program: &mut Program) {
         changes: Vec::new(),
         read: Reads::default(),
     };
-    let Program { first, before, micro_step, after, pool, repeat, .. } = program;
+    let Program { first, before, micro_step, after, restoring, pool, repeat, .. } = program;
+    if let Some(restoring) = restoring {
+        needed.go_back(pool, &mut restoring.statements, true);
+        needed.is.iter_mut().for_each(|needed| *needed = false);
+        needed.changes.clear();
+    }
     needed.go_back(pool, after, true);
     if let Some(repeat) = repeat {
         // What is needed at the end of the loop: what follows, which is what `is` says now, and what the next micro-step
@@ -318,14 +323,16 @@ fn renumber(program: &mut Program, dead: &IndexVec<VarId, bool>) {
         }
     }
     let mut roots: Vec<FormulaId> = program.steps.iter().map(|step| step.active).collect();
-    let Program { first, before, micro_step, after, .. } = program;
-    for section in [first, before, micro_step, after] {
+    let Program { first, before, micro_step, after, restoring, .. } = program;
+    let restored = restoring.iter_mut().map(|restoring| &mut restoring.statements);
+    for section in [first, before, micro_step, after].into_iter().chain(restored) {
         visit(section, &mut |v| *v = new[*v], &mut |f| roots.push(*f));
     }
     let (pool, formulas) = program.pool.compacted(roots, &new);
     program.pool = pool;
-    let Program { first, before, micro_step, after, .. } = program;
-    for section in [first, before, micro_step, after] {
+    let Program { first, before, micro_step, after, restoring, .. } = program;
+    let restored = restoring.iter_mut().map(|restoring| &mut restoring.statements);
+    for section in [first, before, micro_step, after].into_iter().chain(restored) {
         visit(section, &mut |_| (), &mut |f| *f = formulas[*f]);
     }
     program.steps.iter_mut().for_each(|step| step.active = formulas[step.active]);

@@ -30,14 +30,23 @@ struct Stages<'d> {
     wants_map: bool,
 }
 
-impl Source for Stages<'_> {
-    fn program(&mut self) -> Result<&Program, Diagnostics> {
-        let document = self.document;
-        match document.lowered() {
+impl<'d> Stages<'d> {
+    fn lowered(&self, saved: bool) -> Result<&'d Program, Diagnostics> {
+        match self.document.lowered(saved) {
             Some((program, diagnostics)) if !diagnostics.has_errors() => Ok(program),
             Some((_, diagnostics)) => Err(diagnostics.clone()),
-            None => Err(document.diagnostics().clone()),
+            None => Err(self.document.diagnostics().clone()),
         }
+    }
+}
+
+impl Source for Stages<'_> {
+    fn program(&mut self) -> Result<&Program, Diagnostics> {
+        self.lowered(false)
+    }
+
+    fn saved_program(&mut self) -> Result<&Program, Diagnostics> {
+        self.lowered(true)
     }
 
     fn sequence(&mut self) -> Result<&Sequence, Diagnostics> {

@@ -66,6 +66,8 @@ struct OfNet {
 #[derive(Default)]
 struct OfOptions {
     program: OnceLock<Option<(Program, Diagnostics)>>,
+    /// With what gives saved memory back.
+    saved_program: OnceLock<Option<(Program, Diagnostics)>>,
     sequence: OnceLock<Option<Result<Sequence, Diagnostics>>>,
 }
 
@@ -252,21 +254,24 @@ impl Document {
 
     /// The scan program under the options, if there is a chart.
     pub fn program(&self) -> Option<&Program> {
-        let (program, diagnostics) = self.lowered()?;
+        let (program, diagnostics) = self.lowered(false)?;
         Some(program).filter(|_| !diagnostics.has_errors())
     }
 
     /// What the chosen encoding has to say: that it does not do exactly what the rules say, where that can be seen.
     pub fn program_diagnostics(&self) -> Option<&Diagnostics> {
-        self.lowered().map(|(_, diagnostics)| diagnostics)
+        self.lowered(false).map(|(_, diagnostics)| diagnostics)
     }
 
-    fn lowered(&self) -> Option<&(Program, Diagnostics)> {
-        let lowered = self.of_options.program.get_or_init(|| {
+    fn lowered(&self, saved: bool) -> Option<&(Program, Diagnostics)> {
+        let of_options = &self.of_options;
+        let place = if saved { &of_options.saved_program } else { &of_options.program };
+        let lowered = place.get_or_init(|| {
             let analysis = self.analysis()?.clone();
             #[cfg(test)]
             self.runs.count("program");
-            let (program, mut diagnostics) = grafc_logic::compile(analysis, &self.options);
+            let compile = if saved { grafc_logic::compile_saved } else { grafc_logic::compile };
+            let (program, mut diagnostics) = compile(analysis, &self.options);
             self.tables().allowances.apply(&mut diagnostics);
             Some((program, diagnostics))
         });

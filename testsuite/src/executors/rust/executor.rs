@@ -35,7 +35,7 @@ impl Executor for Rust {
     }
 
     fn run(&self, tasks: &[Task]) -> Vec<Outcome> {
-        let jobs = tasks.iter().map(|task| Job::of(task).map_err(Outcome::Failed)).collect();
+        let jobs = tasks.iter().map(|task| Job::saved(task).map_err(Outcome::Failed)).collect();
         run_some(&self.tools, jobs, run)
     }
 }

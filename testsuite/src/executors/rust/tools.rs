@@ -52,6 +52,15 @@ impl Tools {
         self.call(folder, &[&CHECKED[..], &crate_type, &[library]].concat()).map(|_| ())
     }
 
+    /// Compiles `main.rs` and the run-time crate that it uses.
+    ///
+    /// # Errors
+    /// What rustc says.
+    pub fn build(&self, folder: &Path) -> Result<(), String> {
+        self.runtime(folder)?;
+        self.rustc(folder)
+    }
+
     /// A call of rustc, still without arguments.
     pub fn command(&self) -> Command {
         Command::new(&self.rustc)
@@ -70,7 +79,7 @@ impl Tools {
     }
 
     /// Runs what was compiled.
-    pub(super) fn play(&self, folder: &Path) -> Result<String, String> {
+    pub fn play(&self, folder: &Path) -> Result<String, String> {
         call(&mut Command::new(folder.join("main")))
     }
 }

@@ -22,7 +22,12 @@ pub fn verify(program: &Program) -> Result<(), String> {
             return Err("the stability loop is empty".to_owned());
         }
     }
-    walk.statements(&program.after)
+    walk.statements(&program.after)?;
+    let Some(restoring) = &program.restoring else { return Ok(()) };
+    // Nothing of a call is known when memory has been given back.
+    walk.set.clear();
+    walk.checked.clear();
+    walk.statements(&restoring.statements)
 }
 
 /// The values of each state.
