@@ -9,7 +9,7 @@ use grafc_model::reaction::{Evolution, Profile};
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
 use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::executors::jobs::Job;
-use grafc_testsuite::executors::matiec::{Language, Tools, misreckons, run};
+use grafc_testsuite::executors::matiec::{Language, Tools, miscalculates, run};
 use grafc_testsuite::random::profile;
 use grafc_testsuite::random::{ChartKind, checked, trace};
 use grafc_testsuite::runs::{compile, simulate};
@@ -123,7 +123,7 @@ fn random_charts(language: Language, first: u64, count: usize) {
             break;
         }
         let drawn = checked(seed, if seed % 2 == 0 { ChartKind::Flat } else { ChartKind::Hierarchical });
-        if misreckons(&drawn.chart) {
+        if miscalculates(&drawn.chart) {
             continue;
         }
         let encoding = encodings().nth(seed as usize % 3).unwrap_or_default();

@@ -175,3 +175,108 @@ fn wrong_use_ends_with_2_and_a_missing_file_with_3() {
     folder.run(&["stats", "missing.gct"]).ends(3, "cannot read `missing.gct`");
     assert!(folder.run_with(&["stats", "-"], VALVE).is_done().out.starts_with("Valve: 2 steps"));
 }
+
+/// Two branches of which each is at one of two steps, so four situations; the other grafcet sees to the rest.
+const TABLE: &str = "\
+chart Saw
+input a, b, c, d, stop : bool
+output V, W, lamp, clamp, hold, horn : bool
+retain output fault : bool
+grafcet Safety {
+  initial step S1
+  step S2 { force Work{}   hold := 0 on activation }
+  transition S1 -> S2 : stop { fault := 1 }
+  transition S2 -> S1 : not stop
+}
+grafcet Work {
+  initial step 1 { lamp if a   lamp if b   clamp := 0 on deactivation }
+  step 2 { V   clamp := 1 on activation   hold := 1 on activation }
+  step 3 { V if c   horn := 1 on activation   horn := 0 on deactivation }
+  step 4 { W if d }
+  step 5 { W }
+  transition 1 -> 2, 4 : a and b
+  transition 2 -> 3 : c and not d
+  transition 4 -> 5 : d and not c
+  transition 3, 5 -> 1 : not a
+}
+";
+
+#[test]
+fn outputs_are_listed_by_situation() {
+    let folder = Folder::new(&[("saw.gct", TABLE)]);
+    let run = folder.run(&["stats", "saw.gct", "--outputs", "-q"]);
+    let expected = "\
+Saw: 3 outputs of continuous actions, 4 of stored ones
+
+            V   W   lamp
+Safety: S1  -   -   -
+Safety: S2  -   -   -
+Work: 1     -   -   if
+Work: 2 4   on  if  -
+Work: 2 5   on  on  -
+Work: 3 4   if  if  -
+Work: 3 5   if  on  -
+
+if
+  V in 3 4   c
+  V in 3 5   c
+  W in 2 4   d
+  W in 3 4   d
+  lamp in 1  a or b
+
+stored
+  clamp  := false on deactivation of 1
+         := true on activation of 2
+         may stay on after Work{} by S2
+  hold   := false on activation of S2
+         := true on activation of 2
+  horn   := true on activation of 3
+         := false on deactivation of 3
+  fault  := true when S1 -> S2 is cleared
+         never reset
+         keeps its value over a restart
+";
+    assert_eq!(run.is_done().out, expected);
+    let json: Value =
+        serde_json::from_str(&folder.run(&["stats", "saw.gct", "--outputs", "--format", "json", "-q"]).is_done().out)
+            .unwrap();
+    assert_eq!(keys(&json), ["chart", "outputs", "situations", "stored"]);
+    assert_eq!(
+        json["situations"][3],
+        json!({ "grafcet": "Work", "steps": ["2", "4"], "whole": true, "on": ["V"], "if": { "W": ["d"] } })
+    );
+    assert_eq!(
+        json["stored"][0],
+        json!({
+            "output": "clamp",
+            "written": [":= false on deactivation of 1", ":= true on activation of 2"],
+            "never_reset": false, "stays_on": [{ "grafcet": "Work", "by": "S2" }], "retain": false,
+        })
+    );
+}
+
+/// Seven branches of two steps: 128 situations and the first one.
+#[test]
+fn where_situations_are_many_steps_are_listed() {
+    use std::fmt::Write;
+    let mut chart = "input a, b : bool\noutput V : bool\ninitial step 0\n".to_owned();
+    let list = |k: u32| (1..=7).map(|branch| (10 * branch + k).to_string()).collect::<Vec<_>>().join(", ");
+    for branch in 1..=7 {
+        writeln!(chart, "step {branch}0 {{ V }}\nstep {branch}1\ntransition {branch}0 -> {branch}1 : a and not b")
+            .unwrap();
+    }
+    writeln!(chart, "transition 0 -> {} : b and not a\ntransition {} -> 0 : b and not a", list(0), list(1)).unwrap();
+    let folder = Folder::new(&[("wide.gct", chart.as_str())]);
+    let run = folder.run(&["stats", "wide.gct", "--outputs", "-q"]);
+    let lines: Vec<&str> = run.is_done().out.lines().filter(|line| line.starts_with("G1: ")).collect();
+    assert_eq!(lines.len(), 15, "{}", run.out);
+    assert_eq!(lines[..3], ["G1: 0 +   -", "G1: 10 +  on", "G1: 11 +  -"]);
+    assert!(run.out.contains("A line with `+` is a step"), "{}", run.out);
+}
+
+#[test]
+fn a_chart_with_errors_has_no_table() {
+    let folder = Folder::new(&[("faulty.gct", FAULTY)]);
+    let run = folder.run(&["stats", "faulty.gct", "--outputs"]);
+    assert_eq!((run.code, run.out.as_str()), (1, ""));
+}

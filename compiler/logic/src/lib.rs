@@ -14,7 +14,7 @@
 //! | `tidy/` | shorter formulas, nothing that is not read, no chain too long for a compiler |
 //! | `scan/` | the program: its form, the check of its invariants, its text, its evaluator, what it takes |
 //! | `sequence/` | a net as a sequential function chart, or why it is none |
-//! | `warn/`, `report` | what was found, in words |
+//! | `warn/`, `report`, `output_table` | what was found, in words |
 //! | `spell` | conditions as the chart writes them |
 //!
 //! Formulas themselves are in the crate `grafc-formula`.
@@ -24,6 +24,7 @@ mod compile;
 mod encode;
 mod lower;
 mod options;
+mod output_table;
 mod report;
 pub mod scan;
 pub mod sequence;
@@ -35,5 +36,6 @@ pub use analysis::Analysis;
 pub use analysis::transients::Transients;
 pub use compile::{compile, compile_saved};
 pub use options::{Encoding, Options};
+pub use output_table::{OutputTable, Row, StoredOutput, When, output_table};
 pub use report::{Method, arrow, bits, exclusion, sets};
 pub use warn::warn;

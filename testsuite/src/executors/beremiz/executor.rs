@@ -3,7 +3,7 @@
 use super::run::{Source, run, variables_of};
 use super::tools::Tools;
 use crate::executors::jobs::{Job, run_some};
-use crate::executors::matiec::misreckons;
+use crate::executors::matiec::miscalculates;
 use crate::executors::task::{Executor, Outcome, Task};
 use crate::tools::Tool;
 use grafc_backends::plcopen::Body;
@@ -62,7 +62,7 @@ impl Executor for Plcopen {
     fn run(&self, tasks: &[Task]) -> Vec<Outcome> {
         let mut sequences: Vec<Sequence> = Vec::new();
         let jobs = tasks.iter().map(|task| {
-            if misreckons(task.chart) {
+            if miscalculates(task.chart) {
                 return Err(Outcome::PassedOver("MATIEC computes products of times wrongly"));
             }
             match self.body {

@@ -1,6 +1,6 @@
 //! Generated Structured Text and instruction lists, compiled by MATIEC and a C compiler and run.
 
-use super::run::{Language, misreckons, run};
+use super::run::{Language, miscalculates, run};
 use super::tools::Tools;
 use crate::executors::jobs::{Job, run_some};
 use crate::executors::task::{Executor, Outcome, Task};
@@ -47,7 +47,7 @@ impl Executor for Matiec {
 
     fn run(&self, tasks: &[Task]) -> Vec<Outcome> {
         let jobs = tasks.iter().map(|task| {
-            if misreckons(task.chart) {
+            if miscalculates(task.chart) {
                 return Err(Outcome::PassedOver("MATIEC computes products of times wrongly"));
             }
             Job::of(task).map_err(Outcome::Failed)

@@ -9,6 +9,6 @@ mod run;
 mod tools;
 
 pub(super) use executor::executors;
-pub use run::{Language, accepts, misreckons, run};
+pub use run::{Language, accepts, miscalculates, run};
 pub(super) use run::{RUNTIME, Unit, build_and_play};
 pub use tools::Tools;

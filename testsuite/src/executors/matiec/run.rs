@@ -104,7 +104,7 @@ pub(crate) fn build_and_play(tools: &Tools, batch: &[usize], units: &[&Unit]) ->
 ///
 /// It multiplies the nanoseconds of a time as 32 bits (`T#250ms * 10` is negative), and divides a time into fractions
 /// of a millisecond, of which `.gct` has none.
-pub fn misreckons(chart: &Chart) -> bool {
+pub fn miscalculates(chart: &Chart) -> bool {
     chart.exprs.iter().any(|expr| match expr.kind {
         ExprKind::Arithmetic(Arithmetic::Multiply | Arithmetic::Divide, _, _) => expr.ty == Type::Time,
         _ => false,

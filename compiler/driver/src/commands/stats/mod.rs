@@ -1,6 +1,7 @@
-//! `grafc stats`: what a chart takes in each encoding.
+//! `grafc stats`: what a chart takes in each encoding, or what its outputs do.
 
 mod figures;
+mod outputs;
 mod table;
 
 use crate::Exit;
@@ -11,10 +12,13 @@ use clap::{Args, ValueEnum};
 use figures::Figures;
 use grafc::Document;
 use grafc::files::print;
+use grafc_diagnostics::Diagnostics;
+use outputs::Outputs;
 
 const AFTER_HELP: &str = "\
 Example:
   grafc stats valve.gct --evolution scan
+  grafc stats valve.gct --outputs
 
 What is counted, and how, is in docs/statistics.md.";
 
@@ -25,6 +29,9 @@ pub struct Arguments {
     /// The chart; `-` is standard input
     #[arg(value_name = "CHART")]
     chart: Stream,
+    /// Which outputs are on in which situation, in place of the figures
+    #[arg(long)]
+    outputs: bool,
     #[command(flatten)]
     profile: ProfileArguments,
     /// The form of the figures, and of messages, which go to standard error
@@ -42,6 +49,15 @@ enum Form {
     Json,
 }
 
+impl Form {
+    fn choose<T>(self, of: &T, human: impl Fn(&T) -> String, json: impl Fn(&T) -> String) -> String {
+        match self {
+            Form::Human => human(of),
+            Form::Json => json(of),
+        }
+    }
+}
+
 /// Measures one chart.
 pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let mut report = Report::default();
@@ -50,16 +66,30 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         let source = report.sources.file(file);
         // The only text, so places in it are the same in document and report.
         let mut document = Document::new(&source.name, &source.text).named(args.chart.chart_name());
-        let (figures, diagnostics) = figures::figures(&mut document, args.profile.profile());
+        let diagnostics;
+        (found, diagnostics) = if args.outputs {
+            outputs(&document, args.format)
+        } else {
+            let (figures, diagnostics) = figures::figures(&mut document, args.profile.profile());
+            (figures.map(|figures| args.format.choose(&figures, Figures::table, Figures::json)), diagnostics)
+        };
         report.diagnostics.append(diagnostics);
-        found = figures;
     }
-    let (exit, text) = match args.format {
-        Form::Human => (report.tell(args.quiet.messages(Format::Human)), found.as_ref().map(Figures::table)),
-        Form::Json => (report.tell(args.quiet.messages(Format::Json)), found.as_ref().map(Figures::json)),
+    let messages = match args.format {
+        Form::Human => Format::Human,
+        Form::Json => Format::Json,
     };
-    if let Some(text) = text {
+    let exit = report.tell(args.quiet.messages(messages));
+    if let Some(text) = found {
         print(&text)?;
     }
     Ok(exit)
+}
+
+/// There is a text exactly if no message is an error.
+fn outputs(document: &Document, form: Form) -> (Option<String>, Diagnostics) {
+    let mut diagnostics = document.diagnostics().clone();
+    diagnostics.append(document.warnings().clone());
+    let outputs = Outputs::new(document).filter(|_| !diagnostics.has_errors());
+    (outputs.map(|outputs| form.choose(&outputs, Outputs::table, Outputs::json)), diagnostics)
 }

@@ -30,8 +30,8 @@ impl Figures {
         rows.extend(self.encodings.iter().map(EncodingFigures::cells));
         let widths: Vec<usize> =
             (0..HEADS.len()).map(|column| rows.iter().map(|row| row[column].len()).max().unwrap_or_default()).collect();
-        let counted = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
-        let (steps, transitions) = (counted(self.steps, "step"), counted(self.transitions, "transition"));
+        let steps = counted(self.steps, "step", "steps");
+        let transitions = counted(self.transitions, "transition", "transitions");
         let mut out = format!("{}: {steps}, {transitions}, evolution {}\n\n", self.chart, self.evolution);
         for row in &rows {
             for (column, (cell, width)) in row.iter().zip(&widths).enumerate() {
@@ -54,7 +54,7 @@ impl Figures {
         let by_method: Vec<String> = self
             .exclusion
             .iter()
-            .map(|found| format!("{} of {}", found.method, counted(found.steps, "step")))
+            .map(|found| format!("{} of {}", found.method, counted(found.steps, "step", "steps")))
             .collect();
         out.push_str(&format!("\nwhich steps exclude each other, by\n  {}\n", by_method.join(", ")));
         self.switch.list(&mut out);
@@ -129,8 +129,13 @@ impl Transients {
     }
 }
 
+/// `1 step`, `2 steps`.
+pub fn counted(n: usize, one: &str, several: &str) -> String {
+    format!("{n} {}", if n == 1 { one } else { several })
+}
+
 /// A name, and words beside it in as many lines as they need.
-fn wrap(out: &mut String, name: &str, indent: usize, words: &[&str]) {
+pub fn wrap(out: &mut String, name: &str, indent: usize, words: &[&str]) {
     let mut line = format!("{:<indent$}", format!("  {name}"));
     let mut bare = true;
     for word in words {

@@ -169,6 +169,18 @@ impl Reached {
         !self.situations.has(&none)
     }
 
+    /// The situations, each with its active steps in order of declaration; none if there are more than that.
+    pub(crate) fn situations(&self, most: usize) -> Option<Vec<Vec<StepId>>> {
+        let named = |places: Vec<u16>| {
+            let mut steps: Vec<StepId> = places.iter().map(|place| self.steps[usize::from(*place)]).collect();
+            steps.sort_unstable();
+            steps
+        };
+        let mut situations: Vec<Vec<StepId>> = self.situations.each(most)?.into_iter().map(named).collect();
+        situations.sort_unstable();
+        Some(situations)
+    }
+
     /// How many situations there are, if that is no astronomical number.
     #[cfg(test)]
     pub(crate) fn count(&self) -> Option<u64> {

@@ -183,6 +183,25 @@ impl Diagram {
         has(&self.nodes, self.root, wanted, &mut 0)
     }
 
+    /// The active steps of each situation; none if there are more situations than that.
+    pub(super) fn each(&self, most: usize) -> Option<Vec<Vec<u16>>> {
+        let mut situations: Vec<Vec<u16>> = Vec::new();
+        let mut open: Vec<(SetId, Vec<u16>)> = vec![(self.root, Vec::new())];
+        while let Some((set, steps)) = open.pop() {
+            match set {
+                NONE => {}
+                EMPTY if situations.len() == most => return None,
+                EMPTY => situations.push(steps),
+                _ => {
+                    let node = self.nodes[set as usize];
+                    open.push((node.with, steps.iter().copied().chain([node.step]).collect()));
+                    open.push((node.without, steps));
+                }
+            }
+        }
+        Some(situations)
+    }
+
     /// How many situations there are, if that is no astronomical number.
     #[cfg(test)]
     pub(super) fn count(&self) -> Option<u64> {
@@ -275,6 +294,10 @@ mod tests {
             let only = sets.only(made.0);
             assert_eq!(only.has(&wanted), !expected.is_empty());
             assert_eq!(only.count(), Some(made.1.len() as u64));
+            let of = |steps: Vec<u16>| steps.iter().map(|s| 1_u32 << s).sum::<u32>();
+            let each: Option<BTreeSet<u32>> = only.each(made.1.len()).map(|each| each.into_iter().map(of).collect());
+            assert_eq!(each, Some(made.1.clone()));
+            assert!(made.1.is_empty() || only.each(made.1.len() - 1).is_none());
         }
     }
 
