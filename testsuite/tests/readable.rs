@@ -106,7 +106,7 @@ fn constants_take_no_variables() {
 fn helpers_explain_themselves() {
     let text = st("input light_barrier : bool output v, w : bool const wait : time := 2s
         initial step 5 { v if wait/(X5 and not light_barrier)  w if 1s/light_barrier/wait }");
-    has(&text, "on_X5_not_light_barrier : TON;  (* wait/(X5 · (¬light_barrier)) *)");
+    has(&text, "on_X5_not_light_barrier : TON;  (* wait/(X5 · ¬light_barrier) *)");
     has(&text, "(* 1s/light_barrier/wait *)");
     // In files that are ASCII, too.
     let text = made(
@@ -115,7 +115,7 @@ fn helpers_explain_themselves() {
         Target::Scl(scl::Options::default()),
     );
     assert!(text.is_ascii());
-    has(&text, "// 2s/(X5 and (not b))");
+    has(&text, "// 2s/(X5 and not b)");
 }
 
 #[test]
