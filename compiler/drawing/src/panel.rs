@@ -64,7 +64,7 @@ impl Panel {
             bounds.include(moved(panel.bounds, by));
             inner.extend(panel.groups.into_iter().map(|group| shifted(group, by)));
         }
-        let (frame, data) = frame(elements, part);
+        let (frame, data) = frame(elements, part, piece.is_some());
         let suffix = piece.map(|(number, of)| format!(" ({number} of {of})")).unwrap_or_default();
         let (shapes, bounds) = frame.around(bounds, &suffix);
         let mut group = Group::new("frame").of(data.0, data.1).about(data.2);
@@ -92,7 +92,12 @@ pub(crate) fn name(elements: &Elements<'_>, part: Part) -> String {
     }
 }
 
-fn frame<'a>(elements: &'a Elements<'_>, part: Part) -> (Frame<'a>, (&'static str, String, Option<&'a str>)) {
+/// A piece of a diagram has its name in any case.
+fn frame<'a>(
+    elements: &'a Elements<'_>,
+    part: Part,
+    is_piece: bool,
+) -> (Frame<'a>, (&'static str, String, Option<&'a str>)) {
     let chart = elements.chart;
     match part {
         Part::Grafcet(id) => {
@@ -100,6 +105,8 @@ fn frame<'a>(elements: &'a Elements<'_>, part: Part) -> (Frame<'a>, (&'static st
             let (name, comment) = (about.name.as_str(), about.comment.as_deref());
             let frame = match about.enclosing_step {
                 Some(step) => Frame::Enclosure { step: &chart.steps[step].label, name, comment },
+                // Only one that is written has a name that somebody gave to it.
+                None if about.span.range().is_empty() && !is_piece => Frame::Grafcet { name: "", comment: None },
                 None => Frame::Grafcet { name, comment },
             };
             (frame, ("data-grafcet", name.to_string(), comment))

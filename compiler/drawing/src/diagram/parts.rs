@@ -48,7 +48,7 @@ impl Parts {
         let mut starts: Vec<Part> = tops.map(|(id, _)| Part::Grafcet(id)).collect();
         // Of a chart with errors, those that go round in a circle, or whose macro-step is elsewhere.
         starts.extend(chart.grafcets.indices().map(Part::Grafcet));
-        starts.extend(chart.macro_steps.indices().map(Part::Expansion));
+        starts.extend(chart.macro_steps.indices().map(Part::Expansion).filter(|part| parts.own.contains_key(part)));
         for start in starts {
             if met.insert(start, ()).is_some() {
                 continue;
@@ -62,7 +62,11 @@ impl Parts {
                         Element::Step(id) => {
                             within.extend(enclosed.get(id).into_iter().flatten().copied().map(Part::Grafcet));
                         }
-                        Element::Macro(id) => within.push(Part::Expansion(*id)),
+                        // A macro-step without an expansion is an error, and has no frame.
+                        Element::Macro(id) => {
+                            let expansion = Part::Expansion(*id);
+                            within.extend(parts.own.contains_key(&expansion).then_some(expansion));
+                        }
                         Element::Transition(_) => {}
                     }
                 }

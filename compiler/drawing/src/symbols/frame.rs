@@ -8,7 +8,7 @@ use grafc_layout::Bounds;
 /// What a diagram stands in.
 #[derive(Clone, Copy)]
 pub(crate) enum Frame<'a> {
-    /// A grafcet of its own: the name above, at the left.
+    /// A grafcet of its own: the name above, at the left; no name where the chart leaves it out.
     Grafcet { name: &'a str, comment: Option<&'a str> },
     /// An enclosure: the label of the enclosing step at the top, the name at the bottom, both at the left.
     Enclosure { step: &'a str, name: &'a str, comment: Option<&'a str> },
@@ -44,6 +44,7 @@ impl Frame<'_> {
             shapes
         };
         match *self {
+            Frame::Grafcet { .. } if name.is_empty() => (shapes, inner),
             Frame::Grafcet { .. } => {
                 let top = inner.top - high - 4;
                 shapes.extend(title(inner.left, top));
