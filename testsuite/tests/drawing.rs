@@ -5,6 +5,8 @@ use grafc_model::chart::{Chart, Tables};
 use grafc_testsuite::charts::{charts_folder, check, vectors_folder};
 use grafc_testsuite::drawing_lint::lint;
 use grafc_testsuite::random::{ChartKind, Draw, checked, checked_draw};
+use quick_xml::Reader;
+use quick_xml::events::Event;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -32,8 +34,39 @@ fn faults(name: &str, chart: &Tables) -> Vec<String> {
         let options = Options { page, revision: page.map(|_| "A".to_string()), ..SINGLE };
         let pictures = draw(chart, &options).expect("nothing was asked for that is not there");
         found.extend(lint(chart, &pictures).into_iter().map(|fault| format!("{name}, {page:?}: {fault}")));
+        let texts = pictures.iter().map(|picture| svg(picture, page));
+        found.extend(texts.filter_map(|text| xml_fault(&text)).map(|fault| format!("{name}, {page:?}: {fault}")));
     }
     found
+}
+
+/// Where a parser refuses a text as XML.
+fn xml_fault(text: &str) -> Option<String> {
+    let mut reader = Reader::from_str(text);
+    let mut open = 0_usize;
+    loop {
+        match reader.read_event() {
+            Ok(Event::Start(start)) => {
+                open += 1;
+                if let Some(fault) = start.attributes().find_map(Result::err) {
+                    return Some(fault.to_string());
+                }
+            }
+            Ok(Event::End(_)) => open -= 1,
+            Ok(Event::Eof) if open == 0 => return None,
+            Ok(Event::Eof) => return Some("it ends within an element".to_owned()),
+            Ok(_) => {}
+            Err(fault) => return Some(fault.to_string()),
+        }
+    }
+}
+
+#[test]
+fn a_text_that_is_no_xml_is_noticed() {
+    assert_eq!(xml_fault("<svg><g a=\"1\">&lt;</g></svg>"), None);
+    for wrong in ["<svg><g></svg></g>", "<svg>", "<svg a=\"1\" a=\"2\"></svg>", "<svg"] {
+        assert!(xml_fault(wrong).is_some(), "{wrong}");
+    }
 }
 
 fn assert_no_faults(found: &[String]) {
