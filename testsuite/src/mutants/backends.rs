@@ -68,8 +68,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "st-less-or-equal-is-less",
         at: ST,
         breaks: "`<=` is written as `<`",
-        text: "\"<=\"",
-        instead: "\"<\"",
+        text: "Arrangement::Infix(op.sign(), pair(*a, *b))",
+        instead: "Arrangement::Infix(if op.sign() == \"<=\" { \"<\" } else { op.sign() }, pair(*a, *b))",
     },
     Fault {
         name: "rust-bound-one-early",

@@ -23,6 +23,7 @@ mod proofs;
 pub mod run;
 pub mod spot;
 mod tokens;
+mod warnings;
 pub mod workspace;
 
 use spot::{Index, Source, Spot, sources};
@@ -117,8 +118,8 @@ pub struct Fault {
 
 /// All of them, along the way of a chart through the compiler.
 pub fn all() -> impl Iterator<Item = &'static Fault> {
-    let files = [net::FAULTS, lowering::FAULTS, encodings::FAULTS, proofs::FAULTS, backends::FAULTS, bodies::FAULTS];
-    files.into_iter().flatten()
+    let compiler = [net::FAULTS, lowering::FAULTS, encodings::FAULTS, proofs::FAULTS, warnings::FAULTS];
+    compiler.into_iter().chain([backends::FAULTS, bodies::FAULTS]).flatten()
 }
 
 impl Fault {

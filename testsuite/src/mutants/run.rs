@@ -45,6 +45,9 @@ const COMPILER: &[Suite] = &[
     tests("transient"),
     tests("random"),
     tests("micro_steps"),
+    suite("grafc-logic", "compiler/logic", Some("warnings")),
+    tests("cases"),
+    tests("warnings"),
 ];
 
 /// The unit tests judge the statements that no chart leads to, and what is right only for other tools.
