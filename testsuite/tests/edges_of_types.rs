@@ -17,6 +17,9 @@ use grafc_testsuite::executors::{Outcome, Task, all, is_here_or_skip};
 use grafc_testsuite::runs::simulate;
 use std::fmt::Write as _;
 
+/// In the names of charts with numbers beyond the range of `real`.
+const FAR: &str = "_far";
+
 /// Outputs of one chart: more would be too many for the smallest of the targets.
 const A_CHART: usize = 60;
 
@@ -30,6 +33,19 @@ type Literal = (String, Value);
 struct Expression {
     text: String,
     value: Option<Value>,
+    /// Whether it or a part of it is beyond the range of `real`.
+    is_far: bool,
+}
+
+/// Whether a number is too large for `real`, or too small for its full precision.
+fn is_far(value: Value) -> bool {
+    match value {
+        Value::Real(number) => {
+            let size = number.abs();
+            size > f64::from(f32::MAX) || (size != 0.0 && size < f64::from(f32::MIN_POSITIVE))
+        }
+        Value::Bool(_) | Value::Int(_) | Value::Time(_) => false,
+    }
 }
 
 /// Literals at the edges of a type.
@@ -147,7 +163,8 @@ fn expressions(ty: Type) -> Vec<Expression> {
             for operator in operators {
                 let right = if right.starts_with('-') { format!("({right})") } else { right.clone() };
                 if let Some(value) = worth(ty, operator, *a, *b) {
-                    all.push(Expression { text: format!("{left} {operator} {right}"), value });
+                    let is_far = [Some(*a), Some(*b), value].into_iter().flatten().any(is_far);
+                    all.push(Expression { text: format!("{left} {operator} {right}"), value, is_far });
                 }
             }
         }
@@ -201,13 +218,15 @@ fn what_stays_in_its_type_is_the_same_number_everywhere() {
     let mut charts = Vec::new();
     for (ty, name) in TYPES {
         let all = expressions(ty);
-        let inside: Vec<&Expression> = all.iter().filter(|e| e.value.is_some()).collect();
-        assert!(inside.len() >= 20, "{name}: {} expressions", inside.len());
+        let inside = all.iter().filter(|e| e.value.is_some());
+        let (far, near): (Vec<&Expression>, Vec<&Expression>) = inside.partition(|e| ty == Type::Lreal && e.is_far);
+        assert!(near.len() >= 20 && (ty != Type::Lreal || far.len() >= 20), "{name}: {} and {}", near.len(), far.len());
         let least = literals(ty)[0].1;
-        for (index, some) in inside.chunks(A_CHART).enumerate() {
+        let parts = near.chunks(A_CHART).map(|some| ("", some)).chain(far.chunks(A_CHART).map(|some| (FAR, some)));
+        for (index, (word, some)) in parts.enumerate() {
             let text = chart(name, some);
             let chart =
-                check(&format!("edges_{name}_{index}"), &text).unwrap_or_else(|fault| panic!("{fault}\n{text}"));
+                check(&format!("edges_{name}{word}_{index}"), &text).unwrap_or_else(|fault| panic!("{fault}\n{text}"));
             let stimuli = vec![Stimulus { t_ms: 0, restart: false, inputs: vec![least] }; 2];
             let responses = simulate(&chart, Profile::default(), &stimuli);
             for (expression, outputs) in some.iter().zip(responses[1].outputs.chunks(2)) {
@@ -222,8 +241,12 @@ fn what_stays_in_its_type_is_the_same_number_everywhere() {
         .collect();
     for executor in all().iter().filter(|executor| is_here_or_skip(executor.as_ref())) {
         for ((chart, _, expected), outcome) in charts.iter().zip(executor.run(&tasks)) {
-            // MATIEC takes no LREAL literal beyond the range of REAL.
-            if executor.name().starts_with("matiec") && chart.name.starts_with("edges_lreal") {
+            // MATIEC reads the literals of all types by `strtof` (a comparison of names in its preprocessor is always
+            // true) and finds no type for what that cannot hold.
+            if executor.name().starts_with("matiec")
+                && chart.name.contains(FAR)
+                && matches!(&outcome, Outcome::Failed(fault) if fault.to_lowercase().contains("data type"))
+            {
                 continue;
             }
             if is_wrong(executor.as_ref(), expected, &outcome) {

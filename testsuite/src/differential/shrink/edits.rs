@@ -1,7 +1,7 @@
 //! The edits that make a chart's text shorter, by the places in its syntax tree.
 
 use grafc_diagnostics::{FileId, Span};
-use grafc_syntax::ast::{ActionKind, Chart, Event, ExprId, ExprKind, Item, Situation, Step, StepKind, Transition};
+use grafc_syntax::ast::{ActionKind, Chart, DeclarationKind, Event, ExprId, ExprKind, Item, Situation, Step, StepKind, Transition};
 use std::collections::BTreeMap;
 
 /// What is put in the place of what: one place, or several that only go together.
@@ -81,6 +81,7 @@ pub(super) fn of(text: &str) -> Vec<Edit> {
                         }
                         ActionKind::Stored { assignment, event } => {
                             exprs.push(assignment.value);
+                            list.push((chart.exprs[assignment.value].span, "1".into()));
                             match event {
                                 Event::Activation | Event::Deactivation => {}
                                 Event::Event(condition) => exprs.push(*condition),
@@ -100,6 +101,7 @@ pub(super) fn of(text: &str) -> Vec<Edit> {
                 exprs.push(transition.condition);
                 list.push((condition, "1".into()));
                 exprs.extend(transition.actions.iter().map(|a| a.value));
+                list.extend(transition.actions.iter().map(|a| (chart.exprs[a.value].span, "1".into())));
                 for names in [&transition.from, &transition.to] {
                     for (index, name) in names.iter().enumerate().skip(1) {
                         let from = names[index - 1].span.end as usize;
@@ -146,8 +148,39 @@ pub(super) fn of(text: &str) -> Vec<Edit> {
     list.retain(|(span, with)| span.range().len() > with.len());
     let mut edits: Vec<Edit> = list.into_iter().map(|part| Edit(vec![part])).collect();
     edits.extend(pairs(text, &chart));
+    edits.extend(shown(text, &chart));
     edits.sort_by_key(|edit| (std::cmp::Reverse(edit.gain()), edit.0[0].0.start));
     edits
+}
+
+/// An action of an internal variable, with the word that shows the variable: a fault that only the conflict of two
+/// actions showed is then seen in the value that one of them gives.
+fn shown(text: &str, chart: &Chart) -> Vec<Edit> {
+    let mut hidden: BTreeMap<&str, Span> = BTreeMap::new();
+    let mut actions: Vec<(&str, Span)> = Vec::new();
+    let mut open: Vec<&Item> = chart.items.iter().collect();
+    while let Some(item) = open.pop() {
+        match item {
+            Item::Declaration(declaration) if declaration.kind == DeclarationKind::Variable => {
+                let start = declaration.retain.map_or(declaration.span.start, |span| span.end) as usize;
+                let Some(at) = text[start..declaration.span.end as usize].find("var") else { continue };
+                let word = Span::new(declaration.span.file, start + at, start + at + "var".len());
+                hidden.extend(declaration.names.iter().map(|n| (n.name.text.as_str(), word)));
+            }
+            Item::Declaration(_) | Item::Allow(_) | Item::Transition(_) => {}
+            Item::Grafcet(grafcet) => open.extend(&grafcet.items),
+            Item::Expansion(expansion) => open.extend(&expansion.items),
+            Item::Step(step) => actions.extend(step.actions.iter().filter_map(|action| match &action.kind {
+                ActionKind::Stored { assignment, .. } => Some((assignment.target.text.as_str(), action.span)),
+                ActionKind::Continuous { .. } | ActionKind::Force { .. } => None,
+            })),
+        }
+    }
+    let pair = |(name, action): (&str, Span)| {
+        let word = *hidden.get(name)?;
+        Some(Edit(vec![(action, String::new()), (word, "output".into())]))
+    };
+    actions.into_iter().filter_map(pair).collect()
 }
 
 /// What cannot go alone: a macro-step with its expansion, an enclosure with the word that makes its step enclosing, an

@@ -87,7 +87,9 @@ impl EncodingFigures {
 impl Decomposition {
     /// The variables with their steps, and the steps that stay bits.
     fn list(&self, out: &mut String) {
-        out.push_str("\nsteps in switch\n");
+        if !self.states.is_empty() {
+            out.push_str("\nsteps in switch\n");
+        }
         let names = self.states.iter().map(|state| state.name.len());
         let indent = 4 + names.max().unwrap_or_default();
         for state in &self.states {
