@@ -21,7 +21,7 @@ fn chart(section: &str, written: &str) -> String {
 
 /// Whether a line stands outside of the grafcet.
 fn declares(written: &str) -> bool {
-    ["input", "Eingang", "var", "const"].iter().any(|word| written.starts_with(word))
+    ["input", "Eingang", "var", "VAR", "retain", "const"].iter().any(|word| written.starts_with(word))
 }
 
 fn errors(text: &str) -> Vec<Diagnostic> {

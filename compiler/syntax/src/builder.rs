@@ -235,7 +235,17 @@ impl<'text> Builder<'text> {
                 let right = format!("{} if {}", target.text, self.slice(condition.start, condition.end));
                 fault.help(format!("write `{right}`")).fix(Fix::maybe(format!("write `{right}`")).replace(whole, right))
             }
-            _ => fault.help("the condition stands behind the output: `… if …`"),
+            Some(ActionKind::Stored { assignment, .. }) => {
+                let assignment = self.slice(assignment.span.start, assignment.span.end);
+                let asked = self.slice(condition.start, condition.end);
+                fault.help(format!("write `{assignment} on event ↑({asked})`"))
+            }
+            Some(ActionKind::Force { .. }) => {
+                fault.help("an order has no condition: it holds while its step is active, so give it a step of its own")
+            }
+            Some(ActionKind::Continuous { condition: Some(_), .. }) | None => {
+                fault.help("the condition stands behind the output: `… if …`")
+            }
         };
         self.fault(fault);
         actions.truncate(first);

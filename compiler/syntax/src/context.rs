@@ -31,15 +31,15 @@ pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
 
 /// The braces that are open.
 #[derive(Default)]
-struct Braces {
+pub(crate) struct Braces {
     /// The head of a grafcet or an expansion was read, its brace follows.
     in_head_of_block: bool,
     /// Those of steps, transitions and forced situations.
-    of_items: usize,
+    pub(crate) of_items: usize,
 }
 
 impl Braces {
-    fn pass(&mut self, token: Token) {
+    pub(crate) fn pass(&mut self, token: Token) {
         match token {
             Token::Grafcet | Token::Expansion => *self = Braces { in_head_of_block: true, of_items: 0 },
             Token::OpenBrace if self.in_head_of_block => self.in_head_of_block = false,

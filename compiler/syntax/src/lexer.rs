@@ -8,6 +8,7 @@
 use crate::characters::{self, Run, comment_end, is_visible};
 use crate::context;
 use crate::numeral;
+use crate::pasted;
 use crate::token::{Lexeme, Token, declares};
 use grafc_diagnostics::{Code, Diagnostic, FileId, Fix, Span};
 use logos::Logos;
@@ -21,6 +22,8 @@ pub(crate) struct Lexed {
     pub(crate) comments: Vec<Lexeme>,
     /// The faults, in order of place.
     pub(crate) faults: Vec<Diagnostic>,
+    /// Places of which one message says what is wrong, and these messages.
+    pub(crate) covered: Vec<(Span, Diagnostic)>,
     /// The places of all faults, also of those that are too many to be listed, in order.
     pub(crate) bad: Vec<(u32, u32)>,
 }
@@ -123,6 +126,7 @@ pub(crate) fn lex(file: FileId, text: &str) -> Lexed {
         };
         out.lexemes.push(Lexeme { token, start, end });
     }
+    pasted::blocks(file, text, &mut out);
     context::words(text, &mut out.lexemes);
     out
 }

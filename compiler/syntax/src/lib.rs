@@ -16,6 +16,8 @@ pub mod habits;
 mod items;
 mod lexer;
 mod numeral;
+mod pasted;
+mod repeated;
 mod same;
 mod shown;
 pub mod spelling;

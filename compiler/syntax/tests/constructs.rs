@@ -309,13 +309,18 @@ fn plus_and_slash_mean_what_their_place_says() {
 
 #[test]
 fn an_assignment_of_a_step_says_when() {
+    let text = "step 1 { A  C := C + 1  B  D := 2 }\nstep 2 { E := 3 }";
     assert_eq!(
-        faults("step 1 { A  C := C + 1  B  D := 2 }"),
+        faults(text),
         [
             "E0108 1:13-22 the assignment of `C` does not say when it is done",
-            "E0108 1:28-33 the assignment of `D` does not say when it is done",
+            "E0108 2:10-15 the assignment of `E` does not say when it is done",
         ]
     );
+    // Within one step it is one mistake, and every place of it is shown.
+    let (_, said) = grafc_syntax::parse(grafc_diagnostics::FileId(0), text);
+    let others: Vec<&str> = said.iter().flat_map(|d| &d.secondary).map(|label| &text[label.span.range()]).collect();
+    assert_eq!(others, ["D := 2"]);
 }
 
 #[test]

@@ -8,12 +8,15 @@
 
 use crate::fixes::name_instead;
 use crate::resolve::Resolved;
-use crate::resolve::parts::Frame;
+use crate::resolve::parts::{ExpansionId, Frame};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use grafc_syntax::ast;
 
 /// More steps of one transition are not shown.
 const SHOWN: usize = 4;
+
+/// A longer circle of macro-steps nobody writes.
+const NESTED: usize = 16;
 
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     for part in resolved.parts.transitions.iter().filter(|part| is_known(resolved, part.frame)) {
@@ -58,8 +61,16 @@ fn frame(resolved: &Resolved, name: &ast::Name) -> Option<Frame> {
 fn is_known(resolved: &Resolved, frame: Frame) -> bool {
     match frame {
         Frame::Grafcet(grafcet) => !resolved.parts.is_stray(grafcet),
-        Frame::Expansion(_) => true,
+        Frame::Expansion(expansion) => !is_in_itself(resolved, expansion),
     }
+}
+
+/// Whether the macro-step of an expansion stands in it (E0306), so that neither is anywhere.
+fn is_in_itself(resolved: &Resolved, expansion: ExpansionId) -> bool {
+    let macro_steps = &resolved.chart.macro_steps;
+    let Some(own) = resolved.expanded[expansion] else { return false };
+    let outwards = std::iter::successors(macro_steps[own].expansion_of, |&outer| macro_steps[outer].expansion_of);
+    outwards.take(NESTED).any(|outer| outer == own)
 }
 
 fn describe(resolved: &Resolved, frame: Frame) -> String {

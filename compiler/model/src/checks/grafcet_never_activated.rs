@@ -35,6 +35,12 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
             activated[id] |= !names.is_empty();
         }
     }
+    // A macro-step cannot be initial (E0306), but it shows what is meant.
+    for part in resolved.parts.steps.iter().filter(|part| part.ast.is_initial()) {
+        if let Node::Macro(id) = part.node {
+            activated[chart.macro_steps[id].grafcet] = true;
+        }
+    }
     for (id, grafcet) in chart.grafcets.iter_enumerated() {
         let is_enclosed = resolved.parts.grafcets[id].ast.is_some_and(|grafcet| !grafcet.path.is_empty());
         let is_sure = !resolved.parts.is_stray(id) && !resolved.scope.is_ambiguous(&grafcet.name);

@@ -134,6 +134,10 @@ pub(super) fn condition_before(slip: &Slip<'_>) -> Option<Cure> {
     }
     let condition = slip.slice(tokens[0], tokens[then - 1]);
     let value = tokens.get(then + 3).filter(|_| tokens[then + 2].token == Token::Assign);
+    let plain = match value {
+        Some(value) => Cure::new(format!("write `{} := {} on event ↑({condition})`", target.word, value.word)),
+        None => plain,
+    };
     let (right, last, next) = match value {
         Some(value) => (format!("{} := {} on event ↑({condition})", target.word, value.word), value, then + 4),
         None => (format!("{} if {condition}", target.word), target, then + 2),

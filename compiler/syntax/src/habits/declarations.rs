@@ -102,6 +102,13 @@ pub(super) fn address(slip: &Slip<'_>) -> Option<Cure> {
     Some(Cure::new(words).fix(Fix::certain("add `%`").replace(next.span.before(), "%")))
 }
 
+/// `-a`: a designation has a number in it.
+pub(super) fn negative(slip: &Slip<'_>) -> Option<Cure> {
+    let sign = slip.found().filter(|found| found.token == Token::Minus && slip.begins_condition())?;
+    let name = slip.spot(1).filter(|next| next.is_name() && !next.word.contains(|c: char| c.is_numeric()))?;
+    Some(Cure::guess(format!("the opposite of a condition is `not {}`", name.word), sign.span, "not "))
+}
+
 /// `-S4`, `start-button`, `=A1+B2-S4`: designations and names with signs in them.
 pub(super) fn designation(slip: &Slip<'_>) -> Option<Cure> {
     let sign = slip
@@ -132,6 +139,24 @@ pub(crate) fn named(text: &str, place: Span) -> Cure {
     let right = format!("`{text}`");
     let words = format!("as a name it stands in backquotes: {right}");
     Cure { fix: Some(Fix::maybe("put it in backquotes").replace(place, right)), ..Cure::new(words) }
+}
+
+/// `var retain n : int`, `var n : int retain`
+pub(super) fn retain_behind(slip: &Slip<'_>) -> Option<Cure> {
+    let (first, word) = (slip.first(), slip.item());
+    if !matches!(word, Token::Var | Token::Output) {
+        return None;
+    }
+    let is_retain = |spot: &Spot<'_>| spot.is_name() && spot.word.eq_ignore_ascii_case("retain");
+    let words = format!("`retain` stands before `{}`: `retain {} …`", first.word, first.word);
+    let right = format!("retain {}", first.word);
+    let previous = slip.previous();
+    if slip.has("string") && is_retain(&previous) && slip.found()?.is_name() {
+        return Some(Cure::guess(words, first.span.to(previous.span), &right));
+    }
+    let retain = slip.found().filter(|found| is_retain(found) && slip.has("end"))?;
+    let fix = Fix::maybe(format!("write `{right}`")).replace(first.span, right);
+    Some(Cure::new(words).fix(fix.delete(Span { start: previous.span.end, ..retain.span })))
 }
 
 /// `input start button : bool`

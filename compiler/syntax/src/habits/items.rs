@@ -58,6 +58,10 @@ pub(crate) fn opening(word: &str, next: Option<Token>) -> Option<Opening> {
     if let Some(found) = found {
         return Some(Opening { words: format!("did you mean `{found}`?"), instead: Some(found.to_owned()) });
     }
+    if matches!(lower.as_str(), "retain" | "var_retain") {
+        let words = "`retain` stands before `var` or `output`: `retain var …`".to_owned();
+        return Some(Opening { words, instead: Some("retain var".to_owned()) });
+    }
     let reach = if lower.chars().count() < 5 { 1 } else { 2 };
     let near = WORDS.iter().filter_map(|ours| Some((distance(&lower, ours, reach)?, *ours)));
     if let Some((_, near)) = near.min_by_key(|(distance, _)| *distance) {
@@ -68,8 +72,7 @@ pub(crate) fn opening(word: &str, next: Option<Token>) -> Option<Opening> {
     }
     let is_type = TYPES.iter().any(|(known, _)| *known == lower) || ours(TYPES, word).is_some();
     let words = match lower.as_str() {
-        _ if is_type => "a declaration begins with `input`, `output`, `var` or `const`, and its type comes last",
-        "retain" => "`retain` stands before `var` or `output`: `retain var …`",
+        _ if is_type => "a declaration begins with a word such as `input`, and its type comes last",
         "force" | "forcing" => "an order stands in the braces of a step: `{ force … }`",
         "goto" | "jump" | "link" => "an arc to a step is a transition: `transition … -> … : …`",
         "action" | "actions" => "actions stand in the braces of their step: `step … { … }`",
@@ -80,7 +83,8 @@ pub(crate) fn opening(word: &str, next: Option<Token>) -> Option<Opening> {
 
 /// `transtion 1 -> 2 : a` behind another item.
 pub(super) fn misspelt(slip: &Slip<'_>) -> Option<Cure> {
-    let word = slip.found().filter(|found| found.is_name() && slip.is_first_on_line(*found))?;
+    let is_word = |found: &Spot<'_>| found.is_name() || found.token == Token::Force;
+    let word = slip.found().filter(|found| is_word(found) && slip.is_first_on_line(*found))?;
     let next = slip.lexemes.get(slip.at + 1).map(|next| next.token);
     let opening = opening(word.word, next)?;
     Some(Cure { fix: opening.fix(word), words: opening.words })

@@ -50,12 +50,12 @@ impl Cure {
 
     /// Another text in a place.
     pub(crate) fn write(words: impl Into<String>, place: Span, instead: &str) -> Self {
-        Cure::new(words).fix(Fix::certain(format!("write `{}`", instead.trim())).replace(place, instead))
+        Cure::new(words).fix(Fix::certain(title(instead)).replace(place, instead))
     }
 
     /// As [`Cure::write`], where it is a guess.
     pub(crate) fn guess(words: impl Into<String>, place: Span, instead: &str) -> Self {
-        Cure::new(words).fix(Fix::maybe(format!("write `{}`", instead.trim())).replace(place, instead))
+        Cure::new(words).fix(Fix::maybe(title(instead)).replace(place, instead))
     }
 
     pub(crate) fn leave_out(words: impl Into<String>, spot: Spot<'_>) -> Self {
@@ -63,10 +63,23 @@ impl Cure {
     }
 }
 
+/// What a fix does that puts a text in a place.
+fn title(instead: &str) -> String {
+    match instead.trim() {
+        "" => "leave it out".to_owned(),
+        instead => format!("write `{instead}`"),
+    }
+}
+
 impl<'a> Slip<'a> {
     /// The word that the item begins with.
     pub(super) fn item(&self) -> Token {
         self.lexemes[self.run.start].token
+    }
+
+    /// The same in its place.
+    pub(super) fn first(&self) -> Spot<'a> {
+        self.of(self.lexemes[self.run.start])
     }
 
     /// A token of the item, counted from the one that was not expected.

@@ -31,6 +31,7 @@ pub(super) const TABLE: &[Habit] = rows! {
     "transition 1 -> 2 : /a" => "transition 1 -> 2 : not a", conditions::bar;
     "transition 1 -> 2 : a && b" => "transition 1 -> 2 : a & b", conditions::doubled;
     "transition 1 -> 2 : =1" => "transition 1 -> 2 : 1", conditions::equals_one;
+    "transition 1 -> 2 : -a" => "transition 1 -> 2 : not a", declarations::negative;
     "transition 1 -> 2 : -S4" => "transition 1 -> 2 : `-S4`", declarations::designation;
     "transition 1 -> 2 : [n >< 3]" => "transition 1 -> 2 : [n <> 3]", conditions::relation_sign;
     "transition 1 -> 2 : n == 3" => "transition 1 -> 2 : [n = 3]", conditions::comparison;
@@ -61,6 +62,7 @@ pub(super) const TABLE: &[Habit] = rows! {
     "step 1 { G1{1} }" => "step 1 { force G1{1} }", actions::order;
     "step 1 { force G1{initial} }" => "step 1 { force G1{INIT} }", actions::initial_situation;
     "step 1 { V, W }" => "step 1 { V W }", actions::comma;
+    "var n : int = 3" => "var n : int := 3", declarations::equals;
     "step 1 { K = 1 }" => "step 1 { K := 1 on activation }", actions::equals;
     "step 1: V" => "step 1 { V }", actions::braces;
 
@@ -69,8 +71,8 @@ pub(super) const TABLE: &[Habit] = rows! {
     "const pause = 3s" => "const pause : time := 3s", declarations::colon_missing;
     "input a" => "input a : bool", declarations::no_type;
     "input a : bool, b : int" => "input a : bool\ninput b : int", declarations::second_type;
-    "var n : int = 3" => "var n : int := 3", declarations::equals;
     "input a : bool at IX0" => "input a : bool at %IX0", declarations::address;
+    "var retain n : int" => "retain var n : int", declarations::retain_behind;
     "input start button : bool" => "input start_button : bool", declarations::name_of_two_words;
     "chart \"Mixer\"" => "chart Chart \"Mixer\"", declarations::title_without_name;
     "step 16#1" => "step 1", declarations::number_as_label;

@@ -89,7 +89,7 @@ impl Reader<'_> {
         let mut fault = Diagnostic::new(Code::E0107, span, format!("expected {what}, found `{}`", shorten(found)));
         let next = self.lexed.lexemes.get(start + 1).map(|next| next.token);
         let spot = Spot { token: first.token, span, word: found };
-        match habits::opening(found, next).filter(|_| first.token == Token::Name) {
+        match habits::opening(found, next).filter(|_| matches!(first.token, Token::Name | Token::Force)) {
             Some(opening) => {
                 fault.fixes.extend(opening.fix(spot));
                 fault = fault.help(opening.words);

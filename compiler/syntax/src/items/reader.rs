@@ -5,6 +5,8 @@ use crate::ast::{self, Item};
 use crate::builder::Builder;
 use crate::grammar::ItemsParser;
 use crate::lexer::Lexed;
+use crate::pasted::is_in;
+use crate::repeated;
 use crate::shown::shorten;
 use crate::token::Token;
 use grafc_diagnostics::{Diagnostic, Diagnostics, FileId, Span};
@@ -89,10 +91,14 @@ impl<'text> Reader<'text> {
 
     pub(super) fn finish(mut self) -> (ast::Chart, Diagnostics) {
         let mut diagnostics = Diagnostics::new();
-        for fault in self.lexed.faults.drain(..).chain(self.builder.listed()) {
+        let (covered, said): (Vec<_>, Vec<_>) =
+            self.lexed.covered.drain(..).map(|(at, said)| ((at.start, at.end), said)).unzip();
+        let faults = self.lexed.faults.drain(..).chain(self.builder.listed());
+        for fault in faults.filter(|fault| !is_in(&covered, fault.primary.span.start)).chain(said) {
             diagnostics.push(fault);
         }
         diagnostics.sort_by_place();
+        let diagnostics = repeated::joined(self.text, diagnostics);
         let comments = self.lexed.comments.iter().map(|c| ast::Comment { span: self.builder.span(c.start, c.end) });
         let chart = ast::Chart {
             heading: self.heading.map(|heading| *heading),

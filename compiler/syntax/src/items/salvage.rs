@@ -20,7 +20,7 @@ impl Reader<'_> {
         let first = self.lexed.lexemes[run.start].token;
         let here = self.lexed.lexemes[stop.at - 1].end;
         let synthetic = |token| Lexeme { token, start: here, end: here };
-        let mut tries: Vec<(usize, Option<Lexeme>)> = Vec::new();
+        let mut tries: Vec<(usize, Vec<Lexeme>)> = Vec::new();
         match first {
             Token::Grafcet | Token::Expansion => {
                 // Its items follow if it has a brace, or if there is a brace that closes it.
@@ -28,23 +28,28 @@ impl Reader<'_> {
                 if !has_brace && self.balance(run.end) <= self.stack.len() as i64 {
                     return None;
                 }
-                tries.push((stop.at, Some(synthetic(Token::OpenBrace))));
+                tries.push((stop.at, vec![synthetic(Token::OpenBrace)]));
             }
             Token::Transition => {
-                tries.extend(find(Token::OpenBrace).map(|at| (at, None)));
-                tries.extend(find(Token::Colon).map(|at| (at + 1, Some(synthetic(Token::Unreadable)))));
+                tries.extend(find(Token::OpenBrace).map(|at| (at, Vec::new())));
+                tries.extend(find(Token::Colon).map(|at| (at + 1, vec![synthetic(Token::Unreadable)])));
+            }
+            // A constant keeps a value, if one is written that cannot be read.
+            Token::Const if find(Token::Assign).is_some() || self.token_at(stop.at) == Some(Token::Equal) => {
+                tries.extend(find(Token::Assign).map(|at| (at + 1, vec![synthetic(Token::Unreadable)])));
+                tries.push((stop.at, vec![synthetic(Token::Assign), synthetic(Token::Unreadable)]));
+                tries.push((stop.at, Vec::new()));
             }
             _ => {
-                tries.extend(find(Token::OpenBrace).map(|at| (at, None)));
-                tries.extend(find(Token::Assign).map(|at| (at, None)));
-                tries.extend(find(Token::At).map(|at| (at, None)));
-                tries.push((stop.at, None));
+                tries.extend(find(Token::OpenBrace).map(|at| (at, Vec::new())));
+                tries.extend(find(Token::Assign).map(|at| (at, Vec::new())));
+                tries.extend(find(Token::At).map(|at| (at, Vec::new())));
+                tries.push((stop.at, Vec::new()));
             }
         }
         let arena = self.builder.exprs.len();
         self.builder.is_silent = true;
         let kept = tries.into_iter().find_map(|(end, extra)| {
-            let extra: Vec<Lexeme> = extra.into_iter().collect();
             let lexemes = &self.lexed.lexemes[run.start..end];
             let parsed = attempt(&self.parser, &mut self.builder, lexemes, &extra).ok();
             if parsed.is_none() {
@@ -54,6 +59,10 @@ impl Reader<'_> {
         });
         self.builder.is_silent = false;
         kept.or_else(|| self.nameless(run))
+    }
+
+    fn token_at(&self, at: usize) -> Option<Token> {
+        self.lexed.lexemes.get(at).map(|lexeme| lexeme.token)
     }
 
     /// A block whose head could not be read still has items.

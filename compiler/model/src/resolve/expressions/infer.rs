@@ -170,10 +170,11 @@ impl Work<'_, '_, '_> {
         }
         let time = OwnKind::Known(Type::Time);
         let fraction_meets_whole = [(a, b), (b, a)].into_iter().any(|(x, y)| x == OwnKind::Fraction && counts(y));
+        let is_number = |kind| matches!(kind, OwnKind::Whole | OwnKind::Fraction);
         self.report(
             node,
-            if (a == time || b == time) && [a, b].contains(&OwnKind::Whole) {
-                let number = if a == OwnKind::Whole { left } else { right };
+            if (a == time || b == time) && (is_number(a) || is_number(b)) {
+                let number = if is_number(a) { left } else { right };
                 match op {
                     // Two times would not go together either.
                     BinaryOp::Multiply | BinaryOp::Divide | BinaryOp::Modulo => diagnostic
@@ -202,9 +203,10 @@ impl Work<'_, '_, '_> {
                     .note("a whole number is not compared or joined with a fraction")
                     .help("declare the variable as `real`, or write a whole number")
             } else {
+                // All numbers have a common type, `lreal` at the latest; only the remainder is of whole numbers.
                 diagnostic
-                    .note("numbers of different types meet only where one converts to the other without loss")
-                    .help("declare both with one type")
+                    .note("what is left of a division is asked of whole numbers")
+                    .help("declare both as whole numbers, such as `dint`")
             },
         );
     }
