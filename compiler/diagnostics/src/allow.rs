@@ -3,8 +3,8 @@
 //! An allowance holds for a part of the text. The parts lie within each other or apart, as blocks and items do, so
 //! finding those around a place takes no more than a search and as many steps as blocks are nested.
 
-use crate::{Code, Diagnostic, Diagnostics, Severity, Span};
-use std::collections::BTreeMap;
+use crate::{Code, Diagnostic, Diagnostics, Fix, Severity, Span};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a text allows, where, and why.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -41,16 +41,24 @@ pub struct Allowed {
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Allowances {
     of_code: BTreeMap<Code, Nest>,
+    /// Where each is written, in order of place, with its warning.
+    written: BTreeMap<Span, Code>,
 }
+
+/// Warnings that a check of the text alone does not give: they come with an encoding, a trace or an import.
+const ELSEWHERE: &[Code] = &[Code::W0413, Code::W0601, Code::W0701, Code::W0702, Code::W0703];
 
 impl Allowances {
     /// Whatever a text allows, in any order. Of two for one part of the text the first one counts.
     pub fn new(all: impl IntoIterator<Item = Allowance>) -> Self {
         let mut lists: BTreeMap<Code, Vec<Allowance>> = BTreeMap::new();
+        let mut written = BTreeMap::new();
         for allowance in all {
+            written.insert(allowance.span, allowance.code);
             lists.entry(allowance.code).or_default().push(allowance);
         }
-        Allowances { of_code: lists.into_iter().map(|(code, list)| (code, Nest::new(list))).collect() }
+        let of_code = lists.into_iter().map(|(code, list)| (code, Nest::new(list))).collect();
+        Allowances { of_code, written }
     }
 
     /// Sets aside the warnings that are allowed where they are.
@@ -58,6 +66,26 @@ impl Allowances {
         if !self.of_code.is_empty() {
             said.set_aside(|diagnostic| self.allowed(diagnostic));
         }
+    }
+
+    /// Warns of those that set nothing aside (W0425), once everything that a check of the text finds has been `said`.
+    pub fn without_effect(&self, said: &[&Diagnostics]) -> Diagnostics {
+        let used: BTreeSet<Span> =
+            said.iter().flat_map(|said| said.allowed()).filter_map(|(_, why)| why.span).collect();
+        let mut found = Diagnostics::new();
+        for (span, code) in &self.written {
+            if !used.contains(span) && *code != Code::W0425 && !ELSEWHERE.contains(code) {
+                let message = format!("this allows nothing: {} is not given here", code.as_str());
+                found.push(
+                    Diagnostic::new(Code::W0425, *span, message)
+                        .note("a warning that comes later would be hidden, and the reason would not be about it")
+                        .help("leave it out")
+                        .fix(Fix::maybe("leave it out").delete(*span)),
+                );
+            }
+        }
+        self.apply(&mut found);
+        found
     }
 
     fn allowed(&self, diagnostic: &Diagnostic) -> Option<Allowed> {
@@ -168,6 +196,25 @@ mod tests {
         let warning = || Diagnostic::new(Code::W0409, span(1, 2), "m").also(span(30, 31), "there");
         assert_eq!(reason(&allowances(&[Scope::Item(span(30, 40))]), warning()).as_deref(), Some("0"));
         assert_eq!(reason(&allowances(&[Scope::Block(span(30, 40))]), warning()), None);
+    }
+
+    #[test]
+    fn what_sets_nothing_aside_is_told() {
+        let allowance = |code, at: usize, scope| Allowance { code, scope, reason: "r".into(), span: span(at, at + 1) };
+        let all = Allowances::new([
+            allowance(Code::W0409, 1, Scope::Block(span(0, 99))),
+            allowance(Code::W0409, 3, Scope::Block(span(50, 60))),
+            allowance(Code::W0410, 5, Scope::Block(span(0, 99))),
+            // The second for the same part, one of an encoding, and one of this warning itself.
+            allowance(Code::W0409, 7, Scope::Block(span(0, 99))),
+            allowance(Code::W0413, 9, Scope::Block(span(0, 99))),
+            allowance(Code::W0425, 50, Scope::Block(span(3, 4))),
+        ]);
+        let mut said = Diagnostics::new();
+        said.push(Diagnostic::new(Code::W0409, span(70, 71), "m"));
+        all.apply(&mut said);
+        let told: Vec<u32> = all.without_effect(&[&said]).iter().map(|d| d.primary.span.start).collect();
+        assert_eq!(told, [5, 7]);
     }
 
     #[test]

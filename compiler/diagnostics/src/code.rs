@@ -139,6 +139,7 @@ codes! {
     W0422 "off-delay-of-active-step" Warning;
     W0423 "negated-off-delay" Warning;
     W0424 "ring-of-inputs" Warning;
+    W0425 "allowance-without-effect" Warning;
 
     E0503 "not-a-sequential-function-chart" Error;
     E0504 "no-double-precision" Error;

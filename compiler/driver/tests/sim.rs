@@ -178,7 +178,10 @@ fn more_columns() {
 ";
     assert_eq!(sim("inputs,vars,steps,T2,XG1,X1,lamp").is_done().out, all);
     assert_eq!(sim("T2").out, "t_ms,lamp,T2,situation,flags\n0,0,0,1,\n1000,1,0,2,\n1200,0,0,1,\n");
-    sim("X7").ends(2, "`--show X7`");
+    sim("X7").ends(2, "`--show X7`").ends(2, "there are `inputs`, `vars`, `steps`");
+    for (word, meant) in [("lmap", "lamp"), ("input", "inputs"), ("x2", "X2"), ("Run", "run"), ("stpes", "steps")] {
+        sim(word).ends(2, &format!("did you mean `{meant}`?"));
+    }
 }
 
 #[test]

@@ -66,7 +66,7 @@ mod w0409 {
         )
     }
 
-    /// The case in which both are diagnostics to hold.
+    /// The case in which both are said to hold.
     fn case(a: &str, b: &str) -> Option<String> {
         let found = only("W0409", &selection(a, b));
         let case = found.notes.iter().find_map(|note| note.strip_prefix("their conditions "));

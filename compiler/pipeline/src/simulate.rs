@@ -6,6 +6,7 @@ use grafc_model::chart::{Chart, VariableKind};
 use grafc_model::reaction::Profile;
 use grafc_model::simulate::{Calls, MOST_CALLS, Probe, Record, run};
 use grafc_model::trace::{self, Shown};
+use grafc_syntax::spelling::distance;
 
 /// How a chart is run over a trace.
 #[derive(Clone, Copy, Default)]
@@ -42,17 +43,43 @@ impl Simulation {
     }
 }
 
+/// A word of [`Run::show`] that the chart has nothing for.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct NotShown {
+    /// The word.
+    pub word: String,
+    /// What was probably meant.
+    pub near: Option<String>,
+}
+
+/// What was probably meant by a word that stands for nothing: one that differs by case, or by a letter or two.
+fn near(chart: &Chart, word: &str) -> Option<String> {
+    let labels = |prefix: &'static str| chart.steps.iter().map(move |step| format!("{prefix}{}", step.label));
+    let words = ["inputs", "vars", "steps"].map(String::from).into_iter();
+    let all = words.chain(chart.variables.iter().map(|variable| variable.name.to_string()));
+    let all = all.chain(labels("X")).chain(labels("T"));
+    // Behind X and T, numbers are all near to each other.
+    let reach = match word.chars().filter(|c| !c.is_ascii_digit()).count() {
+        0..=2 => 0,
+        3..=5 => 1,
+        _ => 2,
+    };
+    let lower = word.to_lowercase();
+    let distances = all.filter_map(|name| Some((distance(&name.to_lowercase(), &lower, reach)?, name)));
+    distances.min_by_key(|(distance, _)| *distance).map(|(_, name)| name)
+}
+
 /// A chart and a trace of its inputs to what it does, compared with a trace that was recorded elsewhere.
 ///
 /// # Errors
-/// The first word of [`Run::show`] that the chart has nothing for.
+/// The first word of [`Run::show`] that the chart has nothing for, and the nearest that it has.
 pub fn simulate(
     chart: (FileId, &str),
     default_name: &str,
     trace: (FileId, &str),
     recorded: Option<(FileId, &str)>,
     how: Run,
-) -> (Result<Option<Simulation>, String>, Diagnostics) {
+) -> (Result<Option<Simulation>, NotShown>, Diagnostics) {
     let (chart, mut diagnostics) = check(chart.0, chart.1, default_name);
     let Some(chart) = chart else { return (Ok(None), diagnostics) };
     let (rows, found) = trace::parse_rows(trace.0, trace.1, &chart);
@@ -62,7 +89,7 @@ pub fn simulate(
     }
     let (probes, before) = match probes(&chart, how.show) {
         Ok(found) => found,
-        Err(word) => return (Err(word), diagnostics),
+        Err(word) => return (Err(NotShown { near: near(&chart, &word), word }), diagnostics),
     };
     let (stimuli, places): (Vec<_>, Vec<_>) = rows.into_iter().unzip();
     let record = run(&chart, how.profile, &stimuli, how.calls, &probes);

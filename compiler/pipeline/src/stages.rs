@@ -49,6 +49,7 @@ pub fn net_after(chart: &Chart, overlap: bool, pass: &str) -> Option<String> {
 pub fn warn(analysis: &Analysis, allowances: &Allowances, diagnostics: &mut Diagnostics) {
     diagnostics.append(grafc_logic::warn(analysis));
     allowances.apply(diagnostics);
+    diagnostics.append(allowances.without_effect(&[diagnostics]));
     diagnostics.sort_by_place();
 }
 

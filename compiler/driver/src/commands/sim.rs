@@ -85,9 +85,10 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         let name = args.chart.chart_name();
         let (simulation, diagnostics) = grafc::simulate(text(chart), &name, text(trace), against, how);
         report.diagnostics.append(diagnostics);
-        made = simulation.map_err(|word| {
-            let help = "there are `inputs`, `vars`, `steps`, and names as in conditions: of variables, `X5`, `T5`";
-            Failure::WrongUse(format!("`--show {word}`: the chart has nothing of this name"), help.into())
+        made = simulation.map_err(|grafc::NotShown { word, near }| {
+            let all = "there are `inputs`, `vars`, `steps`, and names as in conditions: of variables, `X5`, `T5`";
+            let help = near.map_or(all.to_owned(), |near| format!("did you mean `{near}`?"));
+            Failure::WrongUse(format!("`--show {word}`: the chart has nothing of this name"), help)
         })?;
     }
     let messages = args.messages.messages();

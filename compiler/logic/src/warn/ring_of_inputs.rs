@@ -29,10 +29,16 @@ pub(super) fn check(analysis: &Analysis, diagnostics: &mut Diagnostics) {
         for span in others.iter().take(SHOWN) {
             diagnostic = diagnostic.also(*span, "and goes on here");
         }
+        let help = match wording::both_true(net, &ring.row) {
+            Some([a, b]) => {
+                format!("let one exclude the other, as in `{a} and not {b}`, or wait for an edge, as in `↑{a}`")
+            }
+            None => "let one condition exclude another, or wait for an edge".to_owned(),
+        };
         diagnostics.push(
             diagnostic
                 .note("IEC 60848, 4.9.3: the situation is never stable; a reaction stops at its bound and raises LIVELOCK")
-                .help("let one condition exclude another (`stop and not start`), or wait for an edge (`↑start`)"),
+                .help(help),
         );
     }
 }

@@ -27,6 +27,13 @@ pub(super) fn case(net: &Net, case: &Case) -> Option<String> {
     Some(sides.join(" and "))
 }
 
+/// The first two variables that are true in a case.
+pub(super) fn both_true(net: &Net, case: &Case) -> Option<[String; 2]> {
+    let is_name = |name: &String| name.chars().all(|c| c.is_alphanumeric() || c == '_');
+    let mut names = case.iter().filter(|(_, is)| *is).filter_map(|(atom, _)| in_words(net, (*atom)?)).filter(is_name);
+    Some([names.next()?, names.next()?])
+}
+
 /// `step `4`` or `steps `4` and `5``; of many, the first.
 pub(super) fn steps(net: &Net, steps: &[StepId]) -> String {
     let names: Vec<String> = steps.iter().take(SPELT_OUT).map(|step| net.places[*step].label.to_string()).collect();

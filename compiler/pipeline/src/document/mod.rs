@@ -212,8 +212,13 @@ impl Document {
             let analysis = self.analysis_of(false);
             #[cfg(test)]
             self.runs.count("warnings");
-            let mut diagnostics = analysis.map(grafc_logic::warn).unwrap_or_default();
-            self.tables().allowances.apply(&mut diagnostics);
+            let Some(analysis) = analysis else { return Diagnostics::new() };
+            let mut diagnostics = grafc_logic::warn(analysis);
+            let allowances = &self.tables().allowances;
+            allowances.apply(&mut diagnostics);
+            let without_effect = allowances.without_effect(&[self.diagnostics(), &diagnostics]);
+            diagnostics.append(without_effect);
+            diagnostics.sort_by_place();
             diagnostics
         })
     }
