@@ -106,7 +106,7 @@ fn what_new_makes_does_what_its_readme_shows() {
         let made = folder.path().join(name);
         let readme = made.join("README.md");
         let page = std::fs::read_to_string(&readme).expect("a README");
-        assert_eq!(run_commands(&readme, &blocks(&page), &made), 3, "{page}");
+        assert_eq!(run_commands(&readme, &blocks(&page), &made), 4, "{page}");
         assert!(!page.contains(['{', '}']), "{page}");
     }
 }

@@ -103,6 +103,34 @@ fn overlapping_encodings_are_written_as_they_are() {
     }
 }
 
+/// What is retained stands in lists of its own, which MATIEC takes, and whose values it keeps over a restart.
+#[test]
+fn retained_values_are_kept() {
+    let Some(tools) = Tools::find_or_skip() else { return };
+    let text = "input a : bool\nretain var n : int\nvar m : int\nretain output kept : int\noutput lost : int\n\
+                initial step 1\n\
+                step 2 { n := n + 1 on activation  m := m + 1 on activation\n\
+                         kept := n on deactivation  lost := m on deactivation }\n\
+                transition 1 -> 2 : a\ntransition 2 -> 1 : not a\n";
+    let chart = check("Retained", text).expect("a chart without errors");
+    // Twice there and back, a restart, once more: `n` counts on, `m` begins anew.
+    let rows = "t_ms,a,restart\n0,0,\n10,1,\n20,0,\n30,1,\n40,0,\n50,0,1\n60,1,\n70,0,\n";
+    let stimuli = stimuli("Retained", rows, &chart).expect("a trace without errors");
+    for encoding in encodings() {
+        let program = compile(&chart, &Options { encoding, ..Options::default() }).expect("a scan program");
+        let text = grafc_backends::st::emit(&program, &grafc_backends::st::Options::default())
+            .expect("a program for any controller");
+        assert!(text.contains("VAR RETAIN\n") && text.contains("VAR_OUTPUT RETAIN\n"), "{text}");
+        for language in Language::ALL {
+            let jobs = [Job { program: program.clone(), stimuli: stimuli.clone() }];
+            let responses = run(&tools, language, &jobs).remove(0).unwrap_or_else(|fault| panic!("{fault}"));
+            let expected = "t_ms,kept,lost,situation,flags\n0,0,0,1,\n10,0,0,2,\n20,1,1,1,\n30,1,1,2,\n40,2,2,1,\n\
+                            50,2,0,1,\n60,2,0,2,\n70,3,1,1,\n";
+            assert_eq!(spell(&chart, &stimuli, &responses), expected, "{} {language:?}", encoding.name());
+        }
+    }
+}
+
 #[test]
 fn random_charts_agree() {
     random_charts(Language::St, 1000, 60);

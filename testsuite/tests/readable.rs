@@ -1,4 +1,4 @@
-//! What a reader of generated code finds in it: each thing diagnostics once, in the words of the chart.
+//! What a reader of generated code finds in it: each thing said once, in the words of the chart.
 
 use grafc::{Options, Product};
 use grafc_backends::{Target, plcopen, scl, st, tcpou};

@@ -148,7 +148,8 @@ fn switch_says_which_steps_share_a_variable() {
 /// Four short steps take fewer lines as bits, unless a comment wants a line each in any case.
 #[test]
 fn switch_says_nothing_of_shared_variables_where_there_are_none() {
-    let four = SOURCE.replace("  step 5\n", "").replace("transition 4 -> 5 : b\n  transition 5 -> 1", "transition 4 -> 1");
+    let four =
+        SOURCE.replace("  step 5\n", "").replace("transition 4 -> 5 : b\n  transition 5 -> 1", "transition 4 -> 1");
     let folder = Folder::new(&[("four.gct", &four), ("said.gct", &four.replace("step 3", "step 3 \"three\""))]);
     let run = |chart: &str| folder.run(&["stats", chart]).is_done().out.clone();
     assert!(!run("four.gct").contains("steps in switch"), "{}", run("four.gct"));

@@ -1,7 +1,9 @@
 //! The edits that make a chart's text shorter, by the places in its syntax tree.
 
 use grafc_diagnostics::{FileId, Span};
-use grafc_syntax::ast::{ActionKind, Chart, DeclarationKind, Event, ExprId, ExprKind, Item, Situation, Step, StepKind, Transition};
+use grafc_syntax::ast::{
+    ActionKind, Chart, DeclarationKind, Event, ExprId, ExprKind, Item, Situation, Step, StepKind, Transition,
+};
 use std::collections::BTreeMap;
 
 /// What is put in the place of what: one place, or several that only go together.
