@@ -42,7 +42,9 @@ fn json_goes_to_standard_output_one_object_a_line() {
 
 #[test]
 fn sarif_goes_to_standard_output_as_one_log() {
-    let folder = Folder::new(&[("a.gct", FAULTY), ("b.gct", DUBIOUS), ("c.gct", &VALVE.replace(": a\n", ": ↑a\n"))]);
+    let clean = VALVE.replace(": a\n", ": ↑a\n");
+    let clean = clean.split_once("\nallow").expect("an allowance that nothing needs then").0;
+    let folder = Folder::new(&[("a.gct", FAULTY), ("b.gct", DUBIOUS), ("c.gct", clean)]);
     let run = folder.run(&["check", "a.gct", "b.gct", "--format", "sarif"]);
     assert_eq!((run.code, run.err.as_str()), (1, ""));
     let log: Value = serde_json::from_str(&run.out).unwrap();

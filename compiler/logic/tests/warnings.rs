@@ -580,6 +580,18 @@ mod liveness {
     }
 
     #[test]
+    fn a_join_with_a_step_that_is_never_active_is_told_of_there() {
+        let text = format!(
+            "{INPUTS} initial step 1 step 2 step 3 transition 1 -> 2 : a and not b transition 2 -> 1 : b
+             transition 2, 3 -> 1 : c and not b"
+        );
+        assert_eq!(told(&text), ["W0414 3"]);
+        let said = all(&text);
+        let labels = &said.iter().next().expect("a message").secondary;
+        assert!(labels.iter().any(|label| text[label.span.range()].starts_with("transition 2, 3")), "{labels:?}");
+    }
+
+    #[test]
     fn a_condition_that_denies_the_step_before() {
         let text = format!("{INPUTS} initial step 1 step 2 transition 1 -> 2 : a and not X1 transition 2 -> 1 : not a");
         assert_eq!(told(&text), ["W0415 transition 1 -> 2 : a and not X1"]);

@@ -11,23 +11,23 @@ use crate::context::Braces;
 use crate::habits::words::{ITEMS, TYPES, ours};
 use crate::lexer::Lexed;
 use crate::shown::shorten;
-use crate::token::{Lexeme, Token};
+use crate::token::{Lexeme, Token, begins_item};
 use grafc_diagnostics::{Code, Diagnostic, FileId, Fix, Span};
 
-/// Words that begin a block, and those that end it.
-const BLOCKS: &[(&str, &str)] = &[
-    ("if", "end_if"),
-    ("case", "end_case"),
-    ("for", "end_for"),
-    ("while", "end_while"),
-    ("repeat", "end_repeat"),
-    ("var", "end_var"),
-    ("var_input", "end_var"),
-    ("var_output", "end_var"),
-    ("var_in_out", "end_var"),
-    ("var_temp", "end_var"),
-    ("var_global", "end_var"),
-    ("var_external", "end_var"),
+/// Words that begin a block, one that stands in it, and those that end it.
+const BLOCKS: &[(&str, &str, &str)] = &[
+    ("if", "then", "end_if"),
+    ("case", "of", "end_case"),
+    ("for", "do", "end_for"),
+    ("while", "do", "end_while"),
+    ("repeat", "until", "end_repeat"),
+    ("var", ":", "end_var"),
+    ("var_input", ":", "end_var"),
+    ("var_output", ":", "end_var"),
+    ("var_in_out", ":", "end_var"),
+    ("var_temp", ":", "end_var"),
+    ("var_global", ":", "end_var"),
+    ("var_external", ":", "end_var"),
 ];
 
 /// A block under way or found.
@@ -36,7 +36,8 @@ struct Block {
     /// Its first token, and the one behind its last.
     first: usize,
     end: usize,
-    kind: &'static (&'static str, &'static str),
+    /// Which of [`BLOCKS`].
+    kind: usize,
     in_braces: bool,
 }
 
@@ -54,7 +55,7 @@ pub(crate) fn blocks(file: FileId, text: &str, lexed: &mut Lexed) {
     for block in found {
         let pasted = Pasted { file, text, lexemes: &lexed.lexemes[block.first..block.end], in_braces: block.in_braces };
         kept.extend(&lexed.lexemes[from..block.first]);
-        let fault = if block.kind.1 == "end_var" {
+        let fault = if BLOCKS[block.kind].2 == "end_var" {
             pasted.declarations(&lexed.comments, &mut kept)
         } else {
             pasted.statement()
@@ -79,29 +80,47 @@ pub(crate) fn is_in(ranges: &[(u32, u32)], place: u32) -> bool {
     before.checked_sub(1).is_some_and(|at| place < ranges[at].1)
 }
 
-/// The outermost blocks that have an end, in order.
+/// The outermost blocks that have an end, in order. An item of ours and a brace end all that is open, and without the
+/// words and signs that a block has, its first and last are names.
 fn find(text: &str, lexemes: &[Lexeme]) -> Vec<Block> {
     let (mut open, mut found): (Vec<Block>, Vec<Block>) = (Vec::new(), Vec::new());
-    let mut braces = Braces::default();
+    // How many blocks of each kind are open: an end without a beginning is not looked for. Where its word was last.
+    let (mut begun, mut inner) = ([0usize; BLOCKS.len()], [0usize; BLOCKS.len()]);
+    let (mut braces, mut assignment) = (Braces::default(), 0);
     for (at, lexeme) in lexemes.iter().enumerate() {
         braces.pass(lexeme.token);
-        if !matches!(lexeme.token, Token::Name | Token::If | Token::Var) {
+        match lexeme.token {
+            Token::Assign => assignment = at,
+            token if begins_item(token) || matches!(token, Token::OpenBrace | Token::CloseBrace) => {
+                open.clear();
+                begun.fill(0);
+            }
+            _ => {}
+        }
+        if !matches!(lexeme.token, Token::Name | Token::If | Token::Var | Token::Colon) {
             continue;
         }
         let word = text[lexeme.start as usize..lexeme.end as usize].to_lowercase();
-        if let Some(kind) = BLOCKS.iter().find(|(first, _)| *first == word) {
+        for (kind, _) in BLOCKS.iter().enumerate().filter(|(_, (_, within, _))| *within == word) {
+            inner[kind] = at;
+        }
+        if let Some(kind) = BLOCKS.iter().position(|(first, ..)| *first == word) {
+            begun[kind] += 1;
             open.push(Block { first: at, end: at, kind, in_braces: braces.of_items > 0 });
-        } else if word.starts_with("end_")
-            && let Some(begun) = open.iter().rposition(|block| block.kind.1 == word)
-        {
-            let block = Block { end: at + 1, ..open[begun] };
-            open.truncate(begun);
-            let is_block = word == "end_var" || lexemes[block.first..at].iter().any(|l| l.token == Token::Assign);
-            if is_block {
-                while found.last().is_some_and(|inner| inner.first > block.first) {
-                    found.pop();
+        } else if word.starts_with("end_") && (0..BLOCKS.len()).any(|kind| BLOCKS[kind].2 == word && begun[kind] > 0) {
+            while let Some(block) = open.pop() {
+                begun[block.kind] -= 1;
+                if BLOCKS[block.kind].2 != word {
+                    continue;
                 }
-                found.push(block);
+                let has = |place: usize| place > block.first;
+                if has(inner[block.kind]) && (word == "end_var" || has(assignment)) {
+                    while found.last().is_some_and(|inner| inner.first > block.first) {
+                        found.pop();
+                    }
+                    found.push(Block { end: at + 1, ..block });
+                }
+                break;
             }
         }
     }
@@ -260,5 +279,43 @@ impl<'t> Pasted<'t> {
         let Some(known) = known.or_else(|| ours(TYPES, self.word(*ty))) else { return text.to_owned() };
         let (start, end) = ((ty.start - written.start) as usize, (ty.end - written.start) as usize);
         format!("{}{known}{}", &text[..start], &text[end..])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use grafc_diagnostics::FileId;
+
+    fn messages(text: &str) -> usize {
+        crate::parse(FileId(0), text).1.iter().count()
+    }
+
+    #[test]
+    fn blocks_within_blocks_are_one() {
+        let inner = "IF a THEN K := 1; ELSIF b THEN K := 2; END_IF;";
+        assert_eq!(messages(&format!("step 1 {{ IF c THEN {inner} FOR i := 1 TO 3 DO {inner} END_FOR; END_IF; }}")), 1);
+        assert_eq!(messages(&format!("step 1 {{ {inner} {inner} }}")), 2);
+        assert_eq!(messages(&format!("step 1 {{ {inner} }}\nstep 2 {{ V + }}")), 2);
+    }
+
+    #[test]
+    fn what_does_not_end_is_no_block() {
+        // Names are names: only with an end they are a block.
+        assert_eq!(messages("step 1 { IF CASE FOR }"), 0);
+        assert_eq!(messages("step 1 { IF END_CASE END_IF }"), 0);
+        assert_eq!(messages("step 1 { V if a }\ninput end_if, END_VAR : bool\nvar `if` : bool\nvar b : bool"), 0);
+        let named = "step 1 { V if a  n := 1 on activation  then  end_if }";
+        assert_eq!(messages(named), 1, "the words of a block, in its order");
+        assert_eq!(messages("step 1 { V if a  n := 1 on activation  end_if }"), 0);
+        assert_eq!(messages("step 1 { V if a  n := 1 on activation }\ntransition 1 -> 2 : end_if and then"), 0);
+    }
+
+    /// Neither many beginnings nor many ends take more than a look each.
+    #[test]
+    fn many_blocks_take_no_longer_than_their_text() {
+        let begins = "IF ".repeat(50_000);
+        for ends in ["END_CASE ".repeat(50_000), "END_IF ".repeat(50_000)] {
+            assert!(messages(&format!("step 1 {{ {begins}{ends} }}")) <= 201);
+        }
     }
 }

@@ -66,12 +66,14 @@ pub(super) fn find(asked: &mut Questions, constant: &[Constant]) -> Never {
     possible.spread();
     let clears: IndexVec<TransitionId, bool> = possible.clears.clone();
     let causes = refuted.into_iter_enumerated().filter_map(|(t, why)| Some((t, why?)));
-    let transitions: Vec<(TransitionId, Why)> = causes.collect();
+    let mut transitions: Vec<(TransitionId, Why)> = causes.collect();
     for (t, _) in &transitions {
         possible.refuted[*t] = false;
         possible.try_to_clear(*t);
     }
     possible.spread();
+    // One that leaves a step which is never active for another cause is told of there.
+    transitions.retain(|(t, _)| net.transitions[*t].pre.iter().all(|step| possible.active[*step]));
     let steps = idle(net, &mut possible);
     Never { steps, transitions, clears: clears.into_iter().map(|clears| !clears).collect() }
 }
