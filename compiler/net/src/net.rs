@@ -28,6 +28,7 @@ use grafc_model::chart::{
     Continuous, Expr, ExprId, GrafcetId, MacroId, Order, StepId, Stored, TransitionId, Variable, VariableId,
 };
 use index_vec::IndexVec;
+use rustc_hash::FxHashSet;
 
 /// What a pass has brought about, for good.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -120,6 +121,30 @@ pub struct Transition {
     /// The item in the chart.
     pub span: Span,
 }
+
+impl Transition {
+    /// The steps that it leaves: those before it that it does not lead back to.
+    pub fn left(&self) -> Vec<StepId> {
+        without(&self.pre, &self.post)
+    }
+
+    /// The steps that it newly leads to: those after it that do not come before it.
+    pub fn entered(&self) -> Vec<StepId> {
+        without(&self.post, &self.pre)
+    }
+}
+
+/// The steps of a list that are not in the other one.
+fn without(list: &[StepId], other: &[StepId]) -> Vec<StepId> {
+    // A table is worth it only for long lists.
+    let table: FxHashSet<StepId> =
+        if other.len() > SHORT { other.iter().copied().collect() } else { FxHashSet::default() };
+    let in_other = |s: &&StepId| if table.is_empty() { other.contains(s) } else { table.contains(s) };
+    list.iter().filter(|s| !in_other(s)).copied().collect()
+}
+
+/// A list of so many steps is searched one by one.
+const SHORT: usize = 16;
 
 /// A macro-step.
 #[derive(Clone, Debug)]

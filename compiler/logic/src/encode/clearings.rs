@@ -9,7 +9,7 @@ use crate::scan::{Origin, Role, Statement, Told, VarId};
 use ecow::eco_format;
 use grafc_formula::{Formula, FormulaId};
 use grafc_model::chart::{StepId, TransitionId, Type};
-use grafc_net::Arcs;
+use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -33,12 +33,22 @@ pub(crate) fn clears(
     factors
 }
 
+/// A term of so many operands gets a variable where it would be written more than [`FEW_TIMES`]: n steps before a
+/// transition and m after it are then n + m operands, not n times m.
+const LONG: usize = 16;
+
+/// A long term is written out where that is no more often than this.
+const FEW_TIMES: usize = 2;
+
 /// What a micro-step does to each step, as formulas.
 pub(crate) struct Clearings<'a> {
     /// The transitions around each step.
     pub(crate) arcs: &'a Arcs,
     /// Whether each transition clears.
     pub(crate) cleared: IndexVec<TransitionId, FormulaId>,
+    /// Where steps overlap, what shows that a step after this transition is active, as the terms of a disjunction; a
+    /// transition that newly leads nowhere shows it by its clearing.
+    followed: IndexVec<TransitionId, Vec<FormulaId>>,
     /// The next activity of steps for which it has been computed, because others need it or enclosures and orders act
     /// on them.
     pub(crate) next: IndexVec<StepId, Option<FormulaId>>,
@@ -46,7 +56,7 @@ pub(crate) struct Clearings<'a> {
 
 impl<'a> Clearings<'a> {
     /// With the clearing of each transition latched in a variable before anything is written, if `latch`; else written
-    /// out wherever it is needed.
+    /// out wherever it is needed, if it is not long and needed often.
     pub(crate) fn new(
         lowering: &mut Lowering,
         task: &Task<'a>,
@@ -59,7 +69,8 @@ impl<'a> Clearings<'a> {
         for t in net.transitions.indices() {
             let factors = clears(lowering, t, task.conditions[t], frozen, task.simplify);
             let value = lowering.pool.and(factors);
-            if !latch || lowering.pool.as_truth(value).is_some() {
+            let latched = latch || is_long_and_needed_often(lowering, t, value);
+            if !latched || lowering.pool.as_truth(value).is_some() {
                 cleared.push(value);
                 continue;
             }
@@ -69,7 +80,17 @@ impl<'a> Clearings<'a> {
             cleared.push(lowering.symbols.read(&mut lowering.pool, target));
         }
         let next = net.places.iter().map(|_| None).collect();
-        (Clearings { arcs: task.arcs, cleared, next }, statements)
+        let followed = if task.encoding.overlaps() {
+            net.transitions.indices().map(|t| followed(lowering, t, cleared[t], &mut statements)).collect()
+        } else {
+            IndexVec::new()
+        };
+        (Clearings { arcs: task.arcs, cleared, followed, next }, statements)
+    }
+
+    /// What is known of clearings where they are not all latched at once, and no steps overlap.
+    pub(crate) fn with(arcs: &'a Arcs, net: &Net, cleared: IndexVec<TransitionId, FormulaId>) -> Self {
+        Clearings { arcs, cleared, followed: IndexVec::new(), next: net.places.iter().map(|_| None).collect() }
     }
 
     fn any(&self, lowering: &mut Lowering, transitions: impl IntoIterator<Item = TransitionId>) -> FormulaId {
@@ -92,19 +113,9 @@ impl<'a> Clearings<'a> {
         Some(SetReset { active: lowering.active(s), set, reset })
     }
 
-    /// A successor of `s` is active; a transition that nothing follows resets by its clearing.
+    /// A successor of `s` is active.
     fn followed(&self, lowering: &mut Lowering, s: StepId) -> FormulaId {
-        let mut terms = Vec::new();
-        for t in self.arcs.out_of_step(s) {
-            // A step that the transition leads back to was active before.
-            let transition = &lowering.net.transitions[*t];
-            let fresh = transition.post.iter().filter(|after| !transition.pre.contains(after));
-            let successors: Vec<FormulaId> = fresh.map(|after| lowering.active(*after)).collect();
-            if successors.is_empty() {
-                terms.push(self.cleared[*t]);
-            }
-            terms.extend(successors);
-        }
+        let terms: Vec<FormulaId> = self.arcs.out_of_step(s).iter().flat_map(|t| &self.followed[*t]).copied().collect();
         lowering.pool.or(terms)
     }
 
@@ -200,6 +211,37 @@ impl<'a> Clearings<'a> {
         }
         terms
     }
+}
+
+/// Whether the clearing of a transition would be written out many times at some length: once for each step after it and,
+/// if it newly leads nowhere, for each before it.
+fn is_long_and_needed_often(lowering: &Lowering, t: TransitionId, clearing: FormulaId) -> bool {
+    let transition = &lowering.net.transitions[t];
+    let resets = if transition.entered().is_empty() { transition.pre.len() } else { 0 };
+    transition.post.len() + resets > FEW_TIMES && lowering.pool.below(clearing).len() >= LONG
+}
+
+/// What shows that a step after a transition is active (a step that it leads back to was so before): the activity of
+/// each; one variable, if many steps lead to many; or else the clearing.
+fn followed(
+    lowering: &mut Lowering,
+    t: TransitionId,
+    clearing: FormulaId,
+    statements: &mut Vec<Statement>,
+) -> Vec<FormulaId> {
+    let transition = &lowering.net.transitions[t];
+    let successors: Vec<FormulaId> = transition.entered().into_iter().map(|s| lowering.active(s)).collect();
+    if successors.is_empty() {
+        return vec![clearing];
+    }
+    if successors.len() < LONG || transition.pre.len() <= FEW_TIMES {
+        return successors;
+    }
+    let name = eco_format!("after_{}", lowering.transition_word(t));
+    let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
+    let value = lowering.pool.or(successors);
+    statements.push(Statement::assign(Origin::Transition(t), target, value));
+    vec![lowering.symbols.read(&mut lowering.pool, target)]
 }
 
 /// Activations and deactivations that stored actions wait for; one that several wait for becomes a variable.

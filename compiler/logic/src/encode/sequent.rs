@@ -33,12 +33,11 @@ pub(super) fn moves(
             let value = lowering.pool.truth(active);
             target(lowering, *s).map(|target| Statement::assign(Origin::Transition(t), target, value))
         };
-        let leaves = |s: &&StepId| !transition.post.contains(s);
         let mut early = Vec::new();
         let mut late = Vec::new();
-        for s in transition.pre.iter().filter(leaves) {
-            let list = if both_at_once(s) { &mut early } else { &mut late };
-            list.extend(write(lowering, s, false));
+        for s in transition.left() {
+            let list = if both_at_once(&s) { &mut early } else { &mut late };
+            list.extend(write(lowering, &s, false));
         }
         for s in &transition.post {
             late.extend(write(lowering, s, true));
@@ -66,8 +65,7 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Option<Vec<State
     // several steps belongs to the first.
     let mut after: BTreeMap<StepId, Vec<TransitionId>> = BTreeMap::new();
     for (t, transition) in net.transitions.iter_enumerated() {
-        let back = |s: &StepId| transition.post.contains(s);
-        let nothing_moves = transition.pre.len() == transition.post.len() && transition.pre.iter().all(back);
+        let nothing_moves = transition.left().is_empty() && transition.entered().is_empty();
         if let Some(first) = transition.pre.first().filter(|_| !nothing_moves) {
             after.entry(*first).or_default().push(t);
         }
@@ -96,11 +94,11 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Option<Vec<State
 fn moved(lowering: &mut Lowering, task: &Task, t: TransitionId) -> Vec<Statement> {
     let transition = &lowering.net.transitions[t];
     let mut body = Vec::new();
-    let leaving = transition.pre.iter().filter(|s| !transition.post.contains(s)).map(|s| (s, false));
-    let coming = transition.post.iter().filter(|s| !transition.pre.contains(s)).map(|s| (s, true));
+    let leaving = transition.left().into_iter().map(|s| (s, false));
+    let coming = transition.entered().into_iter().map(|s| (s, true));
     for (s, active) in leaving.chain(coming) {
         let value = lowering.pool.truth(active);
-        body.extend(lowering.situation.bit(*s).map(|target| Statement::assign(Origin::Transition(t), target, value)));
+        body.extend(lowering.situation.bit(s).map(|target| Statement::assign(Origin::Transition(t), target, value)));
     }
     if let Some(target) = task.again {
         body.push(Statement::assign(Origin::Transition(t), target, lowering.pool.truth(true)));

@@ -53,8 +53,7 @@ pub(crate) fn actions(
                 (2, Event::Clearing(t)) => {
                     let transition = &net.transitions[t];
                     // A clearing moves a token that it does not lead back.
-                    let moves = |s: &StepId| task.components.covers(*s) && !transition.post.contains(s);
-                    let repeats = transition.pre.iter().any(moves);
+                    let repeats = transition.left().into_iter().any(|s| task.components.covers(s));
                     Trigger { when: clearings.cleared[t], value, origin, position: Position::Through(t), repeats }
                 }
                 (3, Event::Activation(s)) => {

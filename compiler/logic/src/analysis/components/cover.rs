@@ -56,8 +56,8 @@ pub(super) fn arrange(net: &Net, around: &Surroundings, search: Search) -> Arran
 fn always_marked(net: &Net, around: &Surroundings, component: &Component) -> bool {
     let Some(first) = component.own.first().filter(|_| component.base.is_none()) else { return false };
     let place = &net.places[*first];
-    let own: FxHashSet<StepId> = component.own.iter().copied().collect();
-    let keeps = |t: &TransitionId| net.transitions[*t].post.iter().any(|s| own.contains(s));
+    let into: FxHashSet<TransitionId> = component.own.iter().flat_map(|s| around.entering(*s)).copied().collect();
+    let keeps = |t: &TransitionId| into.contains(t);
     component.initial.is_some()
         && place.within.is_none()
         && forced(&net.grafcets[place.grafcet]).count() == component.forced.len()

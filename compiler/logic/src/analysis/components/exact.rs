@@ -41,7 +41,7 @@ pub(super) fn refine(
         }
         if held.iter().any(|place| !covered.contains(&part.steps[*place])) {
             again.extend(&part.steps);
-            fresh.extend(shared_out(net, arcs, reachable, part, &held));
+            fresh.extend(shared_out(arcs, reachable, part, &held));
         }
     }
     all.retain(|written| !written.set.steps.iter().any(|s| again.contains(s)));
@@ -49,7 +49,7 @@ pub(super) fn refine(
         let Some(part) = written.set.steps.first().and_then(|s| reachable.part(*s)) else { continue };
         let place: FxHashMap<StepId, usize> = part.steps.iter().enumerate().map(|(place, s)| (*s, place)).collect();
         let places: Vec<usize> = written.set.steps.iter().map(|s| place[s]).collect();
-        written.set.always_marked |= always_marked(net, arcs, part, &places);
+        written.set.always_marked |= always_marked(arcs, part, &places);
     }
     all.extend(fresh);
 }
@@ -74,7 +74,7 @@ fn in_no_set(net: &Net, arcs: &Arcs, rivals: &Rivals, part: &Reached, s: StepId)
 }
 
 /// Sets for the steps at these places, none of which is ever active together with another of its set.
-fn shared_out(net: &Net, arcs: &Arcs, reachable: &Reachable, part: &Reached, held: &[usize]) -> Vec<Written> {
+fn shared_out(arcs: &Arcs, reachable: &Reachable, part: &Reached, held: &[usize]) -> Vec<Written> {
     let apart = |a: usize, b: usize| reachable.together(part.steps[a], part.steps[b]) == Some(false);
     let mut sets: Vec<Vec<usize>> = Vec::new();
     for place in held {
@@ -95,7 +95,7 @@ fn shared_out(net: &Net, arcs: &Arcs, reachable: &Reachable, part: &Reached, hel
             steps.sort_unstable();
             steps
         };
-        let set_of = CoverSet { steps: steps(&set), always_marked: always_marked(net, arcs, part, &set) };
+        let set_of = CoverSet { steps: steps(&set), always_marked: always_marked(arcs, part, &set) };
         Written { others: steps(&component[set.len()..]), set: set_of }
     };
     sets.into_iter().map(written).collect()
@@ -103,8 +103,9 @@ fn shared_out(net: &Net, arcs: &Arcs, reachable: &Reachable, part: &Reached, hel
 
 /// Whether one of the steps at these places is always active. A transition that never clears is written all the same, so
 /// it must not lead out of the set either.
-fn always_marked(net: &Net, arcs: &Arcs, part: &Reached, places: &[usize]) -> bool {
+fn always_marked(arcs: &Arcs, part: &Reached, places: &[usize]) -> bool {
     let set: FxHashSet<StepId> = places.iter().map(|place| part.steps[*place]).collect();
-    let keeps = |t: &TransitionId| net.transitions[*t].post.iter().any(|s| set.contains(s));
+    let into: FxHashSet<TransitionId> = set.iter().flat_map(|s| arcs.entering(*s)).copied().collect();
+    let keeps = |t: &TransitionId| into.contains(t);
     set.iter().all(|s| arcs.leaving(*s).iter().all(keeps)) && part.always_one_of(places)
 }

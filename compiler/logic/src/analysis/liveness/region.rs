@@ -10,7 +10,7 @@ use crate::analysis::together::questions::Questions;
 use grafc_model::chart::{ExprKind, GrafcetId, Mode, StepId, TransitionId};
 use grafc_net::Net;
 use grafc_net::net::Forced;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Active steps of a grafcet, in order.
 pub(super) type Marking = Box<[StepId]>;
@@ -144,8 +144,8 @@ impl<'q, 'a> Region<'q, 'a> {
     /// The situation after transitions that clear at once (R4).
     pub(super) fn after(&self, marking: &[StepId], cleared: &[TransitionId]) -> Marking {
         let all = |t: &TransitionId| &self.net.transitions[*t];
-        let left = |step: &StepId| cleared.iter().any(|t| all(t).pre.contains(step));
-        let mut next: Vec<StepId> = marking.iter().copied().filter(|step| !left(step)).collect();
+        let left: FxHashSet<StepId> = cleared.iter().flat_map(|t| &all(t).pre).copied().collect();
+        let mut next: Vec<StepId> = marking.iter().copied().filter(|step| !left.contains(step)).collect();
         next.extend(cleared.iter().flat_map(|t| &all(t).post));
         next.sort_unstable();
         next.dedup();

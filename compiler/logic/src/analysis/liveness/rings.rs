@@ -25,6 +25,9 @@ const MOST: usize = 2_048;
 /// And so many in all for each step of the net, beyond the first few.
 const TRIED: usize = 64;
 
+/// When circles are followed, so many active steps are looked at for each step of the net, beyond [`MOST`] of them.
+const FOLLOWED: usize = 256;
+
 /// More transitions beside the first are not looked at after one step.
 const AFTER: usize = 8;
 
@@ -61,13 +64,22 @@ pub(super) fn find(asked: &mut Questions, never: &Never) -> Vec<Ring> {
     let component = components(net, asked, &literals);
     let mut told: FxHashSet<usize> = FxHashSet::default();
     let mut left = MOST + TRIED * net.places.len();
+    let mut followed = MOST + FOLLOWED * net.places.len();
     for start in net.places.indices() {
         let Some(number) = component[start] else { continue };
         if told.contains(&number) {
             continue;
         }
-        let mut search =
-            Search { net, asked, literals: &literals, component: &component, done: &done, start, left: &mut left };
+        let mut search = Search {
+            net,
+            asked,
+            literals: &literals,
+            component: &component,
+            done: &done,
+            start,
+            left: &mut left,
+            followed: &mut followed,
+        };
         if let Some(ring) = search.run() {
             told.insert(number);
             found.push(ring);
@@ -89,6 +101,8 @@ struct Search<'q, 'a> {
     start: StepId,
     /// How many transitions may still be tried.
     left: &'q mut usize,
+    /// How many active steps may still be looked at.
+    followed: &'q mut usize,
 }
 
 impl Search<'_, '_> {
@@ -183,22 +197,26 @@ impl Search<'_, '_> {
 
     /// Whether the situation before the first transition is never at rest with this row. Transitions on which something
     /// else decides stay uncleared, as they may.
-    fn goes_on(&self, path: &[TransitionId], inputs: &FxHashMap<VariableId, bool>) -> bool {
+    fn goes_on(&mut self, path: &[TransitionId], inputs: &FxHashMap<VariableId, bool>) -> bool {
         let net = self.net;
         let mut situation = net.transitions[path[0]].pre.clone();
         situation.sort_unstable();
         let mut seen: FxHashSet<Vec<StepId>> = FxHashSet::default();
         for _ in 0..4 * path.len() + 8 {
+            let Some(left) = self.followed.checked_sub(situation.len()) else { return false };
+            *self.followed = left;
             if !seen.insert(situation.clone()) {
                 return true;
             }
             let arcs = &self.asked.analysis.arcs;
-            let after = situation.iter().flat_map(|step| arcs.leaving(*step)).copied();
+            // Each of them once: a synchronisation comes after many steps.
+            let after: FxHashSet<TransitionId> =
+                situation.iter().flat_map(|step| arcs.leaving(*step)).copied().collect();
             let clears = |t: &TransitionId| {
                 let ready = net.transitions[*t].pre.iter().all(|step| situation.binary_search(step).is_ok());
                 ready && self.literals[*t].is_some() && holds(net, net.transitions[*t].condition, inputs)
             };
-            let cleared: FxHashSet<TransitionId> = after.filter(clears).collect();
+            let cleared: FxHashSet<TransitionId> = after.into_iter().filter(clears).collect();
             let left: FxHashSet<StepId> = cleared.iter().flat_map(|t| &net.transitions[*t].pre).copied().collect();
             let mut next: Vec<StepId> = situation.iter().copied().filter(|step| !left.contains(step)).collect();
             next.extend(cleared.iter().flat_map(|t| &net.transitions[*t].post));
@@ -307,63 +325,72 @@ fn holds(net: &Net, condition: ExprId, inputs: &FxHashMap<VariableId, bool>) -> 
     values.get(&condition).copied().unwrap_or(false)
 }
 
-/// The steps that lie on circles of such transitions, those of one circle with one number (Tarjan).
+/// The steps that lie on circles of such transitions, those of one circle with one number (Tarjan). The circles lead
+/// through steps and transitions in turn, so that a transition with n steps on both sides is 2 n arcs and not n * n.
 fn components(
     net: &Net,
     asked: &Questions,
     literals: &IndexVec<TransitionId, Option<Literals>>,
 ) -> IndexVec<StepId, Option<usize>> {
-    let count = net.places.len();
-    let mut number: IndexVec<StepId, usize> = index_vec![usize::MAX; count];
-    let mut low = number.clone();
-    let mut component: IndexVec<StepId, Option<usize>> = index_vec![None; count];
-    let mut is_open: IndexVec<StepId, bool> = index_vec![false; count];
-    let (mut next_number, mut next_component) = (0, 0);
-    let mut stack: Vec<StepId> = Vec::new();
-    let successors = |step: StepId| {
-        let counted = asked.analysis.arcs.leaving(step).iter().filter(|t| literals[**t].is_some());
-        counted.flat_map(|t| net.transitions[*t].post.iter().copied()).filter(move |to| *to != step)
+    let steps = net.places.len();
+    let successors = |node: usize| -> Box<dyn Iterator<Item = usize>> {
+        if node < steps {
+            let counted = asked.analysis.arcs.leaving(StepId::from_usize(node)).iter();
+            Box::new(counted.filter(|t| literals[**t].is_some()).map(move |t| steps + t.index()))
+        } else {
+            Box::new(net.transitions[TransitionId::from_usize(node - steps)].post.iter().map(|step| step.index()))
+        }
     };
-    for root in net.places.indices() {
+    let count = steps + net.transitions.len();
+    let mut number: Vec<usize> = vec![usize::MAX; count];
+    let mut low = number.clone();
+    let mut component: IndexVec<StepId, Option<usize>> = index_vec![None; steps];
+    let mut is_open = vec![false; count];
+    let (mut next_number, mut next_component) = (0, 0);
+    let mut stack: Vec<usize> = Vec::new();
+    for root in 0..steps {
         if number[root] != usize::MAX {
             continue;
         }
-        let mut calls: Vec<(StepId, Box<dyn Iterator<Item = StepId>>)> = Vec::new();
-        let mut enter = |step: StepId, number: &mut IndexVec<StepId, usize>, low: &mut IndexVec<StepId, usize>| {
-            number[step] = next_number;
-            low[step] = next_number;
+        let mut calls: Vec<(usize, Box<dyn Iterator<Item = usize>>)> = Vec::new();
+        let mut enter = |node: usize, number: &mut Vec<usize>, low: &mut Vec<usize>| {
+            number[node] = next_number;
+            low[node] = next_number;
             next_number += 1;
         };
         enter(root, &mut number, &mut low);
         stack.push(root);
         is_open[root] = true;
-        calls.push((root, Box::new(successors(root))));
-        while let Some((step, rest)) = calls.last_mut() {
-            let step = *step;
+        calls.push((root, successors(root)));
+        while let Some((node, rest)) = calls.last_mut() {
+            let node = *node;
             match rest.next() {
                 Some(to) if number[to] == usize::MAX => {
                     enter(to, &mut number, &mut low);
                     stack.push(to);
                     is_open[to] = true;
-                    calls.push((to, Box::new(successors(to))));
+                    calls.push((to, successors(to)));
                 }
                 Some(to) => {
                     if is_open[to] {
-                        low[step] = low[step].min(number[to]);
+                        low[node] = low[node].min(number[to]);
                     }
                 }
                 None => {
                     calls.pop();
                     if let Some((above, _)) = calls.last() {
-                        low[*above] = low[*above].min(low[step]);
+                        low[*above] = low[*above].min(low[node]);
                     }
-                    if low[step] == number[step] {
-                        let from = stack.iter().rposition(|s| *s == step).unwrap_or_default();
+                    if low[node] == number[node] {
+                        let from = stack.iter().rposition(|n| *n == node).unwrap_or_default();
                         let members = stack.split_off(from);
-                        let is_circle = members.len() > 1;
+                        // A circle that comes back to its only step at once is none.
+                        let is_circle = members.iter().filter(|n| **n < steps).count() > 1;
                         for member in members {
                             is_open[member] = false;
-                            component[member] = is_circle.then_some(next_component);
+                            if member < steps && is_circle {
+                                component[StepId::from_usize(member)] = Some(next_component);
+                            }
                         }
                         next_component += 1;
                     }

@@ -158,7 +158,8 @@ fn may_happen(region: &mut Region, dead: &[TransitionId]) -> (Vec<Reentry>, Opti
     while let Some((marking, _)) = seen.get_index(at) {
         let marking = marking.clone();
         let mut enabled = region.enabled(&marking);
-        enabled.retain(|t| !dead.contains(t));
+        // In order of declaration.
+        enabled.retain(|t| dead.binary_search(t).is_err());
         if enabled.is_empty() && ends_count && dead_end.is_none() {
             let (situation, way) = (marking.to_vec(), way(&seen, at));
             dead_end = Some(DeadEnd { grafcet: region.grafcet, situation, way });
@@ -167,10 +168,10 @@ fn may_happen(region: &mut Region, dead: &[TransitionId]) -> (Vec<Reentry>, Opti
             let cleared = region.with_implied(t, &enabled);
             let Some(rest) = left.checked_sub(1 + marking.len() + enabled.len()) else { return (reentries, dead_end) };
             left = rest;
-            let leaves = |step: &StepId| cleared.iter().any(|t| net.transitions[*t].pre.contains(step));
+            let leaves: FxHashSet<StepId> = cleared.iter().flat_map(|t| &net.transitions[*t].pre).copied().collect();
             for by in cleared.iter().copied().filter(|by| !net.transitions[*by].pre.is_empty()) {
                 for step in &net.transitions[by].post {
-                    if marking.binary_search(step).is_ok() && !leaves(step) && entered.insert(*step) {
+                    if marking.binary_search(step).is_ok() && !leaves.contains(step) && entered.insert(*step) {
                         let (situation, way) = (marking.to_vec(), way(&seen, at));
                         reentries.push(Reentry { step: *step, by, situation, way });
                     }
@@ -199,9 +200,10 @@ fn comes_back(region: &Region, start: &[StepId]) -> bool {
 
 fn leads_back(net: &Net, region: &Region, start: StepId) -> bool {
     let mut seen: FxHashSet<StepId> = FxHashSet::default();
+    let mut gone_along: FxHashSet<TransitionId> = FxHashSet::default();
     let mut open = vec![start];
     while let Some(step) = open.pop() {
-        for t in region.asked.analysis.arcs.leaving(step) {
+        for t in region.asked.analysis.arcs.leaving(step).iter().filter(|t| gone_along.insert(**t)) {
             for next in &net.transitions[*t].post {
                 if *next == start {
                     return true;

@@ -50,19 +50,31 @@ pub(crate) fn parts(canonical: &Canonical) -> Vec<Part> {
         parts[part].arcs += transition.pre.len() + transition.post.len();
     }
     let mut met: IndexVec<StepId, bool> = net.places.iter().map(|_| false).collect();
+    // How many of the steps after each transition have been met through it: what many steps come before is gone along once.
+    let mut through: IndexVec<TransitionId, usize> = net.transitions.iter().map(|_| 0).collect();
     for (part, members) in parts.iter_mut().zip(members) {
         let starts = |s: &StepId| starts_active(&net.places[*s]) || net.places[*s].activated;
         let (first, others): (Vec<StepId>, Vec<StepId>) = members.into_iter().partition(starts);
         for start in first.into_iter().chain(others) {
-            let mut open = vec![start];
-            while let Some(s) = open.pop() {
-                if std::mem::replace(&mut met[s], true) {
-                    continue;
+            let mut next = Some(start);
+            // Steps on the way, each with the number of the transition after it that is gone along.
+            let mut way: Vec<(StepId, usize)> = Vec::new();
+            loop {
+                if let Some(s) = next.take().filter(|s| !met[*s]) {
+                    met[s] = true;
+                    part.steps.push(s);
+                    way.push((s, 0));
                 }
-                part.steps.push(s);
-                let next = canonical.arcs.leaving(s).iter().flat_map(|t| &net.transitions[*t].post);
-                let next: Vec<StepId> = next.copied().filter(|s| !met[*s]).collect();
-                open.extend(next.into_iter().rev());
+                let Some((s, at)) = way.last_mut() else { break };
+                let Some(t) = canonical.arcs.leaving(*s).get(*at) else {
+                    way.pop();
+                    continue;
+                };
+                next = net.transitions[*t].post.get(through[*t]).copied();
+                match next {
+                    Some(_) => through[*t] += 1,
+                    None => *at += 1,
+                }
             }
         }
     }

@@ -7,12 +7,11 @@ use grafc_model::chart::{StepId, TransitionId};
 pub(crate) fn may_reenter(analysis: &Analysis) -> Vec<(TransitionId, StepId)> {
     let mut found = Vec::new();
     for (t, transition) in analysis.net.transitions.iter_enumerated() {
-        let new = transition.post.iter().filter(|s| !transition.pre.contains(s));
-        let inactive = |s: &&StepId| match transition.pre.first().and_then(|p| analysis.reachable.part(*p)) {
-            Some(part) => !part.enters_active(t, **s),
-            None => transition.pre.iter().any(|p| analysis.never_together(*p, **s)),
+        let inactive = |s: &StepId| match transition.pre.first().and_then(|p| analysis.reachable.part(*p)) {
+            Some(part) => !part.enters_active(t, *s),
+            None => transition.pre.iter().any(|p| analysis.never_together(*p, *s)),
         };
-        found.extend(new.filter(|s| !inactive(s)).map(|s| (t, *s)));
+        found.extend(transition.entered().into_iter().filter(|s| !inactive(s)).map(|s| (t, s)));
     }
     found
 }

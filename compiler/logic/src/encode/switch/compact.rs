@@ -79,8 +79,7 @@ fn transitions<'a>(
     let awaited: FxHashSet<TransitionId> = net.stored.iter().filter_map(|action| clearing(action.event)).collect();
     let (mut latched, mut moves, mut of_short) = (Vec::new(), Vec::new(), Moves::new());
     let mut branches: FxHashMap<StepId, Vec<(FormulaId, Vec<Statement>)>> = FxHashMap::default();
-    let next = net.places.iter().map(|_| None).collect();
-    let mut clearings = Clearings { arcs: task.arcs, cleared: IndexVec::new(), next };
+    let mut clearings = Clearings::with(task.arcs, net, IndexVec::new());
     for (t, transition) in net.transitions.iter_enumerated() {
         let factors = clears(lowering, t, task.conditions[t], frozen, task.simplify);
         let origin = Origin::Transition(t);

@@ -37,10 +37,10 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Vec<Statement> {
             body.push(assign_number(lowering, Origin::Transition(t), lowering.situation.sets[*set].variable, *value));
         }
         // A step that is left is none that is entered, since a set of its own holds it.
-        let leaves = transition.pre.iter().filter(|s| !transition.post.contains(s)).map(|s| (s, false));
-        let enters = transition.post.iter().filter(|s| !transition.pre.contains(s)).map(|s| (s, true));
+        let leaves = transition.left().into_iter().map(|s| (s, false));
+        let enters = transition.entered().into_iter().map(|s| (s, true));
         for (s, active) in leaves.chain(enters) {
-            if let Some(bit) = lowering.situation.bit(*s) {
+            if let Some(bit) = lowering.situation.bit(s) {
                 body.push(assign_truth(lowering, Origin::Transition(t), bit, active));
             }
         }
@@ -93,16 +93,16 @@ fn switched(lowering: &mut Lowering, followers: &Followers, t: TransitionId) -> 
     // Of each wire whether the step left leaves it true for certain, and whether the step entered makes it so.
     let mut wires: BTreeMap<VariableId, (Option<bool>, bool)> = BTreeMap::new();
     let mut origins: BTreeMap<VariableId, Origin> = BTreeMap::new();
-    for s in transition.pre.iter().filter(|s| !transition.post.contains(s)) {
-        for (wire, conditions) in followers.on_step(net, *s) {
+    for s in transition.left() {
+        for (wire, conditions) in followers.on_step(net, s) {
             wires.entry(wire).or_default().0 = Some(conditions.is_empty());
-            origins.insert(wire, followers.origin(net, *s, wire));
+            origins.insert(wire, followers.origin(net, s, wire));
         }
     }
-    for s in transition.post.iter().filter(|s| !transition.pre.contains(s)) {
-        for (wire, conditions) in followers.on_step(net, *s) {
+    for s in transition.entered() {
+        for (wire, conditions) in followers.on_step(net, s) {
             wires.entry(wire).or_default().1 |= conditions.is_empty();
-            origins.insert(wire, followers.origin(net, *s, wire));
+            origins.insert(wire, followers.origin(net, s, wire));
         }
     }
     let mut out = Vec::new();

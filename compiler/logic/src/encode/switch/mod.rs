@@ -120,8 +120,7 @@ pub(super) fn micro_step(
 
     // What follows happens only where something clears, unless an action on an event has to be done in any case.
     let mut inner = Vec::new();
-    let next = net.places.iter().map(|_| None).collect();
-    let mut clearings = Clearings { arcs: task.arcs, cleared: std::mem::take(&mut switch.cleared), next };
+    let mut clearings = Clearings::with(task.arcs, net, std::mem::take(&mut switch.cleared));
     stored::heading(&mut inner, Heading::EnclosuresAndOrders, switch.settle(lowering, &mut clearings));
     inner.extend(switch.tell_changed_bits(lowering, &clearings));
     let step_events = StepEvents::new(lowering, &clearings, task.components);

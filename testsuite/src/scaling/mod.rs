@@ -1,7 +1,10 @@
 //! Charts of any size, to measure with: regular, but with a condition and an action everywhere.
 //!
-//! [`SHAPES`] names them. What a shape takes as its size is the number of steps, of parallel branches or of grafcets;
+//! [`SHAPES`] names them. What a shape takes as its size is the number of steps, of parallel branches, of grafcets or of
+//! operands;
 //! every shape gives a chart without errors from size 2 on.
+
+mod plain;
 
 use std::fmt::Write as _;
 
@@ -29,7 +32,7 @@ pub struct ScalingShape {
 }
 
 /// All families.
-pub const SHAPES: [ScalingShape; 7] = [
+pub const SHAPES: [ScalingShape; 11] = [
     ScalingShape {
         name: "rings",
         meaning: "parallel grafcets, each a ring of ten steps; N steps in all",
@@ -49,6 +52,22 @@ pub const SHAPES: [ScalingShape; 7] = [
         write: spine,
     },
     ScalingShape { name: "forced", meaning: "N grafcets, each forced by a step of one ring of N steps", write: forced },
+    ScalingShape {
+        name: "branches",
+        meaning: "a step before N parallel branches of two steps, without stored actions",
+        write: plain::branches,
+    },
+    ScalingShape { name: "pairs", meaning: "N grafcets of two steps, without stored actions", write: plain::pairs },
+    ScalingShape {
+        name: "joined",
+        meaning: "one transition from N steps to N others, and one from each of these back",
+        write: plain::joined,
+    },
+    ScalingShape {
+        name: "priorities",
+        meaning: "transitions beside each other, each with the negated conditions of those before it; N operands in all",
+        write: plain::priorities,
+    },
 ];
 
 fn rings(steps: usize) -> String {
@@ -241,11 +260,24 @@ mod tests {
                     "parallel" => 1 + 2 * size,
                     "spine" => SPINE + 2 * size,
                     "forced" => 3 * size,
+                    "branches" => 1 + 2 * size,
+                    "pairs" | "joined" => 2 * size,
+                    "priorities" => 1 + exits(size),
                     name => panic!("{name} has no expected number of steps"),
                 };
                 assert_eq!(chart(shape, size).steps.len(), steps, "{} {size}", shape.name);
             }
         }
+    }
+
+    /// The most exits e with e (e + 1) / 2 operands at most.
+    fn exits(operands: usize) -> usize {
+        let (mut exits, mut left) = (0, operands);
+        while left > exits {
+            exits += 1;
+            left -= exits;
+        }
+        exits
     }
 
     #[test]
