@@ -225,7 +225,7 @@ fn draw(
         }
         groups.push(group);
     }
-    for bar in &layout.bars {
+    for bar in layout.bars.iter().filter(|bar| bar.is_double) {
         if let What::Element(element, _) = &drawn[bar.node] {
             let name = elements.name(*element);
             groups.push(link::double_line(bar, &name, layout.places[bar.node], transition::BAR));

@@ -75,7 +75,7 @@ pub struct Layout {
     pub places: Vec<Point>,
     /// For each link, its way; without points if a label stands for it.
     pub routes: Vec<Route>,
-    /// The double lines.
+    /// The lines that join or fork links.
     pub bars: Vec<Bar>,
     /// The labels that stand for links.
     pub labels: Vec<Label>,
@@ -92,25 +92,29 @@ pub struct Route {
     pub arrows: Vec<Point>,
 }
 
-/// A double line.
+/// A line that joins several links over a box or forks them under it.
+///
+/// Of a transition it is double: links end at it. Of a step it is single, and a part of the links themselves.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Bar {
-    /// The transition.
+    /// The box.
     pub node: usize,
-    /// Whether it is over or under the transition.
+    /// Whether it is over or under the box.
     pub side: Side,
+    /// Whether it is double (synchronisation).
+    pub is_double: bool,
     /// Its left end.
     pub left: i32,
     /// Its right end.
     pub right: i32,
-    /// The middle between its lines, which are [`Bar::HALF`] away.
+    /// Its height; of a double line the middle between its lines, which are [`Bar::HALF`] away.
     pub y: i32,
 }
 
 impl Bar {
     /// From the middle of the double line to each of its lines.
     pub const HALF: i32 = 2;
-    /// So far it reaches beyond the outermost link.
+    /// So far a double line reaches beyond the outermost link.
     pub const OVERHANG: i32 = 10;
 }
 

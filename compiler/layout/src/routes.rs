@@ -30,11 +30,12 @@ pub(crate) fn draw(graph: &Graph, cells: &Cells, lanes: &Lanes, across: &Across,
             Some((_, What::Node(_) | What::Joint)) | None => layout.routes.push(route),
         }
     }
-    for node in (0..graph.nodes.len()).filter(|node| cells.is_doubled(*node)) {
+    for node in 0..graph.nodes.len() {
+        let is_double = cells.is_doubled(node);
         let x = across.cells[node];
         let ends = |side: Side| -> Vec<i32> {
             match side {
-                Side::Over => cells.into[node].iter().map(|wire| across.cells[cells.wires[*wire].from]).collect(),
+                Side::Over => cells.into[node].iter().map(|wire| drawn.arrival(*wire)).collect(),
                 Side::Under => cells.out[node].iter().map(|wire| across.cells[cells.wires[*wire].to]).collect(),
             }
         };
@@ -42,9 +43,10 @@ pub(crate) fn draw(graph: &Graph, cells: &Cells, lanes: &Lanes, across: &Across,
         let under = down.forks.get(&node).map(|y| (Side::Under, *y));
         for (side, y) in over.into_iter().chain(under) {
             let ends = ends(side);
-            let left = ends.iter().copied().min().unwrap_or(x).min(x) - Bar::OVERHANG;
-            let right = ends.iter().copied().max().unwrap_or(x).max(x) + Bar::OVERHANG;
-            layout.bars.push(Bar { node, side, left, right, y });
+            let overhang = if is_double { Bar::OVERHANG } else { 0 };
+            let left = ends.iter().copied().min().unwrap_or(x).min(x) - overhang;
+            let right = ends.iter().copied().max().unwrap_or(x).max(x) + overhang;
+            layout.bars.push(Bar { node, side, is_double, left, right, y });
         }
     }
     layout.bounds = bounds(graph, cells, &layout);
@@ -59,6 +61,14 @@ struct Drawn<'a> {
 }
 
 impl Drawn<'_> {
+    /// Where a piece arrives at what joins it.
+    fn arrival(&self, wire: usize) -> i32 {
+        match self.lanes.of[wire] {
+            Some(lane) => self.across.lanes[lane],
+            None => self.across.cells[self.cells.wires[wire].from],
+        }
+    }
+
     /// Adds the corners of a piece, those in the middle of a line included.
     fn follow(&self, wire: usize, route: &mut Route) {
         let ends = self.cells.wires[wire];

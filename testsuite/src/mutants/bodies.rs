@@ -196,17 +196,17 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "sfc-fork-drawn-as-selection",
-        at: SFC,
+        at: SFC.within("bar_below"),
         breaks: "a simultaneous divergence is drawn as a selection",
-        text: "(\"simultaneousDivergence\", SIMULTANEOUS)",
-        instead: "(\"selectionDivergence\", SELECTION)",
+        text: "\"simultaneousDivergence\"",
+        instead: "\"selectionDivergence\"",
     },
     Fault {
         name: "sfc-join-drawn-as-selection",
-        at: SFC,
+        at: SFC.within("bar_above"),
         breaks: "a simultaneous convergence is drawn as the end of a selection",
-        text: "(\"simultaneousConvergence\", SIMULTANEOUS)",
-        instead: "(\"selectionConvergence\", SELECTION)",
+        text: "\"simultaneousConvergence\"",
+        instead: "\"selectionConvergence\"",
     },
     Fault {
         name: "sfc-jump-to-the-first-step",

@@ -1,8 +1,8 @@
-//! Steps, transitions and jumps in layers, arcs leading down.
+//! Steps, transitions and jumps, and the arcs between them, all of which lead down.
 //!
 //! An arc that closes a circle, as a search from the initial steps meets it, becomes a jump; so does one into a step
-//! that other arcs lead to, if it comes from a fork, since only transitions can be joined there. A layer is one more
-//! than the longest way to it, so arcs may span several; each layer between holds a joint that keeps a column free.
+//! that other arcs lead to, if it comes from a fork, since only transitions can be joined there; and one that is too long
+//! to be followed.
 
 use super::texts::Texts;
 use grafc_logic::scan::StepId;
@@ -13,22 +13,20 @@ use std::collections::VecDeque;
 /// What is drawn.
 pub(super) struct Graph {
     pub nodes: Vec<Vertex>,
-    /// From what leads to what it leads to, over the joints between.
-    pub paths: Vec<Vec<usize>>,
-    /// The nodes of each layer, from left to right.
-    pub layers: Vec<Vec<usize>>,
-    /// For each node, the paths that come from it and those that lead to it.
+    /// From what leads to what it leads to.
+    pub arcs: Vec<(usize, usize)>,
+    /// For each node, the arcs that come from it and those that lead to it.
     pub leaving: Vec<Vec<usize>>,
     pub entering: Vec<Vec<usize>>,
 }
 
-/// A box, or a joint of an arc.
+/// A box.
 pub(super) struct Vertex {
     pub kind: VertexKind,
-    pub layer: usize,
-    /// What it takes to the left and to the right of its axis, and downwards.
+    /// What it takes to the left and to the right of its axis, and downwards: itself, and with its actions.
     pub left: i64,
     pub right: i64,
+    pub body: i64,
     pub height: i64,
 }
 
@@ -40,17 +38,11 @@ pub(super) enum VertexKind {
     Transition(usize),
     /// A jump to a step.
     Jump(usize),
-    /// Where an arc passes through a layer.
-    Joint,
 }
 
-/// A way over more layers than this is a jump: no eye follows it, and each layer costs a joint.
+/// A way past more steps and transitions than this is a jump: no eye follows it.
 const LONGEST: usize = 40;
-/// So many joints a box are drawn, since ways to a join cannot be jumps.
-const MOST_JOINTS: usize = 50;
 
-/// So much stays free on each side of a box.
-const MARGIN: i64 = 20;
 /// The width of a letter.
 const LETTER: i64 = 7;
 
@@ -83,10 +75,13 @@ pub(super) const TO_ACTIONS: i64 = 20;
 /// The height of a row of an action block, and of a step.
 pub(super) const ROW: i64 = 30;
 
+/// The height of a transition, and of a jump.
+pub(super) const BAR: i64 = 2;
+pub(super) const JUMP: i64 = 13;
+
 impl Graph {
-    /// Finds what is drawn, and in which layer; the order within a layer is that of a search from the left. Refuses with
-    /// a step whose way to a join is too long.
-    pub fn new(sequence: &Sequence, texts: &Texts) -> Result<Graph, StepId> {
+    /// Finds what is drawn.
+    pub fn new(sequence: &Sequence, texts: &Texts) -> Graph {
         let mut nodes: Vec<Vertex> = Vec::new();
         for (place, step) in sequence.steps.iter().enumerate() {
             let kind = VertexKind::Step { step: place, initial: step.initial };
@@ -94,18 +89,13 @@ impl Graph {
             let rows = i64::try_from(texts.actions[place].len()).unwrap_or(i64::MAX / 100);
             let actions = if rows > 0 { TO_ACTIONS + block_width(texts, place) } else { 0 };
             let comment = comment_width(texts, place).map_or(0, |width| TO_ACTIONS + width);
-            nodes.push(Vertex {
-                kind,
-                layer: 0,
-                left: half + MARGIN,
-                right: half + actions + comment + MARGIN,
-                height: ROW * rows.max(1),
-            });
+            let right = half + actions + comment;
+            nodes.push(Vertex { kind, left: half, right, body: ROW, height: ROW * rows.max(1) });
         }
         let first_transition = nodes.len();
         for (place, condition) in texts.conditions.iter().enumerate() {
-            let right = 15 + text_width(condition) + MARGIN;
-            nodes.push(Vertex { kind: VertexKind::Transition(place), layer: 0, left: 10 + MARGIN, right, height: 2 });
+            let right = 15 + text_width(condition);
+            nodes.push(Vertex { kind: VertexKind::Transition(place), left: 10, right, body: BAR, height: BAR });
         }
         let mut arcs: Vec<(usize, usize)> = Vec::new();
         let kept = kept(sequence);
@@ -115,44 +105,23 @@ impl Graph {
             let drawn = transition.after.iter().zip(&kept[place]).filter(|(_, kept)| **kept);
             arcs.extend(drawn.map(|(step, _)| (own, step.index())));
         }
-        layer(&mut nodes, &arcs);
-        arcs.retain(|(from, to)| *from < first_transition || nodes[*to].layer - nodes[*from].layer <= LONGEST);
+        let depth = depths(nodes.len(), &arcs);
+        arcs.retain(|(from, to)| *from < first_transition || depth[*to] - depth[*from] <= LONGEST);
         let drawn: FxHashSet<(usize, usize)> = arcs.iter().copied().collect();
         for (place, transition) in sequence.transitions.iter().enumerate() {
             let own = first_transition + place;
             for step in transition.after.iter().filter(|step| !drawn.contains(&(own, step.index()))) {
                 arcs.push((own, nodes.len()));
-                let right = 11 + text_width(&texts.steps[step.index()]) + MARGIN;
-                let layer = nodes[own].layer + 1;
-                nodes.push(Vertex { kind: VertexKind::Jump(step.index()), layer, left: 6 + MARGIN, right, height: 13 });
+                let right = 11 + text_width(&texts.steps[step.index()]);
+                nodes.push(Vertex { kind: VertexKind::Jump(step.index()), left: 6, right, body: JUMP, height: JUMP });
             }
         }
-        let joints = |arc: &(usize, usize)| nodes[arc.1].layer - nodes[arc.0].layer - 1;
-        if arcs.iter().map(joints).sum::<usize>() > MOST_JOINTS * nodes.len() {
-            let longest = arcs.iter().max_by_key(|arc| joints(arc)).map_or(0, |(from, _)| *from);
-            return Err(StepId::from_usize(longest.min(first_transition.saturating_sub(1))));
+        let (mut leaving, mut entering) = (vec![Vec::new(); nodes.len()], vec![Vec::new(); nodes.len()]);
+        for (arc, (from, to)) in arcs.iter().enumerate() {
+            leaving[*from].push(arc);
+            entering[*to].push(arc);
         }
-        let mut graph =
-            Graph { nodes, paths: Vec::new(), layers: Vec::new(), leaving: Vec::new(), entering: Vec::new() };
-        for (from, to) in arcs {
-            let mut path = vec![from];
-            for layer in graph.nodes[from].layer + 1..graph.nodes[to].layer {
-                path.push(graph.nodes.len());
-                graph.nodes.push(Vertex { kind: VertexKind::Joint, layer, left: 10, right: 10, height: 0 });
-            }
-            path.push(to);
-            graph.paths.push(path);
-        }
-        graph.leaving = vec![Vec::new(); graph.nodes.len()];
-        graph.entering = vec![Vec::new(); graph.nodes.len()];
-        for (place, path) in graph.paths.iter().enumerate() {
-            if let [from, .., to] = path[..] {
-                graph.leaving[from].push(place);
-                graph.entering[to].push(place);
-            }
-        }
-        graph.layers = graph.first_order();
-        Ok(graph)
+        Graph { nodes, arcs, leaving, entering }
     }
 
     /// Whether what leads from a box to several sides is a bar below it. Below a step that a synchronisation leaves among
@@ -160,22 +129,17 @@ impl Graph {
     /// synchronisation.
     pub fn has_bar_below(&self, node: usize) -> bool {
         let leaving = &self.leaving[node];
-        let joins = |path: &usize| self.paths[*path].last().is_some_and(|to| self.entering[*to].len() > 1);
+        let joins = |arc: &usize| self.entering[self.arcs[*arc].1].len() > 1;
         leaving.len() > 1 && !(matches!(self.nodes[node].kind, VertexKind::Step { .. }) && leaving.iter().any(joins))
-    }
-
-    /// Each two neighbours on a path, the upper one first.
-    pub fn links(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        self.paths.iter().flat_map(|path| path.windows(2).map(|pair| (pair[0], pair[1])))
     }
 
     /// For each node the part of the chart that it belongs to: parts that no arc joins have different numbers, which ascend
     /// in the order of their first steps.
     pub fn parts(&self) -> Vec<usize> {
         let mut near: Vec<Vec<usize>> = vec![Vec::new(); self.nodes.len()];
-        for (upper, lower) in self.links() {
-            near[upper].push(lower);
-            near[lower].push(upper);
+        for (upper, lower) in &self.arcs {
+            near[*upper].push(*lower);
+            near[*lower].push(*upper);
         }
         let mut part = vec![usize::MAX; self.nodes.len()];
         for root in 0..self.nodes.len() {
@@ -191,27 +155,6 @@ impl Graph {
             }
         }
         part
-    }
-
-    /// The nodes of each layer as a search from the first step meets them.
-    fn first_order(&self) -> Vec<Vec<usize>> {
-        let mut below: Vec<Vec<usize>> = vec![Vec::new(); self.nodes.len()];
-        for (upper, lower) in self.links() {
-            below[upper].push(lower);
-        }
-        let deepest = self.nodes.iter().map(|node| node.layer + 1).max().unwrap_or(0);
-        let mut layers = vec![Vec::new(); deepest];
-        let mut met = vec![false; self.nodes.len()];
-        for root in 0..self.nodes.len() {
-            let mut open = if self.nodes[root].layer == 0 { vec![root] } else { Vec::new() };
-            while let Some(node) = open.pop() {
-                if !std::mem::replace(&mut met[node], true) {
-                    layers[self.nodes[node].layer].push(node);
-                    open.extend(below[node].iter().rev());
-                }
-            }
-        }
-        layers
     }
 }
 
@@ -276,22 +219,24 @@ pub(super) fn kept(sequence: &Sequence) -> Vec<Vec<bool>> {
     kept
 }
 
-/// Each node one layer below the lowest that leads to it.
-fn layer(nodes: &mut [Vertex], arcs: &[(usize, usize)]) {
-    let mut below: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
-    let mut waiting = vec![0_usize; nodes.len()];
+/// For each node how many stand above it on the longest way to it.
+fn depths(count: usize, arcs: &[(usize, usize)]) -> Vec<usize> {
+    let mut depth = vec![0; count];
+    let mut below: Vec<Vec<usize>> = vec![Vec::new(); count];
+    let mut waiting = vec![0_usize; count];
     for (from, to) in arcs {
         below[*from].push(*to);
         waiting[*to] += 1;
     }
-    let mut ready: VecDeque<usize> = (0..nodes.len()).filter(|node| waiting[*node] == 0).collect();
+    let mut ready: VecDeque<usize> = (0..count).filter(|node| waiting[*node] == 0).collect();
     while let Some(node) = ready.pop_front() {
         for &to in &below[node] {
-            nodes[to].layer = nodes[to].layer.max(nodes[node].layer + 1);
+            depth[to] = depth[to].max(depth[node] + 1);
             waiting[to] -= 1;
             if waiting[to] == 0 {
                 ready.push_back(to);
             }
         }
     }
+    depth
 }

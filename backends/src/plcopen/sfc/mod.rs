@@ -2,18 +2,16 @@
 //! CODESYS and TwinCAT (`tree_form`).
 //!
 //! ```text
-//! Sequence ─ graph ─▶ steps, transitions, jumps in layers ─ order ─▶ few crossings ─ place ─▶ columns and rows ─ write ─▶ XML
+//! Sequence ─ graph ─▶ steps, transitions, jumps and arcs ─ place ─▶ where they stand ─ write ─▶ XML
 //! ```
 //!
 //! Whether a chart can be drawn is decided before (see `grafc_logic::sequence`). Here everything leads downwards: what
 //! would lead back up, or into a step beside others that cannot be joined there, is a jump. Divergences and convergences
-//! are bars between the layers.
+//! are bars between them. Places are those of `grafc-layout`, as in any drawing of grafc.
 
 mod graph;
-mod order;
 mod place;
 mod prepared;
-mod straight;
 mod texts;
 use ecow::EcoString;
 pub(super) mod tree_form;
@@ -40,10 +38,7 @@ pub fn emit(sequence: &Sequence, options: &Options) -> Result<String, Diagnostic
     let units = Units::new(sequence, &texts);
     match options.dialect {
         Dialect::Neutral => {
-            let mut graph = Graph::new(sequence, &texts).map_err(|step| {
-                refusal(sequence, step, "joins so much later that its way there is too long for a drawing")
-            })?;
-            order::reduce_crossings(&mut graph);
+            let graph = Graph::new(sequence, &texts);
             let placed = place::place(&graph);
             let drawing = |xml: &mut Xml, dialect| write::write(xml, &graph, &placed, &texts, dialect);
             Ok(units.write(options, &[], drawing))

@@ -1,21 +1,17 @@
 //! The drawing as elements, each with its place, its size and the points of its wires.
 
-use super::graph::{Graph, ROW, TO_ACTIONS, VertexKind, block_width, comment_width, step_width};
-use super::place::{Placed, bar_above, bar_below};
+use super::graph::{BAR, Graph, JUMP, ROW, TO_ACTIONS, VertexKind, block_width, comment_width, step_width};
+use super::place::{Line, Placed};
 use super::texts::{Content, Texts};
 use crate::plcopen::dialect::Dialect;
 use crate::plcopen::drawing::{Point, connection, open, output, position, relative};
 use crate::xml::Xml;
 
-/// The heights of the bars of selections and of simultaneous sequences.
-const SELECTION: i64 = 1;
-const SIMULTANEOUS: i64 = 3;
-
-/// Writes all elements, from the top down, each layer from the left.
+/// Writes all elements, from the top down, those beside each other from the left.
 pub(super) fn write(xml: &mut Xml, graph: &Graph, placed: &Placed, texts: &Texts, dialect: Dialect) {
     let sheet = Sheet::new(graph, placed, texts, dialect);
     xml.open("SFC", &[]);
-    for &node in graph.layers.iter().flatten() {
+    for &node in &placed.order {
         sheet.node(xml, node);
     }
     xml.close();
@@ -34,12 +30,6 @@ struct Sheet<'g> {
     comment: Vec<usize>,
 }
 
-/// A pin at the end of a wire: the object, and where.
-struct Pin {
-    object: usize,
-    at: Point,
-}
-
 impl<'g> Sheet<'g> {
     fn new(graph: &'g Graph, placed: &'g Placed, texts: &'g Texts, dialect: Dialect) -> Self {
         let mut next = 0;
@@ -50,15 +40,9 @@ impl<'g> Sheet<'g> {
         let mut ids = vec![[0; 3]; graph.nodes.len()];
         let mut first_action = vec![0; graph.nodes.len()];
         let mut comment = vec![0; graph.nodes.len()];
-        for &node in graph.layers.iter().flatten() {
-            ids[node] = match graph.nodes[node].kind {
-                VertexKind::Joint => [0; 3],
-                VertexKind::Step { .. } | VertexKind::Transition(_) | VertexKind::Jump(_) => [
-                    fresh(usize::from(graph.entering[node].len() > 1)),
-                    fresh(1),
-                    fresh(usize::from(graph.has_bar_below(node))),
-                ],
-            };
+        for &node in &placed.order {
+            let (above, below) = (placed.above[node].is_some(), placed.below[node].is_some());
+            ids[node] = [fresh(usize::from(above)), fresh(1), fresh(usize::from(below))];
             if let VertexKind::Step { step, .. } = graph.nodes[node].kind {
                 let rows = texts.actions[step].len();
                 first_action[node] = fresh(if rows > 0 { rows + 1 } else { 0 });
@@ -69,11 +53,11 @@ impl<'g> Sheet<'g> {
     }
 
     fn x(&self, node: usize) -> i64 {
-        self.placed.x[node]
+        self.placed.at[node].0
     }
 
     fn y(&self, node: usize) -> i64 {
-        self.placed.y[self.graph.nodes[node].layer]
+        self.placed.at[node].1
     }
 
     /// The lower end of a box.
@@ -81,25 +65,22 @@ impl<'g> Sheet<'g> {
         self.y(node)
             + match self.graph.nodes[node].kind {
                 VertexKind::Step { .. } => ROW,
-                VertexKind::Transition(_) => 2,
-                VertexKind::Jump(_) => 13,
-                VertexKind::Joint => 0,
+                VertexKind::Transition(_) => BAR,
+                VertexKind::Jump(_) => JUMP,
             }
     }
 
     fn node(&self, xml: &mut Xml, node: usize) {
-        let entering = &self.graph.entering[node];
-        if entering.len() > 1 {
-            self.bar_above(xml, node);
+        if let Some(line) = self.placed.above[node] {
+            self.bar_above(xml, node, line);
         }
         match self.graph.nodes[node].kind {
             VertexKind::Step { step, initial } => self.step(xml, node, step, initial),
             VertexKind::Transition(transition) => self.transition(xml, node, transition),
             VertexKind::Jump(to) => self.jump(xml, node, to),
-            VertexKind::Joint => {}
         }
-        if self.graph.has_bar_below(node) {
-            self.bar_below(xml, node);
+        if let Some(line) = self.placed.below[node] {
+            self.bar_below(xml, node, line);
         }
         if let VertexKind::Step { step, .. } = self.graph.nodes[node].kind {
             self.actions(xml, node, step);
@@ -142,10 +123,10 @@ impl<'g> Sheet<'g> {
 
     fn transition(&self, xml: &mut Xml, node: usize, transition: usize) {
         let corner = (self.x(node) - 10, self.y(node));
-        open(xml, "transition", self.ids[node][1], (20, 2), &[]);
+        open(xml, "transition", self.ids[node][1], (20, BAR), &[]);
         position(xml, corner);
         self.input(xml, node, corner);
-        output(xml, "connectionPointOut", None, (10, 2));
+        output(xml, "connectionPointOut", None, (10, BAR));
         xml.open("condition", &[]);
         xml.open("inline", &[("name", "")]);
         self.dialect.body(xml, "ST", &self.texts.conditions[transition]);
@@ -156,7 +137,7 @@ impl<'g> Sheet<'g> {
 
     fn jump(&self, xml: &mut Xml, node: usize, to: usize) {
         let corner = (self.x(node) - 6, self.y(node));
-        open(xml, "jumpStep", self.ids[node][1], (12, 13), &[("targetName", &self.texts.steps[to])]);
+        open(xml, "jumpStep", self.ids[node][1], (12, JUMP), &[("targetName", &self.texts.steps[to])]);
         position(xml, corner);
         self.input(xml, node, corner);
         xml.close();
@@ -167,100 +148,60 @@ impl<'g> Sheet<'g> {
         let pin = (self.x(node), self.y(node));
         xml.open("connectionPointIn", &[]);
         relative(xml, pin, corner);
-        match self.graph.entering[node][..] {
-            [] => {}
-            [path] => {
-                let (from, mut points) = self.wire(path);
-                points.push(pin);
-                connection(xml, from.object, None, &points);
-            }
-            _ => {
-                let (bar, height) = (self.ids[node][0], self.bar_height(node, true));
-                connection(xml, bar, None, &[(pin.0, self.placed.above[node] + height), pin]);
-            }
+        match (self.placed.above[node], self.graph.entering[node].first()) {
+            (Some(line), _) => connection(xml, self.ids[node][0], None, &[(pin.0, line.bottom()), pin]),
+            (None, Some(arc)) => connection(xml, self.source(*arc), None, &self.placed.wires[*arc]),
+            (None, None) => {}
         }
         xml.close();
     }
 
-    /// Where a path comes from, and its points up to the last bend.
-    fn wire(&self, path: usize) -> (Pin, Vec<Point>) {
-        let nodes = &self.graph.paths[path];
-        let from = nodes[0];
-        let pin = if self.graph.has_bar_below(from) {
-            let bottom = self.placed.below[from] + self.bar_height(from, false);
-            Pin { object: self.ids[from][2], at: (self.x(nodes[1]), bottom) }
-        } else {
-            Pin { object: self.ids[from][1], at: (self.x(from), self.bottom(from)) }
-        };
-        let mut points = vec![pin.at];
-        for (place, y) in &self.placed.bends[path] {
-            points.extend([(self.x(nodes[*place]), *y), (self.x(nodes[*place + 1]), *y)]);
-        }
-        (pin, points)
-    }
-
-    /// What the bar above (below) a node is, and how high.
-    fn bar(&self, node: usize, above: bool) -> (&'static str, i64) {
-        match (self.graph.nodes[node].kind, above) {
-            (VertexKind::Transition(_), true) => ("simultaneousConvergence", SIMULTANEOUS),
-            (VertexKind::Transition(_), false) => ("simultaneousDivergence", SIMULTANEOUS),
-            (VertexKind::Step { .. } | VertexKind::Jump(_) | VertexKind::Joint, true) => {
-                ("selectionConvergence", SELECTION)
-            }
-            (VertexKind::Step { .. } | VertexKind::Jump(_) | VertexKind::Joint, false) => {
-                ("selectionDivergence", SELECTION)
-            }
-        }
-    }
-
-    fn bar_height(&self, node: usize, above: bool) -> i64 {
-        self.bar(node, above).1
+    /// What an arc comes from: the line below a node, or the node itself.
+    fn source(&self, arc: usize) -> usize {
+        let from = self.graph.arcs[arc].0;
+        self.ids[from][if self.placed.below[from].is_some() { 2 } else { 1 }]
     }
 
     /// What leads to a node from several sides, as a bar above it.
-    fn bar_above(&self, xml: &mut Xml, node: usize) {
-        let (name, height) = self.bar(node, true);
-        let top = self.placed.above[node];
-        let before = |path: usize| {
-            let nodes = &self.graph.paths[path];
-            self.x(nodes[nodes.len() - 2])
+    fn bar_above(&self, xml: &mut Xml, node: usize, line: Line) {
+        let name = match self.graph.nodes[node].kind {
+            VertexKind::Transition(_) => "simultaneousConvergence",
+            VertexKind::Step { .. } | VertexKind::Jump(_) => "selectionConvergence",
         };
-        let mut paths = self.graph.entering[node].clone();
-        paths.sort_by_key(|path| before(*path));
-        let (left, right) = bar_above(self.graph, &self.placed.x, node).unwrap_or_default();
-        let corner = (left, top);
-        open(xml, name, self.ids[node][0], (right - left, height), &[]);
+        let corner = (line.left, line.top);
+        open(xml, name, self.ids[node][0], (line.right - line.left, line.height), &[]);
         position(xml, corner);
-        for path in paths {
-            let pin = (before(path), top);
-            let (from, mut points) = self.wire(path);
-            points.push(pin);
+        let pin = |arc: &usize| self.placed.wires[*arc].last().copied().unwrap_or(corner);
+        let mut arcs = self.graph.entering[node].clone();
+        arcs.sort_by_key(pin);
+        for arc in arcs {
             xml.open("connectionPointIn", &[]);
-            relative(xml, pin, corner);
-            connection(xml, from.object, None, &points);
+            relative(xml, pin(&arc), corner);
+            connection(xml, self.source(arc), None, &self.placed.wires[arc]);
             xml.close();
         }
-        output(xml, "connectionPointOut", None, (self.x(node) - left, height));
+        output(xml, "connectionPointOut", None, (self.x(node) - line.left, line.height));
         xml.close();
     }
 
     /// What leads from a node to several sides, as a bar below it.
-    fn bar_below(&self, xml: &mut Xml, node: usize) {
-        let (name, height) = self.bar(node, false);
-        let top = self.placed.below[node];
-        let mut ends: Vec<i64> =
-            self.graph.leaving[node].iter().map(|path| self.x(self.graph.paths[*path][1])).collect();
+    fn bar_below(&self, xml: &mut Xml, node: usize, line: Line) {
+        let name = match self.graph.nodes[node].kind {
+            VertexKind::Transition(_) => "simultaneousDivergence",
+            VertexKind::Step { .. } | VertexKind::Jump(_) => "selectionDivergence",
+        };
+        let start = |arc: &usize| self.placed.wires[*arc].first().map_or(line.left, |point| point.0);
+        let mut ends: Vec<i64> = self.graph.leaving[node].iter().map(start).collect();
         ends.sort_unstable();
-        let (left, right) = bar_below(self.graph, &self.placed.x, node).unwrap_or_default();
-        let (corner, pin) = ((left, top), (self.x(node), top));
-        open(xml, name, self.ids[node][2], (right - left, height), &[]);
+        let (corner, pin) = ((line.left, line.top), (self.x(node), line.top));
+        open(xml, name, self.ids[node][2], (line.right - line.left, line.height), &[]);
         position(xml, corner);
         xml.open("connectionPointIn", &[]);
         relative(xml, pin, corner);
         connection(xml, self.ids[node][1], None, &[(pin.0, self.bottom(node)), pin]);
         xml.close();
         for end in ends {
-            output(xml, "connectionPointOut", Some(""), (end - left, height));
+            output(xml, "connectionPointOut", Some(""), (end - line.left, line.height));
         }
         xml.close();
     }
