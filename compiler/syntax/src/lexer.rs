@@ -8,7 +8,6 @@
 use crate::characters::{self, Run, comment_end, is_visible};
 use crate::context;
 use crate::numeral;
-use crate::pasted;
 use crate::token::{Lexeme, Token, declares};
 use grafc_diagnostics::{Code, Diagnostic, FileId, Fix, Span};
 use logos::Logos;
@@ -126,7 +125,6 @@ pub(crate) fn lex(file: FileId, text: &str) -> Lexed {
         };
         out.lexemes.push(Lexeme { token, start, end });
     }
-    pasted::blocks(file, text, &mut out);
     context::words(text, &mut out.lexemes);
     out
 }

@@ -18,6 +18,7 @@ use self::reader::Reader;
 use crate::ast;
 use crate::builder::Parsed;
 use crate::lexer;
+use crate::pasted;
 use crate::token::{Token, begins_item, may_stand_in_block};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
 
@@ -34,7 +35,9 @@ fn parse_up_to(file: FileId, text: &str, longest: usize) -> (ast::Chart, Diagnos
         diagnostics.push(Diagnostic::new(Code::E0109, Span::new(file, 0, 0), message));
         return (ast::Chart::default(), diagnostics);
     }
-    let mut reader = Reader::new(file, text, lexer::lex(file, text));
+    let mut lexed = lexer::lex(file, text);
+    pasted::blocks(file, text, &mut lexed);
+    let mut reader = Reader::new(file, text, lexed);
     reader.read();
     reader.finish()
 }
