@@ -589,6 +589,15 @@ mod liveness {
         let said = all(&text);
         let labels = &said.iter().next().expect("a message").secondary;
         assert!(labels.iter().any(|label| text[label.span.range()].starts_with("transition 2, 3")), "{labels:?}");
+        // So is one whose condition asks for the step.
+        let text = format!(
+            "{INPUTS} initial step 1 step 2 step 3 transition 1 -> 2 : a and not b transition 2 -> 1 : b
+             transition 1 -> 2 : c and X3 and not a"
+        );
+        assert_eq!(told(&text), ["W0414 3"]);
+        let said = all(&text);
+        let labels = &said.iter().next().expect("a message").secondary;
+        assert!(labels.iter().any(|label| text[label.span.range()].contains("X3")), "{labels:?}");
     }
 
     #[test]

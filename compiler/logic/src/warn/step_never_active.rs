@@ -9,9 +9,6 @@
 use crate::analysis::Analysis;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 
-/// More transitions after the step are not shown.
-const SHOWN: usize = 3;
-
 /// One warning per cause.
 pub(super) fn check(analysis: &Analysis, diagnostics: &mut Diagnostics) {
     let net = analysis.net();
@@ -24,8 +21,7 @@ pub(super) fn check(analysis: &Analysis, diagnostics: &mut Diagnostics) {
         }
         let message = format!("{what} is never active");
         let mut diagnostic = Diagnostic::new(Code::W0414, place.span, message);
-        let after = analysis.arcs.leaving(idle.step);
-        for t in after.iter().take(SHOWN) {
+        for t in &idle.needed_by {
             diagnostic = diagnostic.also(net.transitions[*t].span, "so this is never cleared");
         }
         let note = match idle.is_entered {

@@ -32,7 +32,12 @@ pub(crate) struct Idle {
     pub(crate) is_entered: bool,
     /// How many other steps are never active because of it.
     pub(crate) others: usize,
+    /// Transitions that need it, the first few.
+    pub(crate) needed_by: Vec<TransitionId>,
 }
+
+/// Of the transitions that need a step which is never active, so many are named.
+const NAMED: usize = 3;
 
 /// Why a transition never clears though each step that it needs may be active.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -72,8 +77,8 @@ pub(super) fn find(asked: &mut Questions, constant: &[Constant]) -> Never {
         possible.try_to_clear(*t);
     }
     possible.spread();
-    // One that leaves a step which is never active for another cause is told of there.
-    transitions.retain(|(t, _)| net.transitions[*t].pre.iter().all(|step| possible.active[*step]));
+    // One that needs a step which is never active for another cause is told of there.
+    transitions.retain(|(t, _)| possible.missing[*t] == 0);
     let steps = idle(net, &mut possible);
     Never { steps, transitions, clears: clears.into_iter().map(|clears| !clears).collect() }
 }
@@ -272,10 +277,11 @@ fn idle(net: &Net, possible: &mut Possible) -> Vec<Idle> {
     };
     let mut found = Vec::new();
     let mut tell = |possible: &mut Possible, step: StepId| {
+        let needed_by = possible.waiting[step].iter().take(NAMED).copied().collect();
         possible.active[step] = true;
         possible.new.push(step);
         let others = possible.spread() - 1;
-        found.push(Idle { step, is_entered: leads_to[step].is_some(), others });
+        found.push(Idle { step, is_entered: leads_to[step].is_some(), others, needed_by });
     };
     for step in net.places.indices() {
         if !possible.active[step] && up(possible, step).is_none() {
