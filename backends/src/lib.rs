@@ -18,6 +18,7 @@ pub mod namer;
 mod output;
 pub mod plcopen;
 pub mod rust;
+mod s7;
 pub mod scl;
 pub mod st;
 mod target;

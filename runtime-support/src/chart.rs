@@ -22,7 +22,8 @@ pub trait Chart {
     /// One reaction to `inputs` at the time `now` (R9, or R14 in the scan profile). The first call is the initial
     /// reaction (R10).
     ///
-    /// `now` counts milliseconds and wraps around: a chart must be scanned at least once in 49.7 days.
+    /// `now` counts milliseconds and wraps around: a chart must be scanned at least once in 24.8 days. A clock that is put
+    /// back ends no delay.
     fn scan(&mut self, inputs: &Self::Inputs, now: u32) -> &Self::Outputs;
 
     /// The outputs as the last reaction published them (R11).

@@ -2,13 +2,16 @@
 
 use crate::Chart;
 
+/// Half the range of the clock.
+const HALF: u32 = 1 << 31;
+
 /// A chart with a fixed period.
 ///
 /// A scan is due at the first poll and then at each multiple of the period after it. A scan that comes late does not
 /// shift those that follow. Scans that were missed altogether are not made up for, they are counted.
 ///
-/// The clock `now` counts milliseconds and wraps around. It must not go back, and polls must not be more than 49.7 days
-/// apart.
+/// The clock `now` counts milliseconds and wraps around. Polls must not be more than half its range apart, 24.8 days: what
+/// looks like more is a clock that was put back, and the next scan is due a period after that.
 #[derive(Clone, Debug)]
 pub struct Runner<C> {
     chart: C,
@@ -25,11 +28,15 @@ pub struct Runner<C> {
 }
 
 impl<C: Chart> Runner<C> {
-    /// Scans `chart` every `period_ms` milliseconds; 0 is taken as 1.
+    /// Scans `chart` every `period_ms` milliseconds; 0 is taken as 1, and more than half the range of the clock as half.
     pub const fn new(chart: C, period_ms: u32) -> Self {
         Self {
             chart,
-            period: if period_ms == 0 { 1 } else { period_ms },
+            period: match period_ms {
+                0 => 1,
+                HALF.. => HALF,
+                within => within,
+            },
             last_due: None,
             overruns: 0,
             #[cfg(feature = "std")]
@@ -41,6 +48,10 @@ impl<C: Chart> Runner<C> {
     pub fn poll(&mut self, inputs: &C::Inputs, now: u32) -> Option<&C::Outputs> {
         let due = match self.last_due {
             None => now,
+            Some(last) if now.wrapping_sub(last) > HALF => {
+                self.last_due = Some(now);
+                return None;
+            }
             Some(last) => {
                 let periods = now.wrapping_sub(last) / self.period;
                 let missed = periods.checked_sub(1)?;
@@ -60,6 +71,7 @@ impl<C: Chart> Runner<C> {
     pub const fn due_in(&self, now: u32) -> u32 {
         match self.last_due {
             None => 0,
+            Some(last) if now.wrapping_sub(last) > HALF => self.period,
             Some(last) => self.period.saturating_sub(now.wrapping_sub(last)),
         }
     }

@@ -88,7 +88,8 @@ impl<'b> Restorer<'b> {
     /// Begins at the start of a buffer that was sealed, and ends before the seal.
     /// None if the seal is not that of the bytes before it.
     pub fn sealed(buffer: &'b [u8]) -> Option<Self> {
-        let (bytes, seal) = buffer.split_at_checked(buffer.len().checked_sub(SEAL_LEN)?)?;
+        let length = buffer.len().checked_sub(SEAL_LEN)?;
+        let (bytes, seal) = buffer.split_at_checked(length)?;
         (u32::read(seal) == Some(crc32(bytes))).then_some(Self::new(bytes))
     }
 

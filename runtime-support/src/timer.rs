@@ -4,7 +4,9 @@
 /// input has been true without interruption.
 ///
 /// The clock `now` counts milliseconds and wraps around every 49.7 days. So a
-/// timer must be called at least once in that time, but it may run for longer.
+/// timer must be called at least once in half that time, but it may run longer.
+/// What looks like more than half the range between two calls is a clock that was
+/// put back: it counts as no time, so that no delay ends by it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Timer {
@@ -17,6 +19,9 @@ pub struct Timer {
 }
 
 impl Timer {
+    /// The longest time between two calls, in milliseconds: half the range.
+    const LONGEST_GAP: u32 = 1 << 31;
+
     /// A timer whose input is false.
     #[inline]
     pub const fn new() -> Self {
@@ -36,8 +41,10 @@ impl Timer {
             self.elapsed = 0;
         } else if self.running {
             // The difference is right across the end of the clock's range too.
-            let passed = i64::from(now.wrapping_sub(self.last));
-            self.elapsed = self.elapsed.saturating_add(passed);
+            let passed = now.wrapping_sub(self.last);
+            if passed <= Self::LONGEST_GAP {
+                self.elapsed = self.elapsed.saturating_add(i64::from(passed));
+            }
             self.last = now;
         } else {
             self.elapsed = 0;

@@ -95,9 +95,20 @@ fn the_clock_wraps_around() {
 }
 
 #[test]
-fn the_period_may_be_as_long_as_the_clock_can_tell() {
-    let period = u32::MAX;
-    assert_eq!(scans(period, [100, 3_000_000_000, 98, 99]), (vec![100, 99], 0));
+fn the_period_may_be_half_the_range_of_the_clock() {
+    // 2^31 ms after 100 ms, and not a millisecond before; a longer one is taken for that.
+    for period in [1 << 31, u32::MAX] {
+        let due = 100 + (1 << 31);
+        assert_eq!(scans(period, [100, 2_000_000_000, due - 1, due]), (vec![100, due], 0));
+    }
+}
+
+#[test]
+fn a_clock_that_is_put_back_starts_a_new_period() {
+    // Back from 1000 to 400: no scan is due before 410, none was missed.
+    assert_eq!(scans(10, [1_000, 400, 409, 410, 420]), (vec![1_000, 410, 420], 0));
+    // Back by less than what has passed since the last scan makes no difference.
+    assert_eq!(scans(10, [1_000, 1_008, 1_003, 1_010]), (vec![1_000, 1_010], 0));
 }
 
 #[test]

@@ -96,12 +96,32 @@ fn a_delay_may_be_longer_than_the_range_of_the_clock() {
     assert!(timer.has_run(8_640_000_000));
 }
 
+/// Half the range of 2^32 ms, no more: beyond that the clock has been put back.
 #[test]
-fn calls_may_be_as_far_apart_as_the_clock_can_tell() {
+fn calls_may_be_half_the_range_apart() {
     let mut timer = Timer::new();
     timer.call(true, 7);
-    timer.call(true, 6);
-    assert_eq!(timer.elapsed(), 4_294_967_295);
+    timer.call(true, 7 + (1 << 31));
+    assert_eq!(timer.elapsed(), 2_147_483_648);
+    timer.call(true, 7);
+    assert_eq!(timer.elapsed(), 4_294_967_296);
+    timer.call(true, 8 + (1 << 31));
+    assert_eq!(timer.elapsed(), 4_294_967_296);
+}
+
+#[test]
+fn a_clock_that_is_put_back_ends_no_delay() {
+    // 3 h are 10 800 000 ms. Back by 1 ms, by an hour, and over the wrap to 0: no time passes, then it goes on.
+    for (start, back) in [(1_000, 999), (4_000_000, 400_000), (5, u32::MAX - 5), (0, u32::MAX)] {
+        let mut timer = Timer::new();
+        timer.call(true, start);
+        timer.call(true, back);
+        assert_eq!(timer.elapsed(), 0, "from {start} to {back}");
+        timer.call(true, back.wrapping_add(10_799_999));
+        assert!(!timer.has_run(10_800_000));
+        timer.call(true, back.wrapping_add(10_800_000));
+        assert!(timer.has_run(10_800_000));
+    }
 }
 
 #[test]

@@ -81,14 +81,26 @@ impl<'a> NetSteps<'a> {
     pub fn react(&mut self, stimulus: &Stimulus, observe: &mut dyn FnMut(&NetSteps)) -> Response {
         let t = stimulus.t_ms;
         if stimulus.restart {
-            self.restart();
+            self.restart(true);
         }
         let inputs: Vec<VariableId> =
             self.net.variables.indices().filter(|v| self.net.variables[*v].kind == VariableKind::Input).collect();
+        let controls = self.net.controls;
+        let asks = |control: Option<VariableId>| {
+            let mut given = inputs.iter().zip(&stimulus.inputs);
+            given.any(|(v, value)| Some(*v) == control && *value == Value::Bool(true))
+        };
+        if asks(controls.clear_flags) {
+            self.flags = Flags::default();
+        }
+        if asks(controls.reset) {
+            self.restart(controls.keeps_retained);
+        }
         for (v, value) in inputs.iter().zip(&stimulus.inputs) {
             self.variables[*v] = convert(self.net.variables[*v].ty, *value);
         }
-        let now: Vec<Value> = inputs.iter().map(|v| self.variables[*v]).collect();
+        let of_chart = inputs.iter().filter(|v| !controls.has(**v));
+        let now: Vec<Value> = of_chart.map(|v| self.variables[*v]).collect();
         let mut event = false;
         match self.previous.replace(now.clone()) {
             Some(before) => event = before.iter().zip(&now).any(|(a, b)| !same(*a, *b)),
@@ -114,10 +126,13 @@ impl<'a> NetSteps<'a> {
         }
     }
 
-    /// R10, after a restart: as at first, with what is retained.
-    fn restart(&mut self) {
+    /// R10, after a restart or a reset: as at first, perhaps with what is retained.
+    fn restart(&mut self, keeps_retained: bool) {
         let kept = std::mem::take(&mut self.variables);
         *self = NetSteps::new(self.net, self.profile);
+        if !keeps_retained {
+            return;
+        }
         for (v, variable) in self.net.variables.iter_enumerated().filter(|(_, variable)| variable.retain) {
             self.variables[v] = if variable.mode == Mode::Stored { kept[v] } else { variable.initial };
         }

@@ -3,7 +3,8 @@
 //! A clock of the block's own counts the milliseconds that pass from call to call, and a timer remembers what it showed
 //! when the timer was started. Both wrap around after 32 bits, so a difference is right for 24 days; a timer that has run
 //! out stays so without it. The time that has passed since the last call is the difference of `NOW` at 31 bits, which is
-//! right whether `NOW` wraps around after 31 or after 32.
+//! right whether `NOW` wraps around after 31 or after 32. Where it is more than half of that, `NOW` was put back: no time
+//! counts, so that no delay ends by it.
 
 use super::code::Code;
 use super::numbers::long;
@@ -12,6 +13,9 @@ use crate::namer::Namer;
 use ecow::{EcoString, eco_format};
 use grafc_formula::Type;
 use grafc_logic::scan::{Preset, Reads, TimerId};
+
+/// Half the range of 31 bits.
+const HALF: &str = "L#1073741824";
 
 /// The variables that measure time for all timers.
 pub(super) struct Clock {
@@ -32,13 +36,21 @@ impl Clock {
     /// Brings the clock up to date.
     pub fn update(&self, code: &mut Code) {
         code.network("the clock: milliseconds since the call before");
+        code.about("the clock");
+        let back = code.new_label();
         code.number("L", &local(&self.now));
         code.number("L", &local(&self.before));
         code.number("-D", "");
         code.number("AD", "DW#16#7FFFFFFF");
+        code.number("L", HALF);
+        code.comparison(">D");
+        code.remark(Some("NOW was put back: no time"));
+        code.jump_if(&back);
+        code.number("TAK", "");
         code.number("L", &local(&self.clock));
         code.number("+D", "");
         code.instruction("T", &local(&self.clock));
+        code.label(back);
         code.number("L", &local(&self.now));
         code.instruction("T", &local(&self.before));
     }

@@ -11,6 +11,7 @@ use crate::comment::clean;
 use crate::iec::declarations::{Entry, EntryType, RETAIN, VarBlock, VarKind, VarList, with_temporaries};
 use crate::iec::pou_parts::PouParts;
 use crate::lines::Lines;
+use crate::s7;
 use crate::st::{self, Style};
 use crate::transliterate::ascii;
 use crate::writer::{self, Writer};
@@ -27,13 +28,18 @@ pub struct Options {
 
 /// Writes a program as a source file.
 ///
-/// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
+/// An error is a time that is too long for S7, or a fault of grafc: the program breaks a promise of [`Program`] or is too
+/// deeply nested to be written.
 pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics> {
     write(program, options, false).map(|(text, _)| text)
 }
 
 /// The same, and which lines come from what, if that is wanted.
 fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, Lines), Diagnostics> {
+    let long = s7::long_times(program, "S7-1200 and S7-1500");
+    if long.has_errors() {
+        return Err(long);
+    }
     let parts = st::parts(program, Style { mark: "#", comments: &writer::SCL, traced })?;
     let mut out = Writer::new(&writer::SCL).traced(traced);
     let parts = PouParts { interface: with_temporaries(parts.interface), ..parts };

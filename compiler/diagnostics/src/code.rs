@@ -86,6 +86,7 @@ codes! {
     E0213 "address-taken" Error;
     E0214 "nothing-to-retain" Error;
     E0215 "not-a-warning" Error;
+    E0216 "control-input-declared" Error;
 
     E0301 "unknown-step" Error;
     E0302 "unknown-grafcet" Error;

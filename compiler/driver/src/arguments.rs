@@ -3,6 +3,7 @@
 use crate::report::{Failure, Format, Messages};
 use clap::{Args, ValueEnum};
 use grafc_diagnostics::{Code, Policy, Severity};
+use grafc_model::chart::ControlNames;
 use grafc_model::reaction::{Evolution, Profile};
 
 /// How messages are told.
@@ -85,6 +86,40 @@ enum EvolutionName {
 enum Switch {
     On,
     Off,
+}
+
+/// Inputs that act on the chart as a whole.
+#[derive(Args, Debug)]
+pub struct ControlArguments {
+    /// An input of this name beside those of the chart: while it is true, the chart starts anew
+    #[arg(long, value_name = "NAME", value_parser = control_name)]
+    reset_input: Option<String>,
+    /// Such a reset leaves retained variables as they are
+    #[arg(long, requires = "reset_input")]
+    reset_keeps_retained: bool,
+    /// An input of this name beside those of the chart: while it is true, flags are lowered
+    #[arg(long, value_name = "NAME", value_parser = control_name)]
+    clear_flags_input: Option<String>,
+}
+
+impl ControlArguments {
+    /// The names as the stages take them.
+    pub fn names(&self) -> ControlNames {
+        ControlNames {
+            reset: self.reset_input.as_deref().map(Into::into),
+            reset_keeps_retained: self.reset_keeps_retained,
+            clear_flags: self.clear_flags_input.as_deref().map(Into::into),
+        }
+    }
+}
+
+/// A name as a chart could declare it, with or without backquotes.
+fn control_name(text: &str) -> Result<String, String> {
+    let bare = text.strip_prefix('`').and_then(|rest| rest.strip_suffix('`')).unwrap_or(text);
+    if bare.trim() != bare || bare.is_empty() || bare.contains(|c: char| c == '`' || c.is_control()) {
+        return Err("this is no name that a chart could declare".to_string());
+    }
+    Ok(bare.to_string())
 }
 
 /// What is done with warnings.

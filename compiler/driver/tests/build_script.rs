@@ -100,6 +100,11 @@ fn the_code_is_that_of_the_command_line() {
     same(new().initial_actions(false), &["--initial-actions", "off"]);
     same(new().bound(7), &["--bound", "7"]);
     same(new().bound(0), &["--bound", "1"]);
+    same(new().reset_input("again"), &["--reset-input", "again"]);
+    same(
+        new().reset_input("again").reset_keeps_retained(true).clear_flags_input("ack"),
+        &["--reset-input", "again", "--reset-keeps-retained", "--clear-flags-input", "ack"],
+    );
 }
 
 #[test]

@@ -4,6 +4,7 @@ use crate::analysis::components::Components;
 use crate::analysis::transients::Transients;
 use crate::analysis::{Analysis, Conditions};
 use crate::encode;
+use crate::encode::controls;
 use crate::encode::first_call::first_call;
 use crate::encode::input_event::InputEvent;
 use crate::encode::outputs;
@@ -134,6 +135,7 @@ fn make(analysis: Analysis, options: &Options, saved: bool) -> (Program, Diagnos
         }
         once::once(&mut program);
     }
+    controls::add(&mut program, net.controls);
     join::join(&mut program);
     sweep::sweep(&mut program);
     long_chains::cut(&mut program);

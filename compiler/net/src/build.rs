@@ -88,6 +88,7 @@ pub fn build(chart: &Chart) -> Net {
             })
             .collect(),
         hierarchy: chart.hierarchy.clone(),
+        controls: chart.controls,
         macro_steps,
         continuous: chart.continuous.clone(),
         stored: chart.stored.clone(),

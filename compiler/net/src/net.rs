@@ -25,7 +25,7 @@
 use ecow::EcoString;
 use grafc_diagnostics::Span;
 use grafc_model::chart::{
-    Continuous, Expr, ExprId, GrafcetId, MacroId, Order, StepId, Stored, TransitionId, Variable, VariableId,
+    Continuous, Controls, Expr, ExprId, GrafcetId, MacroId, Order, StepId, Stored, TransitionId, Variable, VariableId,
 };
 use index_vec::IndexVec;
 use rustc_hash::FxHashSet;
@@ -76,6 +76,8 @@ pub struct Net {
     pub conflict_at_start: bool,
     /// Conditions and values.
     pub exprs: IndexVec<ExprId, Expr>,
+    /// Inputs that act on the chart as a whole.
+    pub controls: Controls,
     /// What the passes so far have brought about.
     pub facts: Vec<Fact>,
 }

@@ -15,6 +15,7 @@ use grafc_backends::Target;
 use grafc_backends::rust::{self, Runtime};
 use grafc_diagnostics::{Code, Diagnostics, Policy, SourceMap, render};
 use grafc_logic::Encoding;
+use grafc_model::chart::ControlNames;
 use grafc_model::reaction::Evolution;
 use std::fmt;
 use std::io::Write;
@@ -56,6 +57,7 @@ pub struct Build {
     out_dir: Option<PathBuf>,
     runtime: Runtime,
     lowering: grafc_logic::Options,
+    controls: ControlNames,
     policy: Policy,
 }
 
@@ -68,6 +70,7 @@ impl Build {
             out_dir: None,
             runtime: Runtime::default(),
             lowering: grafc_logic::Options::default(),
+            controls: ControlNames::default(),
             policy: Policy::default(),
         }
     }
@@ -137,6 +140,24 @@ impl Build {
     /// the chart means.
     pub fn bound(&mut self, micro_steps: u32) -> &mut Self {
         self.lowering.profile.bound = Some(micro_steps.max(1));
+        self
+    }
+
+    /// An input that starts the chart anew while it is true, as `--reset-input`.
+    pub fn reset_input(&mut self, name: impl Into<String>) -> &mut Self {
+        self.controls.reset = Some(name.into().into());
+        self
+    }
+
+    /// Whether such a reset leaves retained variables as they are, as `--reset-keeps-retained`.
+    pub fn reset_keeps_retained(&mut self, keeps: bool) -> &mut Self {
+        self.controls.reset_keeps_retained = keeps;
+        self
+    }
+
+    /// An input that lowers the flags while it is true, as `--clear-flags-input`.
+    pub fn clear_flags_input(&mut self, name: impl Into<String>) -> &mut Self {
+        self.controls.clear_flags = Some(name.into().into());
         self
     }
 
@@ -230,9 +251,10 @@ impl Build {
             return Err(Failure::WrongUse(what, "choose another name with `module`"));
         }
         let source = self.chart.file_name().unwrap_or(self.chart.as_os_str()).to_string_lossy();
-        target.set_header(header(&source, &self.lowering, &target));
+        target.set_header(header(&source, &self.lowering, &self.controls, &target));
 
-        let options = Options { lowering: self.lowering, product: Product::Code(target), policy: self.policy.clone() };
+        let (lowering, controls, policy) = (self.lowering, self.controls.clone(), self.policy.clone());
+        let options = Options { lowering, controls, product: Product::Code(target), policy };
         let made = report.compile(&self.chart, &name, &options)?;
         files::write(&path, &made)?;
         print(&report.warnings())?;

@@ -46,14 +46,18 @@ fn make(
     options: &Options,
     diagnostics: &mut Diagnostics,
 ) -> Option<Output> {
-    let Options { lowering, product, policy: _ } = options;
+    let Options { lowering, controls, product, policy: _ } = options;
 
     let tree = parse(file, text, diagnostics);
     if let Product::Tree = product {
         return Some(grafc_syntax::dump(&tree).into());
     }
-    let chart = resolve(&tree, default_name, diagnostics)?;
+    let mut chart = resolve(&tree, default_name, diagnostics)?;
     drop(tree);
+    if let Err(found) = chart.control(controls) {
+        diagnostics.append(found);
+        return None;
+    }
     let mut analysis = Analysis::new(flatten(&chart, false, diagnostics)?);
     warn(&analysis, &chart.allowances, diagnostics);
     if let Product::Chart = product {

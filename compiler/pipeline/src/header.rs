@@ -3,18 +3,27 @@
 //! No directories and no dates: equal charts give equal code wherever and whenever they are compiled.
 
 use grafc_backends::Target;
+use grafc_model::chart::ControlNames;
 use grafc_model::reaction::{Evolution, Profile};
 
 /// The lines, for a chart from a source of this name.
-pub fn header(source: &str, lowering: &grafc_logic::Options, target: &Target) -> Vec<String> {
+pub fn header(source: &str, lowering: &grafc_logic::Options, controls: &ControlNames, target: &Target) -> Vec<String> {
     let (name, chosen) = target.spelled();
     let encoding = lowering.encoding.name();
     let optimize = if lowering.simplify { "" } else { "--optimize 0 " };
-    let profile = profile(lowering.profile);
+    let profile = profile(lowering.profile) + &spelled(controls);
     vec![
         format!("Made by grafc {} from {source}", env!("CARGO_PKG_VERSION")),
         format!("--target {name} --encoding {encoding} {optimize}{profile} {chosen}").trim_end().to_string(),
     ]
+}
+
+/// As a command line would say it.
+fn spelled(controls: &ControlNames) -> String {
+    let named = |option: &str, name: Option<&str>| name.map_or(String::new(), |name| format!(" {option} {name}"));
+    let keeps = if controls.reset_keeps_retained { " --reset-keeps-retained" } else { "" };
+    let clear_flags = named("--clear-flags-input", controls.clear_flags.as_deref());
+    format!("{}{keeps}{clear_flags}", named("--reset-input", controls.reset.as_deref()))
 }
 
 fn profile(profile: Profile) -> String {

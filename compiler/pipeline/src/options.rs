@@ -2,12 +2,15 @@
 
 use grafc_backends::Target;
 use grafc_diagnostics::Policy;
+use grafc_model::chart::ControlNames;
 
 /// What is made, and what it is to mean.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// How the chart becomes a program.
     pub lowering: grafc_logic::Options,
+    /// Inputs that act on the chart as a whole.
+    pub controls: ControlNames,
     /// What comes out.
     pub product: Product,
     /// Which warnings are errors, and which are not wanted.
@@ -17,7 +20,7 @@ pub struct Options {
 impl Options {
     /// Everything as usual: all warnings are shown, and none is an error.
     pub fn new(lowering: grafc_logic::Options, product: Product) -> Self {
-        Options { lowering, product, policy: Policy::default() }
+        Options { lowering, controls: ControlNames::default(), product, policy: Policy::default() }
     }
 }
 

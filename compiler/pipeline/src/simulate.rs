@@ -2,7 +2,7 @@
 
 use crate::compile::check;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
-use grafc_model::chart::{Chart, VariableKind};
+use grafc_model::chart::{Chart, ControlNames, VariableKind};
 use grafc_model::reaction::Profile;
 use grafc_model::simulate::{Calls, MOST_CALLS, Probe, Record, run};
 use grafc_model::trace::{self, Shown};
@@ -13,6 +13,8 @@ use grafc_syntax::spelling::distance;
 pub struct Run<'a> {
     /// How it evolves.
     pub profile: Profile,
+    /// Inputs that act on it as a whole, if there are any.
+    pub controls: Option<&'a ControlNames>,
     /// When it is called.
     pub calls: Calls,
     /// What is shown beside the outputs: `inputs`, `vars`, `steps`, and names as in conditions; a name that is one of
@@ -81,7 +83,11 @@ pub fn simulate(
     how: Run,
 ) -> (Result<Option<Simulation>, NotShown>, Diagnostics) {
     let (chart, mut diagnostics) = check(chart.0, chart.1, default_name);
-    let Some(chart) = chart else { return (Ok(None), diagnostics) };
+    let Some(mut chart) = chart else { return (Ok(None), diagnostics) };
+    if let Some(Err(found)) = how.controls.map(|names| chart.control(names)) {
+        diagnostics.append(found);
+        return (Ok(None), diagnostics);
+    }
     let (rows, found) = trace::parse_rows(trace.0, trace.1, &chart);
     diagnostics.append(found);
     if diagnostics.has_errors() {

@@ -193,8 +193,9 @@ impl WeighMixB5 {
 
     /// One scan: from the inputs to the outputs.
     ///
-    /// `now` is the time in milliseconds of a clock that never goes back. It may start anywhere
-    /// and wraps around after `u32::MAX`; there must be a scan at least every 49 days.
+    /// `now` is the time in milliseconds of a clock that may start anywhere and wraps around after
+    /// `u32::MAX`. There must be a scan at least every 24 days: a difference of more than half the
+    /// range is a clock that was put back, and counts as no time.
     pub fn scan(&mut self, inputs: &Inputs, now: u32) -> &Outputs {
         use Step::*;
 
@@ -628,7 +629,9 @@ pub mod runtime {
     /// input has been true without interruption.
     ///
     /// The clock `now` counts milliseconds and wraps around every 49.7 days. So a
-    /// timer must be called at least once in that time, but it may run for longer.
+    /// timer must be called at least once in half that time, but it may run for longer.
+    /// What looks like more than half the range between two calls is a clock that was
+    /// put back: it counts as no time, so that no delay ends by it.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Timer {
         /// How long the input had been true at the last call, in milliseconds.
@@ -640,6 +643,9 @@ pub mod runtime {
     }
 
     impl Timer {
+        /// The longest time between two calls, in milliseconds: half the range.
+        const LONGEST_GAP: u32 = 1 << 31;
+
         /// A timer whose input is false.
         #[inline]
         pub const fn new() -> Self {
@@ -659,8 +665,10 @@ pub mod runtime {
                 self.elapsed = 0;
             } else if self.running {
                 // The difference is right across the end of the clock's range too.
-                let passed = i64::from(now.wrapping_sub(self.last));
-                self.elapsed = self.elapsed.saturating_add(passed);
+                let passed = now.wrapping_sub(self.last);
+                if passed <= Self::LONGEST_GAP {
+                    self.elapsed = self.elapsed.saturating_add(i64::from(passed));
+                }
                 self.last = now;
             } else {
                 self.elapsed = 0;

@@ -121,9 +121,22 @@ fn a_timer_reads_the_clock() {
     let done = b.pool().timer_done(ends);
     b.program.after = vec![call(ends, go), assign(y, done)];
     let program = b.program;
-    assert!(text(&program).contains(
-        "    L     #NOW;\n      L     #last_now;\n      -D;\n      AD    DW#16#7FFFFFFF;\n      L     #clock;\n      +D;\n      T     #clock;\n"
-    ));
+    // Half of 2^31 ms is 1073741824.
+    let clock = [
+        "    L     #NOW;",
+        "      L     #last_now;",
+        "      -D;",
+        "      AD    DW#16#7FFFFFFF;",
+        "      L     L#1073741824;",
+        "      >D;",
+        "      JC    MMNS;                        // NOW was put back: no time",
+        "      TAK;",
+        "      L     #clock;",
+        "      +D;",
+        "      T     #clock;",
+        "MMNS: L     #NOW;",
+    ];
+    assert!(text(&program).contains(&clock.join("\n")));
     assert_eq!(
         list(&program),
         "A #go, FP #d_go_run, JCN M002, L #clock, T #d_go_start, \

@@ -91,10 +91,14 @@ fn four_steps_in_full() {
               L     #last_now;
               -D;
               AD    DW#16#7FFFFFFF;
+              L     L#1073741824;
+              >D;
+              JC    MMNS;                        // NOW was put back: no time
+              TAK;
               L     #clock;
               +D;
               T     #clock;
-              L     #NOW;
+        MMNS: L     #NOW;
               T     #last_now;
 
         NETWORK

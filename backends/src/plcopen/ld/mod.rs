@@ -104,8 +104,13 @@ fn draw(program: &Program, names: &mut Names, repeated: Option<&Repeated>) -> (V
         said: String::new(),
         known: FxHashMap::default(),
     };
-    ladder.block(&program.first, None);
     let at_first = repeated.and_then(Repeated::at_first);
+    let (asked, reaction) = program.asked_and_reaction();
+    match repeated {
+        Some(repeated) => ladder.block(&repeated.asked_of_rungs(asked), at_first.as_ref()),
+        None => ladder.block(asked, None),
+    }
+    ladder.block(reaction, None);
     for statements in program.before.chunk_by(|a, b| repeat::is_call(a) == repeat::is_call(b)) {
         ladder.block(statements, at_first.as_ref().filter(|_| !statements.iter().all(repeat::is_call)));
     }

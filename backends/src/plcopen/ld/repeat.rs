@@ -11,7 +11,7 @@
 //!              END_REPEAT;
 //! ```
 //!
-//! What a call does once before its micro-steps is behind a contact `/further`; but timers are called there in each
+//! What a call does once before its micro-steps is behind a contact `/further`, and so is what inputs ask for; but timers are called there in each
 //! micro-step, as they were at the end of the one before, which makes no difference. Outputs are computed after each
 //! micro-step, which makes no difference, since nothing reads them and the last one is what remains; except where a
 //! division may raise DIV0, which only the last may do.
@@ -25,8 +25,8 @@ use crate::iec::names::Names;
 use crate::st;
 use crate::writer::{self, Writer};
 use ecow::EcoString;
-use grafc_formula::Type;
-use grafc_logic::scan::{Program, Repeat, Statement, VarId};
+use grafc_formula::{Formula, Type};
+use grafc_logic::scan::{Program, Repeat, Statement, VarId, is_empty};
 
 /// Whether a statement brings a timer up to date.
 pub(super) fn is_call(statement: &Statement) -> bool {
@@ -55,6 +55,7 @@ struct Limit {
     count: EcoString,
     ty: Type,
     flag: EcoString,
+    raises: VarId,
 }
 
 impl Repeated {
@@ -67,6 +68,7 @@ impl Repeated {
             count: name(limit.count),
             ty: program.variables[limit.count].ty,
             flag: name(limit.flag),
+            raises: limit.flag,
         });
         let waits = program.after.iter().any(|statement| matches!(statement, Statement::Divide(_)));
         Repeated {
@@ -74,11 +76,24 @@ impl Repeated {
             instance: names.namer.name("rungs"),
             again,
             further: names.namer.name("further"),
-            asks_further: !program.before.iter().all(is_call),
+            asks_further: !program.before.iter().all(is_call) || !program.asked_and_reaction().0.is_empty(),
             last: limit.as_ref().filter(|_| waits).map(|_| names.namer.name("last")),
             waits,
             limit,
         }
+    }
+
+    /// What inputs ask for that is the rungs' to do: all but to lower the flag, which only the loop has.
+    pub fn asked_of_rungs(&self, asked: &[Statement]) -> Vec<Statement> {
+        let flag = self.limit.as_ref().map(|limit| limit.raises);
+        let mut asked = asked.to_vec();
+        for statement in &mut asked {
+            if let Statement::If { branches, .. } = statement {
+                branches.iter_mut().for_each(|(_, body)| body.retain(|inner| !writes(inner, flag)));
+            }
+        }
+        asked.retain(|statement| !statement.bodies().all(is_empty));
+        asked
     }
 
     /// Closed in the first micro-step of a call, where something waits for it.
@@ -146,6 +161,18 @@ impl Repeated {
         inputs.extend(self.last.as_deref());
         let flag = self.limit.as_ref().map(|limit| limit.flag.as_str());
         published.retain(|name| Some(*name) != flag);
+        for statement in program.asked_and_reaction().0 {
+            if let Statement::If { branches, .. } = statement
+                && let Some(limit) = &self.limit
+                && let [(when, body)] = branches.as_slice()
+                && let Formula::Variable(input) = program.pool.get(*when)
+                && body.iter().any(|inner| writes(inner, Some(limit.raises)))
+            {
+                out.open(&format!("IF {} THEN", names.variables[*input]));
+                out.line(&format!("{} := FALSE;", limit.flag));
+                out.close("END_IF;");
+            }
+        }
         out.line(&format!("{} := FALSE;", self.further));
         if let Some(limit) = &self.limit {
             out.line(&format!("{} := 0;", limit.count));
@@ -172,4 +199,9 @@ impl Repeated {
         }
         out.finish()
     }
+}
+
+/// Whether a statement writes a variable itself.
+fn writes(statement: &Statement, variable: Option<VarId>) -> bool {
+    matches!(statement, Statement::Assign { target, .. } if Some(*target) == variable)
 }

@@ -108,8 +108,9 @@ impl RustStatements<'_> {
     fn scan(&self, out: &mut Writer, code: &[Code], needs: Needs) {
         out.line("/// One scan: from the inputs to the outputs.");
         out.line("///");
-        out.line("/// `now` is the time in milliseconds of a clock that never goes back. It may start anywhere");
-        out.line("/// and wraps around after `u32::MAX`; there must be a scan at least every 49 days.");
+        out.line("/// `now` is the time in milliseconds of a clock that may start anywhere and wraps around after");
+        out.line("/// `u32::MAX`. There must be a scan at least every 24 days: a difference of more than half the");
+        out.line("/// range is a clock that was put back, and counts as no time.");
         let parameter = |name: &str, needed: bool| if needed { name.to_owned() } else { format!("_{name}") };
         let (inputs, now) = (parameter("inputs", needs.inputs), parameter("now", needs.now));
         out.open(&format!("pub fn scan(&mut self, {inputs}: &Inputs, {now}: u32) -> &Outputs {{"));

@@ -2,7 +2,7 @@
 
 use super::{refuse_output_over_input, refuse_second_standard_input};
 use crate::Exit;
-use crate::arguments::{MessageArguments, ProfileArguments};
+use crate::arguments::{ControlArguments, MessageArguments, ProfileArguments};
 use crate::report::{Failure, Report};
 use crate::stream::Stream;
 use crate::waveform;
@@ -49,6 +49,8 @@ pub struct Arguments {
     #[command(flatten)]
     profile: ProfileArguments,
     #[command(flatten)]
+    controls: ControlArguments,
+    #[command(flatten)]
     messages: MessageArguments,
 }
 
@@ -81,7 +83,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         };
         // A drawing is of everything.
         let show = if drawn { [ALL.map(String::from).to_vec(), args.show].concat() } else { args.show };
-        let how = grafc::Run { profile: args.profile.profile(), calls, show: &show };
+        let controls = args.controls.names();
+        let how = grafc::Run { profile: args.profile.profile(), controls: Some(&controls), calls, show: &show };
         let name = args.chart.chart_name();
         let (simulation, diagnostics) = grafc::simulate(text(chart), &name, text(trace), against, how);
         report.diagnostics.append(diagnostics);

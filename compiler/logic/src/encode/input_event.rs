@@ -21,7 +21,7 @@ impl InputEvent {
             Some(known) => known,
             None => {
                 for (v, input) in lowering.net.variables.iter_enumerated() {
-                    if input.kind == VariableKind::Input {
+                    if input.kind == VariableKind::Input && !lowering.net.controls.has(v) {
                         let old = lowering.symbols.fresh(Role::Memory, format!("last_{}", input.name), input.ty, None);
                         self.memory.push((v, old));
                     }

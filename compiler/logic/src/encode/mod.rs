@@ -14,6 +14,7 @@ mod allocate;
 mod bits;
 mod by_grafcet;
 pub(crate) mod clearings;
+pub(crate) mod controls;
 pub(crate) mod first_call;
 mod in_order;
 pub(crate) mod input_event;

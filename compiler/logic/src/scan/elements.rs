@@ -345,7 +345,9 @@ impl Program {
         let words = heading.text();
         match heading {
             Heading::Of(_, g) => format!("{words} in {}", self.elements.grafcets[g].title()).into(),
-            Heading::Conditions
+            Heading::FlagsAreLowered
+            | Heading::StartsAnew
+            | Heading::Conditions
             | Heading::MemoryOfEdges
             | Heading::TransitionsThatClear
             | Heading::Transitions

@@ -47,6 +47,25 @@ impl Program {
         })
     }
 
+    /// What stands in `first`: what inputs ask for while they are true, as a reset does, and the initial reaction.
+    pub fn asked_and_reaction(&self) -> (&[Statement], &[Statement]) {
+        let asked = |statement: &Statement| match statement {
+            Statement::If { branches, otherwise } => match (branches.as_slice(), otherwise.is_empty()) {
+                ([(when, _)], true) => match self.pool.get(*when) {
+                    Formula::Variable(v) => self.variables[*v].role == Role::Input,
+                    _ => false,
+                },
+                _ => false,
+            },
+            Statement::Heading(_)
+            | Statement::Assign { .. }
+            | Statement::Divide(_)
+            | Statement::CallTimer { .. }
+            | Statement::Case { .. } => false,
+        };
+        self.first.split_at(self.first.iter().take_while(|statement| asked(statement)).count())
+    }
+
     /// The variables of a role, in order.
     pub fn of_role(&self, role: Role) -> impl Iterator<Item = (VarId, &Variable)> {
         self.variables.iter_enumerated().filter(move |(_, variable)| variable.role == role)

@@ -59,6 +59,10 @@ pub enum Told {
 /// What a part of a program is about, as a heading.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Heading {
+    /// An input lowers the flags.
+    FlagsAreLowered,
+    /// An input starts the chart anew.
+    StartsAnew,
     /// Edges, delays and intermediate results of transition-conditions.
     Conditions,
     /// What edges were, for the next micro-step.
@@ -124,6 +128,8 @@ impl Heading {
     pub fn text(self) -> &'static str {
         match self {
             Heading::Of(part, _) => part.of_all().text(),
+            Heading::FlagsAreLowered => "flags are lowered",
+            Heading::StartsAnew => "the chart starts anew: all as before the first call",
             Heading::FrozenGrafcets => "grafcets that orders freeze",
             Heading::Conditions => "conditions",
             Heading::MemoryOfEdges => "memory of edges",

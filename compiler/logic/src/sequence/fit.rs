@@ -8,6 +8,7 @@ use grafc_net::Net;
 
 pub(super) fn check(analysis: &Analysis, profile: Profile, reasons: &mut Reasons) {
     let net = analysis.net();
+    controls(net, reasons);
     hierarchy(net, reasons);
     transitions(net, reasons);
     selections(analysis, reasons);
@@ -19,6 +20,16 @@ pub(super) fn check(analysis: &Analysis, profile: Profile, reasons: &mut Reasons
         );
     }
     evolution(analysis, profile, reasons);
+}
+
+fn controls(net: &Net, reasons: &mut Reasons) {
+    let place = net.places.first().map_or_else(Default::default, |place| place.span);
+    if net.controls.reset.is_some() {
+        reasons.add(place, "is to be started anew by an input (`--reset-input`)");
+    }
+    if net.controls.clear_flags.is_some() {
+        reasons.add(place, "has no flags that an input could lower (`--clear-flags-input`)");
+    }
 }
 
 fn hierarchy(net: &Net, reasons: &mut Reasons) {

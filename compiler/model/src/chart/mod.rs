@@ -7,8 +7,10 @@
 //! [`check`](crate::check()) makes one of the other, so what runs or lowers a chart asks for a `Chart`, and what draws
 //! or describes one is content with tables.
 
+mod controls;
 mod expression;
 
+pub use controls::{ControlNames, Controls};
 use ecow::EcoString;
 pub use expression::{Arithmetic, Comparison, DelayTime, Expr, ExprKind};
 use grafc_diagnostics::{Allowances, Span};
@@ -115,6 +117,8 @@ pub struct Tables {
     pub exprs: IndexVec<ExprId, Expr>,
     /// The warnings that the text allows.
     pub allowances: Allowances,
+    /// Inputs that act on the chart as a whole, if somebody asked for some.
+    pub controls: Controls,
 }
 
 /// A declared variable.

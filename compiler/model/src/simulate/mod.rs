@@ -32,7 +32,7 @@ mod stored;
 #[cfg(test)]
 mod tests;
 
-use crate::chart::{Chart, ExprId, Mode, StepId, TransitionId, Value, VariableId};
+use crate::chart::{Chart, ExprId, Mode, StepId, TransitionId, Value, Variable, VariableId};
 use crate::reaction::{Flags, Profile};
 use context::Values;
 use delay::Delay;
@@ -119,11 +119,12 @@ impl<'a> Simulator<'a> {
         }
     }
 
-    /// R10, after a restart of the controller: what is retained keeps its value, and all the rest is as before the
-    /// initial reaction, which comes next.
-    fn restart(&mut self) {
+    /// R10, after a restart of the controller or a reset: what is retained may keep its value, and all the rest is as
+    /// before the initial reaction, which comes next.
+    fn restart(&mut self, keeps_retained: bool) {
         let before = std::mem::replace(&mut self.state, State::new(self.chart));
-        for (id, variable) in self.chart.variables.iter_enumerated().filter(|(_, variable)| variable.retain) {
+        let kept = |variable: &Variable| variable.retain && keeps_retained;
+        for (id, variable) in self.chart.variables.iter_enumerated().filter(|(_, variable)| kept(variable)) {
             if variable.mode != Mode::Wire {
                 self.state.variables[id] = before.variables[id];
             }

@@ -5,8 +5,8 @@ use super::arithmetic::{convert, same};
 use super::plan::{Memory, Valued};
 use super::settle::{Conflict, Phase, settle};
 use super::stored::allocate;
-use crate::chart::{Event, Mode, Stored, Value, VariableKind};
-use crate::reaction::{Evolution, Response, Stimulus};
+use crate::chart::{Event, Mode, Stored, Value, VariableId, VariableKind};
+use crate::reaction::{Evolution, Flags, Response, Stimulus};
 
 impl<'a> Simulator<'a> {
     /// Reacts to inputs at an instant; the first call is the initial reaction.
@@ -18,7 +18,14 @@ impl<'a> Simulator<'a> {
     pub fn react_observed(&mut self, stimulus: &Stimulus, observe: &mut dyn FnMut(&Simulator<'a>)) -> Response {
         let t = stimulus.t_ms;
         if stimulus.restart {
-            self.restart();
+            self.restart(true);
+        }
+        let controls = self.chart.controls;
+        if self.is_given(controls.clear_flags, &stimulus.inputs) {
+            self.flags = Flags::default();
+        }
+        if self.is_given(controls.reset, &stimulus.inputs) {
+            self.restart(controls.keeps_retained);
         }
         let inputs = self.set_inputs(&stimulus.inputs);
         // There is no input event at the initial reaction: what came before is taken to have been the same.
@@ -42,6 +49,14 @@ impl<'a> Simulator<'a> {
         self.publish(t)
     }
 
+    /// Whether an input that acts on the chart as a whole is true.
+    fn is_given(&self, control: Option<VariableId>, given: &[Value]) -> bool {
+        let Some(control) = control else { return false };
+        let inputs = self.chart.variables.iter_enumerated().filter(|(_, v)| v.kind == VariableKind::Input);
+        let place = inputs.take_while(|(id, _)| *id != control).count();
+        given.get(place).copied().unwrap_or(self.state.variables[control]) == Value::Bool(true)
+    }
+
     /// R9: inputs are constant during the reaction. An input that is not given keeps its value.
     fn set_inputs(&mut self, given: &[Value]) -> Vec<Value> {
         let mut given = given.iter();
@@ -51,7 +66,9 @@ impl<'a> Simulator<'a> {
                 if let Some(&value) = given.next() {
                     self.state.variables[id] = convert(variable.ty, value);
                 }
-                inputs.push(self.state.variables[id]);
+                if !self.chart.controls.has(id) {
+                    inputs.push(self.state.variables[id]);
+                }
             }
         }
         inputs

@@ -4,14 +4,14 @@ mod job;
 mod plan;
 
 use crate::Exit;
-use crate::arguments::{MessageArguments, ProfileArguments, option};
+use crate::arguments::{ControlArguments, MessageArguments, ProfileArguments, option};
 use crate::choices::{self, Choices};
 use crate::report::{Failure, Messages, Report, to_stderr};
 use crate::stream::Stream;
 use crate::watch;
 use clap::builder::PossibleValuesParser;
 use clap::{ArgGroup, Args, ValueEnum};
-use grafc::{Options, Policy};
+use grafc::{Options, Product};
 use grafc_logic::Encoding;
 use grafc_net::passes;
 use job::Job;
@@ -49,6 +49,8 @@ pub struct Arguments {
     optimize: Optimization,
     #[command(flatten)]
     profile: ProfileArguments,
+    #[command(flatten)]
+    controls: ControlArguments,
     #[command(flatten)]
     choices: Choices,
     #[command(flatten)]
@@ -125,23 +127,26 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let lowering = args.lowering();
     refuse_pass_not_run(&args)?;
     let jobs = plan::jobs(&args, &lowering)?;
-    let (messages, policy) = (args.messages.messages(), args.messages.policy()?);
+    let messages = args.messages.messages();
+    let product = Product::Program;
+    let options = Options { lowering, controls: args.controls.names(), product, policy: args.messages.policy()? };
     if args.watch {
-        watch::run(&args.charts, messages, || Ok(compile(&jobs, &lowering, &policy, messages)))
+        watch::run(&args.charts, messages, || Ok(compile(&jobs, &options, messages)))
     } else {
-        Ok(compile(&jobs, &lowering, &policy, messages))
+        Ok(compile(&jobs, &options, messages))
     }
 }
 
-/// All errors of all charts; and for each chart without one what it asks for, in its place.
-fn compile(jobs: &[Job], lowering: &grafc_logic::Options, policy: &Policy, messages: Messages) -> Exit {
-    let mut report = Report::new(policy.clone());
+/// All errors of all charts; and for each chart without one what it asks for, in its place. The options are those of all,
+/// but for the product.
+fn compile(jobs: &[Job], asked: &Options, messages: Messages) -> Exit {
+    let mut report = Report::new(asked.policy.clone());
     let mut exit = Exit::Done;
     let mut made = Vec::new();
     for job in jobs {
         match report.load(job.chart) {
             Ok(Some(file)) => {
-                let options = Options { lowering: *lowering, product: job.product.clone(), policy: policy.clone() };
+                let options = Options { product: job.product.clone(), ..asked.clone() };
                 let text = &report.sources.file(file).text;
                 let (output, diagnostics) = grafc::compile(file, text, &job.chart.chart_name(), &options);
                 report.diagnostics.append(diagnostics);
@@ -156,7 +161,7 @@ fn compile(jobs: &[Job], lowering: &grafc_logic::Options, policy: &Policy, messa
     }
     exit = exit.max(report.tell(messages));
     for (job, output) in made {
-        if let Err(refusal) = job.write(&output, lowering.encoding, &report.sources) {
+        if let Err(refusal) = job.write(&output, asked.lowering.encoding, &report.sources) {
             to_stderr(&refusal.to_string());
             exit = Exit::FilesRefused;
         }

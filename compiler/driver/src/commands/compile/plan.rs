@@ -157,7 +157,7 @@ fn product(
         Asked::Stage(Stage::Scan) => Product::Program,
         Asked::Target(about) => {
             let mut target = args.choices.target(about)?;
-            target.set_header(header(&chart.file_name(), lowering, &target));
+            target.set_header(header(&chart.file_name(), lowering, &args.controls.names(), &target));
             if args.map.is_some() { Product::Mapped(target) } else { Product::Code(target) }
         }
     })

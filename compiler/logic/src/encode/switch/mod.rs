@@ -128,7 +128,9 @@ pub(super) fn micro_step(
     stored::heading(&mut inner, Heading::StoredActions, actions);
     stored::heading(&mut inner, Heading::OutputsOfTheSteps, switch.follow(lowering));
     stored::heading(&mut inner, Heading::Situation, switch.commit(lowering, &clearings));
-    if !task.events.is_empty() {
+    // Orders that disagree raise a flag, and raise it again where an input has lowered it.
+    let conflicts = net.controls.clear_flags.is_some() && net.grafcets.iter().any(|grafcet| grafcet.orders.len() > 1);
+    if !task.events.is_empty() || conflicts {
         out.extend(inner);
     } else if !inner.is_empty() {
         let when = lowering.symbols.read(&mut lowering.pool, switch.moved.variable);

@@ -65,13 +65,14 @@ fn holds(program: &Program, step: &Step) -> Result<(), String> {
     }
 }
 
-/// The initial reaction is guarded by the mark of the first call, and sets it.
+/// The initial reaction is guarded by the mark of the first call, and sets it. Before it stands only what inputs ask for.
 fn starts(program: &Program) -> Result<(), String> {
+    let (_, reaction) = program.asked_and_reaction();
     let Some(started) = program.started else {
-        return if program.first.is_empty() { Ok(()) } else { Err("nothing guards the initial reaction".to_owned()) };
+        return if reaction.is_empty() { Ok(()) } else { Err("nothing guards the initial reaction".to_owned()) };
     };
     let is_mark = |id| *program.pool.get(id) == Formula::Variable(started);
-    let guarded = program.first.iter().all(|statement| match statement {
+    let guarded = reaction.iter().all(|statement| match statement {
         Statement::If { branches, otherwise } => {
             let [(when, body)] = branches.as_slice() else { return false };
             let sets = |statement: &Statement| match statement {
@@ -86,7 +87,7 @@ fn starts(program: &Program) -> Result<(), String> {
         _ => false,
     });
     let kept = program.variables[started].role == Role::Memory && program.variables[started].ty == Type::Bool;
-    if guarded && kept && program.first.len() == 1 {
+    if guarded && kept && reaction.len() == 1 {
         return Ok(());
     }
     Err(format!("{started} does not guard the initial reaction"))
