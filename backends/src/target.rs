@@ -77,6 +77,16 @@ macro_rules! targets {
                 }
             }
 
+            /// Adds a line to the head of what is written, if it has one.
+            pub fn add_to_header(&mut self, line: String) {
+                let header = match self {
+                    $(Target::$Target(options) => &mut options.header,)*
+                };
+                if !header.is_empty() {
+                    header.push(line);
+                }
+            }
+
             /// Writes.
             ///
             /// # Errors
@@ -88,6 +98,36 @@ macro_rules! targets {
             }
         }
     };
+}
+
+impl Target {
+    /// Whether it writes the statements of a scan program, and not a sequential function chart.
+    pub fn writes_statements(&self) -> bool {
+        match self {
+            Target::Plcopen(options) => options.body != crate::plcopen::Body::Sfc,
+            Target::St(_)
+            | Target::Il(_)
+            | Target::Awl(_)
+            | Target::Scl(_)
+            | Target::Tcpou(_)
+            | Target::Iec61131_10(_)
+            | Target::Rust(_) => true,
+        }
+    }
+
+    /// Whether its code saves the memory of a chart and gives it back.
+    pub fn saves_memory(&self) -> bool {
+        match self {
+            Target::Rust(_) => true,
+            Target::St(_)
+            | Target::Il(_)
+            | Target::Awl(_)
+            | Target::Plcopen(_)
+            | Target::Scl(_)
+            | Target::Tcpou(_)
+            | Target::Iec61131_10(_) => false,
+        }
+    }
 }
 
 targets! {

@@ -8,7 +8,7 @@ use crate::ways;
 use grafc_diagnostics::{Diagnostics, FileId};
 use grafc_logic::{Encoding, Options};
 use grafc_model::chart::Chart;
-use grafc_model::reaction::{Evolution, Profile, Response, Stimulus};
+use grafc_model::reaction::{Evolution, LivelockOutputs, Profile, Response, Stimulus};
 use std::path::{Path, PathBuf};
 
 /// A chart, what is done to it and what it must do.
@@ -109,6 +109,9 @@ fn asked_for(text: &str) -> (Profile, bool) {
             Some(("initial-actions", "on")) => profile.initial_actions = true,
             Some(("initial-actions", "off")) => profile.initial_actions = false,
             Some(("encodings", "all")) => overlapping = true,
+            Some(("livelock-outputs", "computed")) => profile.livelock_outputs = LivelockOutputs::Computed,
+            Some(("livelock-outputs", "hold")) => profile.livelock_outputs = LivelockOutputs::Hold,
+            Some(("livelock-outputs", "off")) => profile.livelock_outputs = LivelockOutputs::Off,
             Some(("bound", number)) => profile.bound = Some(number.parse().expect("a number after `bound=`")),
             Some(_) | None => panic!("`// test:` does not know `{word}`"),
         }
@@ -124,7 +127,12 @@ pub fn profile_line(profile: Profile) -> String {
     };
     let initial = if profile.initial_actions { "on" } else { "off" };
     let bound = profile.bound.map(|k| format!(" bound={k}")).unwrap_or_default();
-    format!("// test: evolution={evolution} initial-actions={initial}{bound}")
+    let outputs = match profile.livelock_outputs {
+        LivelockOutputs::Computed => "",
+        LivelockOutputs::Hold => " livelock-outputs=hold",
+        LivelockOutputs::Off => " livelock-outputs=off",
+    };
+    format!("// test: evolution={evolution} initial-actions={initial}{bound}{outputs}")
 }
 
 /// The checked chart of a text, or its messages as a person would read them.

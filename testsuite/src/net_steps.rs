@@ -14,7 +14,7 @@ use expressions::{Context, Expressions, Memory, Reading, convert};
 use grafc_model::chart::{
     Event, GrafcetId, Mode, Situation, StepId, TransitionId, Value, Variable, VariableId, VariableKind,
 };
-use grafc_model::reaction::{Evolution, Flags, Profile, Response, Stimulus};
+use grafc_model::reaction::{Evolution, Flags, LivelockOutputs, Profile, Response, Stimulus};
 use grafc_net::net::{Fact, Forced, Net};
 use index_vec::IndexVec;
 
@@ -36,6 +36,8 @@ pub struct NetSteps<'a> {
     /// The inputs of the reaction before.
     previous: Option<Vec<Value>>,
     flags: Flags,
+    /// The outputs of the reaction before.
+    shown: Vec<Value>,
 }
 
 impl<'a> NetSteps<'a> {
@@ -59,6 +61,7 @@ impl<'a> NetSteps<'a> {
             memory: Memory::new(net),
             previous: None,
             flags: Flags::default(),
+            shown: Vec::new(),
         }
     }
 
@@ -119,9 +122,9 @@ impl<'a> NetSteps<'a> {
                 Evolution::Stable if changed && done < bound => {}
                 Evolution::Stable => {
                     self.flags.livelock |= changed;
-                    return self.publish(t);
+                    return self.publish(t, changed);
                 }
-                Evolution::Scan => return self.publish(t),
+                Evolution::Scan => return self.publish(t, false),
             }
         }
     }
@@ -269,20 +272,24 @@ impl<'a> NetSteps<'a> {
     }
 
     /// R11, R14: with the delays of the latest context.
-    fn publish(&self, t: i64) -> Response {
+    fn publish(&mut self, t: i64, cut_off: bool) -> Response {
         let cx = self.read(Reading::After, t);
         let net = self.net;
-        let output = |(v, variable): (VariableId, &Variable)| match variable.mode {
-            Mode::Wire => Value::Bool(cx.wire(v)),
+        let before = std::mem::take(&mut self.shown).into_iter().map(Some).chain(std::iter::repeat(None));
+        let instead = if cut_off { self.profile.livelock_outputs } else { LivelockOutputs::Computed };
+        let output = |((v, variable), before): ((VariableId, &Variable), Option<Value>)| match variable.mode {
+            Mode::Wire => match instead {
+                LivelockOutputs::Computed => Value::Bool(cx.wire(v)),
+                LivelockOutputs::Hold => before.unwrap_or(Value::Bool(false)),
+                LivelockOutputs::Off => Value::Bool(false),
+            },
             Mode::Given | Mode::Stored => self.variables[v],
         };
         let outputs = net.variables.iter_enumerated().filter(|(_, v)| v.kind == VariableKind::Output);
+        let outputs: Vec<Value> = outputs.zip(before).map(output).collect();
+        self.shown.clone_from(&outputs);
         let steps = net.places.iter_enumerated().filter(|(s, place)| self.active[*s] && !place.auxiliary);
-        Response {
-            outputs: outputs.map(output).collect(),
-            situation: steps.map(|(s, _)| s).collect(),
-            flags: self.flags,
-        }
+        Response { outputs, situation: steps.map(|(s, _)| s).collect(), flags: self.flags }
     }
 
     fn read(&self, reading: Reading, t: i64) -> Context {

@@ -4,7 +4,7 @@ use crate::report::{Failure, Format, Messages};
 use clap::{Args, ValueEnum};
 use grafc_diagnostics::{Code, Policy, Severity};
 use grafc_model::chart::ControlNames;
-use grafc_model::reaction::{Evolution, Profile};
+use grafc_model::reaction::{Evolution, LivelockOutputs, Profile};
 
 /// How messages are told.
 #[derive(Args, Debug)]
@@ -54,9 +54,29 @@ pub struct ProfileArguments {
     /// Whether initial steps do their actions on activation at the start
     #[arg(long, value_enum, default_value_t = Switch::On, value_name = "SWITCH")]
     initial_actions: Switch,
-    /// Give up after so many evolutions in one call [default: the larger of 200 and steps + transitions + 1]
-    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..))]
-    bound: Option<u32>,
+    /// Give up after so many evolutions in one call; `auto`: after as many as are known to be enough [default: the larger of 200 and steps + transitions + 1]
+    #[arg(long, value_name = "K|auto", value_parser = bound)]
+    bound: Option<Bound>,
+    /// What outputs of steps do in a call that was given up
+    #[arg(long, value_enum, default_value_t = LivelockOutputsName::Computed, value_name = "OUTPUTS")]
+    livelock_outputs: LivelockOutputsName,
+}
+
+/// A bound on micro-steps.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Bound {
+    /// So many.
+    Number(u32),
+    /// As many as are known to be enough.
+    Auto,
+}
+
+fn bound(text: &str) -> Result<Bound, String> {
+    if text == "auto" {
+        return Ok(Bound::Auto);
+    }
+    let number = text.parse().ok().filter(|number| (1..=Profile::LARGEST_BOUND).contains(number));
+    number.map(Bound::Number).ok_or_else(|| format!("`auto`, or a number from 1 to {}", Profile::LARGEST_BOUND))
 }
 
 impl ProfileArguments {
@@ -71,8 +91,21 @@ impl ProfileArguments {
                 Switch::On => true,
                 Switch::Off => false,
             },
-            bound: self.bound,
+            bound: match self.bound {
+                Some(Bound::Number(number)) => Some(number),
+                Some(Bound::Auto) | None => None,
+            },
+            livelock_outputs: match self.livelock_outputs {
+                LivelockOutputsName::Computed => LivelockOutputs::Computed,
+                LivelockOutputsName::Hold => LivelockOutputs::Hold,
+                LivelockOutputsName::Off => LivelockOutputs::Off,
+            },
         }
+    }
+
+    /// Whether the bound is the one that is known to be enough.
+    pub fn bound_as_known(&self) -> bool {
+        self.bound == Some(Bound::Auto)
     }
 }
 
@@ -80,6 +113,16 @@ impl ProfileArguments {
 enum EvolutionName {
     Stable,
     Scan,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum LivelockOutputsName {
+    /// What the situation says that was reached
+    Computed,
+    /// What they did after the call before
+    Hold,
+    /// They are off
+    Off,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]

@@ -295,3 +295,27 @@ fn the_chart_is_never_overwritten() {
     }
     assert_eq!(folder.read("valve.gct"), VALVE);
 }
+
+#[test]
+fn a_bound_has_its_limits() {
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    for refused in ["0", "2147483648", "4294967296", "-1", "many"] {
+        folder.run(&["valve.gct", "--target", "st", &format!("--bound={refused}")]).ends(2, "from 1 to 2147483647");
+    }
+    let largest = folder.run(&["valve.gct", "--target", "st", "--bound", "2147483647"]);
+    assert!(largest.is_done().out.contains("micro_steps >= 2147483647"));
+    let auto = folder.run(&["valve.gct", "--target", "st", "--bound", "auto"]);
+    assert!(auto.is_done().out.contains("--bound auto"));
+}
+
+#[test]
+fn names_of_controls_are_names() {
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    for refused in ["", " ", "a`b", "a\nb"] {
+        folder.run(&["valve.gct", "--target", "st", "--reset-input", refused]).ends(2, "no name");
+    }
+    folder.run(&["valve.gct", "--target", "st", "--reset-keeps-retained"]).ends(2, "--reset-input");
+    folder.run(&["valve.gct", "--target", "st", "--reset-input", "a"]).ends(1, "E0216");
+    let made = folder.run(&["valve.gct", "--target", "st", "--reset-input", "`step`", "--clear-flags-input", "ack"]);
+    assert!(made.is_done().out.contains("ack : BOOL;"));
+}

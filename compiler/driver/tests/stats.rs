@@ -73,6 +73,8 @@ fn json_is_one_object_with_keys_that_stay() {
     let single_phase = json!({
         "encoding": "single-phase", "state_bits": 2, "states": [], "auxiliary_bits": 3, "auxiliary_numbers": 0,
         "delays": 0, "loop": { "bound": 200 }, "statements": 6, "instructions": 19,
+        // Of the 6 all but the output are in each micro-step: 200 times 5, the output, and 3 of the first call.
+        "worst_case": { "micro_steps": 200, "statements": 1004 },
         // And 4 at the first call, 5 before each micro-step and 7 after it.
         "il_instructions": 35,
         // 28, an R of LIVELOCK, 3 for `again`, 6 before each micro-step and 7 after it.

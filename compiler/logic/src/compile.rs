@@ -7,6 +7,7 @@ use crate::encode;
 use crate::encode::controls;
 use crate::encode::first_call::first_call;
 use crate::encode::input_event::InputEvent;
+use crate::encode::livelock;
 use crate::encode::outputs;
 use crate::encode::restoring::restoring;
 use crate::encode::stored::heading;
@@ -51,7 +52,8 @@ fn make(analysis: Analysis, options: &Options, saved: bool) -> (Program, Diagnos
         // Now that it is known which steps share a state, once more with these.
         let cover = cover.with_lone(|s| components.covers(s));
         let mut lowering = Lowering::new(net.clone(), Some(&cover), options.simplify);
-        followers = Some(outputs::followers(&mut lowering));
+        let outputs_follow = !livelock::may_override(options.profile, evolution.ends);
+        followers = Some(outputs::followers(&mut lowering, outputs_follow));
         conditions = Conditions::new(lowering);
     }
     let components = if proofs { components } else { Components::none(&net) };
@@ -91,6 +93,12 @@ fn make(analysis: Analysis, options: &Options, saved: bool) -> (Program, Diagnos
     // Timers of durations are known only now that every moment that reads them has been lowered.
     let mut after = Vec::new();
     after.extend(outputs::statements(&mut lowering, followers.as_ref()));
+    let mut held = Vec::new();
+    if let Some(again) = repeat.map(|r| r.again).filter(|_| livelock::may_override(options.profile, evolution.ends)) {
+        let (kept, overriding) = livelock::statements(&mut lowering, options.profile, again);
+        held = kept;
+        after.extend(overriding);
+    }
     micro_step.extend(lowering.call_step_timers());
     if repeat.is_some() {
         micro_step.extend(input_event.over(&mut lowering));
@@ -110,6 +118,11 @@ fn make(analysis: Analysis, options: &Options, saved: bool) -> (Program, Diagnos
     if options.encoding == Encoding::Switch {
         elements.find_setters(&net);
     }
+    let most = match repeat {
+        None => 1,
+        Some(Repeat { limit: Some(limit), .. }) => limit.bound,
+        Some(Repeat { limit: None, .. }) => evolution.longest,
+    };
     let mut program = Program {
         name: net.name.to_string(),
         comment: net.comment.clone(),
@@ -124,6 +137,7 @@ fn make(analysis: Analysis, options: &Options, saved: bool) -> (Program, Diagnos
         before,
         micro_step,
         repeat,
+        most,
         after,
         restoring,
     };
@@ -135,6 +149,7 @@ fn make(analysis: Analysis, options: &Options, saved: bool) -> (Program, Diagnos
         }
         once::once(&mut program);
     }
+    program.first.splice(0..0, held);
     controls::add(&mut program, net.controls);
     join::join(&mut program);
     sweep::sweep(&mut program);
@@ -151,6 +166,8 @@ struct Ends {
     ends: bool,
     /// Whether it is proved that a second micro-step never does anything.
     once: bool,
+    /// How many micro-steps the longest evolution takes, or the bound.
+    longest: u32,
 }
 
 impl Ends {
@@ -160,7 +177,8 @@ impl Ends {
         let (steps, transitions) = (net.places.len() - auxiliary, net.transitions.len() - auxiliary);
         let bound = profile.bound_for(steps, transitions).clamp(1, i32::MAX as u32);
         let ends = proved.is_some_and(|transients| transients.ends_within(bound));
-        Ends { bound, ends, once: ends && proved.is_some_and(|transients| transients.single) }
+        let longest = proved.and_then(|transients| transients.longest).unwrap_or(bound);
+        Ends { bound, ends, longest, once: ends && proved.is_some_and(|transients| transients.single) }
     }
 
     fn repeats(&self, profile: Profile) -> bool {

@@ -16,7 +16,7 @@ use grafc_backends::rust::{self, Runtime};
 use grafc_diagnostics::{Code, Diagnostics, Policy, SourceMap, render};
 use grafc_logic::Encoding;
 use grafc_model::chart::ControlNames;
-use grafc_model::reaction::Evolution;
+use grafc_model::reaction::{Evolution, LivelockOutputs, Profile};
 use std::fmt;
 use std::io::Write;
 use std::panic::{self, AssertUnwindSafe};
@@ -57,6 +57,7 @@ pub struct Build {
     out_dir: Option<PathBuf>,
     runtime: Runtime,
     lowering: grafc_logic::Options,
+    bound_as_known: bool,
     controls: ControlNames,
     policy: Policy,
 }
@@ -70,6 +71,7 @@ impl Build {
             out_dir: None,
             runtime: Runtime::default(),
             lowering: grafc_logic::Options::default(),
+            bound_as_known: false,
             controls: ControlNames::default(),
             policy: Policy::default(),
         }
@@ -136,10 +138,23 @@ impl Build {
         self
     }
 
-    /// After how many micro-steps a scan gives up and raises LIVELOCK, as `--bound`; 0 is taken as 1. This changes what
-    /// the chart means.
+    /// After how many micro-steps a scan gives up and raises LIVELOCK, as `--bound`; 0 is taken as 1, and more than
+    /// 2,147,483,647 as that. This changes what the chart means.
     pub fn bound(&mut self, micro_steps: u32) -> &mut Self {
-        self.lowering.profile.bound = Some(micro_steps.max(1));
+        self.lowering.profile.bound = Some(micro_steps.clamp(1, Profile::LARGEST_BOUND));
+        self
+    }
+
+    /// The bound that is known to be enough for every reaction that comes to rest, where one is known, as `--bound auto`.
+    pub fn bound_auto(&mut self) -> &mut Self {
+        self.lowering.profile.bound = None;
+        self.bound_as_known = true;
+        self
+    }
+
+    /// What outputs of continuous actions do in a scan that LIVELOCK ends, as `--livelock-outputs`.
+    pub fn livelock_outputs(&mut self, outputs: LivelockOutputs) -> &mut Self {
+        self.lowering.profile.livelock_outputs = outputs;
         self
     }
 
@@ -251,10 +266,11 @@ impl Build {
             return Err(Failure::WrongUse(what, "choose another name with `module`"));
         }
         let source = self.chart.file_name().unwrap_or(self.chart.as_os_str()).to_string_lossy();
-        target.set_header(header(&source, &self.lowering, &self.controls, &target));
+        target.set_header(header(&source, &self.lowering, self.bound_as_known, &self.controls, &target));
 
         let (lowering, controls, policy) = (self.lowering, self.controls.clone(), self.policy.clone());
-        let options = Options { lowering, controls, product: Product::Code(target), policy };
+        let bound_as_known = self.bound_as_known;
+        let options = Options { lowering, bound_as_known, controls, product: Product::Code(target), policy };
         let made = report.compile(&self.chart, &name, &options)?;
         files::write(&path, &made)?;
         print(&report.warnings())?;

@@ -13,9 +13,10 @@
 
 use crate::options::{Options, Product};
 use crate::stages::{Last, check as resolve, flatten, net_after, parse, warn};
-use grafc_backends::{Output, Source};
+use grafc_backends::{Output, Source, Target};
 use grafc_diagnostics::{Diagnostics, FileId};
-use grafc_logic::{Analysis, scan};
+use grafc_logic::scan::WorstCase;
+use grafc_logic::{Analysis, Options as Lowering, scan};
 use grafc_model::chart::Chart;
 
 /// As far as what is asked for. There is a text exactly if no message is an error, or taken for one; and none after a pass that is not run.
@@ -46,7 +47,7 @@ fn make(
     options: &Options,
     diagnostics: &mut Diagnostics,
 ) -> Option<Output> {
-    let Options { lowering, controls, product, policy: _ } = options;
+    let Options { lowering, bound_as_known, controls, product, policy: _ } = options;
 
     let tree = parse(file, text, diagnostics);
     if let Product::Tree = product {
@@ -75,12 +76,13 @@ fn make(
     if let Product::Net = product {
         return Some(grafc_net::dump(analysis.net()).into());
     }
+    let lowering = &bounded(lowering, *bound_as_known, &analysis);
     let mut last = Last::new(analysis, lowering);
     let made = match product {
-        Product::Code(target) => target.emit(&mut last),
+        Product::Code(target) => emit(target, &mut last),
         Product::Mapped(target) => {
             last.wants_map = true;
-            target.emit(&mut last)
+            emit(target, &mut last)
         }
         Product::Equations => last.program().map(|program| scan::equations(program).into()),
         Product::Program => last.program().map(|program| scan::dump(program).into()),
@@ -89,4 +91,29 @@ fn make(
     diagnostics.append(last.diagnostics);
     allowances.apply(diagnostics);
     made.map_err(|found| diagnostics.append(found)).ok()
+}
+
+/// The options with the bound that is known to be enough, if it is wanted and there is one that is no larger than usual.
+pub(crate) fn bounded(lowering: &Lowering, as_known: bool, analysis: &Analysis) -> Lowering {
+    let mut bounded = *lowering;
+    // Where steps overlap, a hand-over takes longer.
+    if as_known && !lowering.encoding.overlaps() {
+        let net = analysis.net();
+        let usual = lowering.profile.bound_for(net.places.len(), net.transitions.len());
+        bounded.profile.bound = analysis.known_bound().map(|known| known.min(usual)).or(lowering.profile.bound);
+    }
+    bounded
+}
+
+/// The code, with the worst case of a call in its head.
+fn emit(target: &Target, last: &mut Last) -> Result<Output, Diagnostics> {
+    if !target.writes_statements() {
+        return target.emit(last);
+    }
+    let program = if target.saves_memory() { last.saved_program()? } else { last.program()? };
+    let WorstCase { micro_steps, statements } = program.worst_case();
+    let mut target = target.clone();
+    let plural = if micro_steps == 1 { "" } else { "s" };
+    target.add_to_header(format!("A call takes at most {micro_steps} micro-step{plural}, {statements} statements."));
+    target.emit(last)
 }

@@ -4,14 +4,21 @@
 
 use grafc_backends::Target;
 use grafc_model::chart::ControlNames;
-use grafc_model::reaction::{Evolution, Profile};
+use grafc_model::reaction::{Evolution, LivelockOutputs, Profile};
 
 /// The lines, for a chart from a source of this name.
-pub fn header(source: &str, lowering: &grafc_logic::Options, controls: &ControlNames, target: &Target) -> Vec<String> {
+pub fn header(
+    source: &str,
+    lowering: &grafc_logic::Options,
+    bound_as_known: bool,
+    controls: &ControlNames,
+    target: &Target,
+) -> Vec<String> {
     let (name, chosen) = target.spelled();
     let encoding = lowering.encoding.name();
     let optimize = if lowering.simplify { "" } else { "--optimize 0 " };
-    let profile = profile(lowering.profile) + &spelled(controls);
+    let auto = if bound_as_known { " --bound auto" } else { "" };
+    let profile = profile(lowering.profile) + auto + &spelled(controls);
     vec![
         format!("Made by grafc {} from {source}", env!("CARGO_PKG_VERSION")),
         format!("--target {name} --encoding {encoding} {optimize}{profile} {chosen}").trim_end().to_string(),
@@ -33,5 +40,10 @@ fn profile(profile: Profile) -> String {
     };
     let initial_actions = if profile.initial_actions { "on" } else { "off" };
     let bound = profile.bound.map_or(String::new(), |bound| format!(" --bound {bound}"));
-    format!("--evolution {evolution} --initial-actions {initial_actions}{bound}")
+    let livelock_outputs = match profile.livelock_outputs {
+        LivelockOutputs::Computed => "",
+        LivelockOutputs::Hold => " --livelock-outputs hold",
+        LivelockOutputs::Off => " --livelock-outputs off",
+    };
+    format!("--evolution {evolution} --initial-actions {initial_actions}{bound}{livelock_outputs}")
 }

@@ -33,7 +33,7 @@ pub use grafc_backends::rust::Runtime;
 pub use grafc_backends::{Element, Kind, Map, Output, Target};
 pub use grafc_diagnostics::{Code, Policy};
 pub use grafc_logic::{Encoding, Options as Lowering};
-pub use grafc_model::reaction::Evolution;
+pub use grafc_model::reaction::{Evolution, LivelockOutputs};
 pub use header::header;
 pub use options::{Options, Product};
 pub use simulate::{NotShown, Run, Simulation, simulate};

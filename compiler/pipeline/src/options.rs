@@ -9,6 +9,8 @@ use grafc_model::chart::ControlNames;
 pub struct Options {
     /// How the chart becomes a program.
     pub lowering: grafc_logic::Options,
+    /// Whether the bound on micro-steps is the one that is known to be enough, where one is.
+    pub bound_as_known: bool,
     /// Inputs that act on the chart as a whole.
     pub controls: ControlNames,
     /// What comes out.
@@ -20,7 +22,13 @@ pub struct Options {
 impl Options {
     /// Everything as usual: all warnings are shown, and none is an error.
     pub fn new(lowering: grafc_logic::Options, product: Product) -> Self {
-        Options { lowering, controls: ControlNames::default(), product, policy: Policy::default() }
+        Options {
+            lowering,
+            bound_as_known: false,
+            controls: ControlNames::default(),
+            product,
+            policy: Policy::default(),
+        }
     }
 }
 

@@ -1,7 +1,9 @@
 //! A chart over a trace, with the reference simulator.
 
-use crate::compile::check;
+use crate::compile::{bounded, check};
+use crate::stages::flatten;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
+use grafc_logic::Analysis;
 use grafc_model::chart::{Chart, ControlNames, VariableKind};
 use grafc_model::reaction::Profile;
 use grafc_model::simulate::{Calls, MOST_CALLS, Probe, Record, run};
@@ -13,6 +15,8 @@ use grafc_syntax::spelling::distance;
 pub struct Run<'a> {
     /// How it evolves.
     pub profile: Profile,
+    /// Whether the bound on micro-steps is the one that is known to be enough, where one is.
+    pub bound_as_known: bool,
     /// Inputs that act on it as a whole, if there are any.
     pub controls: Option<&'a ControlNames>,
     /// When it is called.
@@ -98,7 +102,13 @@ pub fn simulate(
         Err(word) => return (Err(NotShown { near: near(&chart, &word), word }), diagnostics),
     };
     let (stimuli, places): (Vec<_>, Vec<_>) = rows.into_iter().unzip();
-    let record = run(&chart, how.profile, &stimuli, how.calls, &probes);
+    let mut lowering = grafc_logic::Options { profile: how.profile, ..grafc_logic::Options::default() };
+    if how.bound_as_known
+        && let Some(net) = flatten(&chart, false, &mut Diagnostics::new())
+    {
+        lowering = bounded(&lowering, true, &Analysis::new(net));
+    }
+    let record = run(&chart, lowering.profile, &stimuli, how.calls, &probes);
     said(&record, &places).into_iter().for_each(|one| diagnostics.push(one));
     let compared = recorded.map(|(file, text)| {
         let (rows, found) = trace::compare_trace(file, text, &chart, &record.stimuli, &record.responses);

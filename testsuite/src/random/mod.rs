@@ -17,7 +17,7 @@ mod write;
 
 use grafc_diagnostics::FileId;
 use grafc_model::chart::Chart;
-use grafc_model::reaction::{Evolution, Profile};
+use grafc_model::reaction::{Evolution, LivelockOutputs, Profile};
 pub use trace::trace;
 
 /// Which part of the language a chart may use.
@@ -104,5 +104,10 @@ pub fn profile(seed: u64) -> Profile {
         evolution: if rng.f32() < 0.25 { Evolution::Scan } else { Evolution::Stable },
         initial_actions: rng.f32() < 0.8,
         bound: if rng.f32() < 0.1 { Some(rng.u32(1..=6)) } else { None },
+        livelock_outputs: match rng.u8(0..6) {
+            0 => LivelockOutputs::Hold,
+            1 => LivelockOutputs::Off,
+            _ => LivelockOutputs::Computed,
+        },
     }
 }

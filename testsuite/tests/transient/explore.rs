@@ -22,7 +22,7 @@ pub struct Needs {
 /// Runs a chart over the Boolean inputs `a` and `b`; so many reactions at most.
 pub fn explore(chart: &Chart, initial_actions: bool, patience: usize) -> Needs {
     let mut needs = Needs { most: 1, single: true, single_but_delays: true };
-    let profile = Profile { bound: Some(ENDLESS), initial_actions, evolution: Evolution::Stable };
+    let profile = Profile { bound: Some(ENDLESS), initial_actions, evolution: Evolution::Stable, ..Profile::default() };
     let mut open = VecDeque::from([(Simulator::new(chart, profile), None)]);
     let mut met: BTreeMap<String, u32> = BTreeMap::new();
     let mut reactions = 0;

@@ -129,7 +129,7 @@ fn a_timer_reads_the_clock() {
         "      AD    DW#16#7FFFFFFF;",
         "      L     L#1073741824;",
         "      >D;",
-        "      JC    MMNS;                        // NOW was put back: no time",
+        "      JC    MMNS;                         // NOW was put back: no time",
         "      TAK;",
         "      L     #clock;",
         "      +D;",

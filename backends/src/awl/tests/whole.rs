@@ -93,7 +93,7 @@ fn four_steps_in_full() {
               AD    DW#16#7FFFFFFF;
               L     L#1073741824;
               >D;
-              JC    MMNS;                        // NOW was put back: no time
+              JC    MMNS;                         // NOW was put back: no time
               TAK;
               L     #clock;
               +D;

@@ -92,7 +92,9 @@ impl Repeated {
                 branches.iter_mut().for_each(|(_, body)| body.retain(|inner| !writes(inner, flag)));
             }
         }
-        asked.retain(|statement| !statement.bodies().all(is_empty));
+        let is_empty_choice =
+            |statement: &Statement| matches!(statement, Statement::If { .. }) && statement.bodies().all(is_empty);
+        asked.retain(|statement| !is_empty_choice(statement));
         asked
     }
 

@@ -32,6 +32,7 @@ impl Build {
             before: Vec::new(),
             micro_step: Vec::new(),
             repeat: None,
+            most: 1,
             after: Vec::new(),
             restoring: None,
         };

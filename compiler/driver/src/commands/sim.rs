@@ -84,7 +84,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         // A drawing is of everything.
         let show = if drawn { [ALL.map(String::from).to_vec(), args.show].concat() } else { args.show };
         let controls = args.controls.names();
-        let how = grafc::Run { profile: args.profile.profile(), controls: Some(&controls), calls, show: &show };
+        let (profile, bound_as_known) = (args.profile.profile(), args.profile.bound_as_known());
+        let how = grafc::Run { profile, bound_as_known, controls: Some(&controls), calls, show: &show };
         let name = args.chart.chart_name();
         let (simulation, diagnostics) = grafc::simulate(text(chart), &name, text(trace), against, how);
         report.diagnostics.append(diagnostics);

@@ -18,6 +18,7 @@ pub(crate) mod controls;
 pub(crate) mod first_call;
 mod in_order;
 pub(crate) mod input_event;
+pub(crate) mod livelock;
 mod next_activity;
 pub(crate) mod outputs;
 mod r_trigger;

@@ -26,8 +26,9 @@ pub(crate) struct Followers {
     of_step: FxHashMap<StepId, Vec<usize>>,
 }
 
-/// Finds wires that can follow a state, and tells the lowering that their variables hold their values.
-pub(crate) fn followers(lowering: &mut Lowering) -> Followers {
+/// Finds wires that can follow a state, and tells the lowering that their variables hold their values. Outputs do not where
+/// something else may write them at the end of a call.
+pub(crate) fn followers(lowering: &mut Lowering, outputs_follow: bool) -> Followers {
     let net = &*lowering.net.clone();
     let mut followers = Followers {
         of_set: lowering.situation.sets.iter().map(|_| Vec::new()).collect(),
@@ -57,7 +58,8 @@ pub(crate) fn followers(lowering: &mut Lowering) -> Followers {
         }
     }
     for (v, variable) in net.variables.iter_enumerated() {
-        let Some(Some(set)) = set_of[v.index()].filter(|_| variable.mode == Mode::Wire) else { continue };
+        let may_follow = variable.mode == Mode::Wire && (outputs_follow || variable.kind != VariableKind::Output);
+        let Some(Some(set)) = set_of[v.index()].filter(|_| may_follow) else { continue };
         // Between micro-steps only what depends on the situation alone has its value.
         let shown = variable.kind == VariableKind::Output && !read.contains(&v);
         if shown || !followers.conditional.contains(&v) {

@@ -20,6 +20,7 @@ pub(crate) fn empty() -> Program {
         before: Vec::new(),
         micro_step: Vec::new(),
         repeat: None,
+        most: 1,
         after: Vec::new(),
         restoring: None,
     }

@@ -360,7 +360,8 @@ impl Program {
             | Heading::WhatTheClearingsBringAbout
             | Heading::TimersOfTheStepBefore
             | Heading::TimersOfTheActiveStep
-            | Heading::Outputs => words.into(),
+            | Heading::Outputs
+            | Heading::OutputsAfterLivelock => words.into(),
         }
     }
 

@@ -47,7 +47,8 @@ impl Program {
         })
     }
 
-    /// What stands in `first`: what inputs ask for while they are true, as a reset does, and the initial reaction.
+    /// What stands in `first`: what inputs ask for while they are true, as a reset does, with the values that a call keeps
+    /// from the one before; and the initial reaction.
     pub fn asked_and_reaction(&self) -> (&[Statement], &[Statement]) {
         let asked = |statement: &Statement| match statement {
             Statement::If { branches, otherwise } => match (branches.as_slice(), otherwise.is_empty()) {
@@ -57,11 +58,10 @@ impl Program {
                 },
                 _ => false,
             },
-            Statement::Heading(_)
-            | Statement::Assign { .. }
-            | Statement::Divide(_)
-            | Statement::CallTimer { .. }
-            | Statement::Case { .. } => false,
+            Statement::Assign { target, .. } => self.variables[*target].role == Role::Temporary,
+            Statement::Heading(_) | Statement::Divide(_) | Statement::CallTimer { .. } | Statement::Case { .. } => {
+                false
+            }
         };
         self.first.split_at(self.first.iter().take_while(|statement| asked(statement)).count())
     }

@@ -15,6 +15,7 @@
 //! | `fingerprint` | a number that tells programs apart |
 //! | `facts` | sections, loops over all statements, what is read of timers, which state a variable takes its values from |
 //! | `verify` | the check of the invariants |
+//! | `worst` | the longest call |
 //! | `dump`, `evaluate`, `measure` | the program as text, run, counted |
 //!
 //! One call runs
@@ -45,6 +46,7 @@ mod tests;
 mod variable;
 mod verify;
 mod words;
+mod worst;
 
 pub use division::{ByMinusOne, Division, Guard};
 pub use dump::{dump, equations};
@@ -59,6 +61,7 @@ pub use restoring::{Exclusive, Restoring};
 pub use statement::{Arm, Statement, is_empty, origin_of, origin_of_end};
 pub use variable::{Flag, Held, Preset, Role, State, Step, Timer, Variable};
 pub use verify::verify;
+pub use worst::WorstCase;
 
 use ecow::EcoString;
 use grafc_formula::Pool;
@@ -93,6 +96,8 @@ pub struct Program {
     pub micro_step: Vec<Statement>,
     /// Whether another micro-step is needed, and at most how many; none if a call is one micro-step.
     pub repeat: Option<Repeat>,
+    /// At most so many micro-steps a call.
+    pub most: u32,
     /// Once a call, after the evolution.
     pub after: Vec<Statement>,
     /// What gives saved memory back, for a target that saves it.

@@ -91,6 +91,8 @@ pub enum Heading {
     TimersOfTheActiveStep,
     /// Continuous actions.
     Outputs,
+    /// What outputs do in a call that was cut off.
+    OutputsAfterLivelock,
     /// A part that is about one of several grafcets.
     Of(Part, GrafcetId),
 }
@@ -144,6 +146,7 @@ impl Heading {
             Heading::TimersOfTheStepBefore => "timers of the step that was active before",
             Heading::TimersOfTheActiveStep => "timers of the active step",
             Heading::Outputs => "outputs",
+            Heading::OutputsAfterLivelock => "outputs where no stable situation was found",
         }
     }
 }

@@ -157,6 +157,7 @@ pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagn
         before: [prepared.before, prepared.last].concat(),
         micro_step: Vec::new(),
         repeat: None,
+        most: 1,
         after: prepared.after,
         restoring: None,
     };

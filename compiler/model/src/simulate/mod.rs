@@ -73,6 +73,8 @@ pub struct Simulator<'a> {
     /// The inputs of the reaction before; none before the first.
     previous: Option<Vec<Value>>,
     flags: Flags,
+    /// The outputs of the latest reaction; none before the first.
+    shown: Vec<Value>,
     /// The transitions that the latest micro-step cleared.
     cleared: IndexVec<TransitionId, bool>,
     /// Values of the latest context; those that a context reads it has written before.
@@ -114,6 +116,7 @@ impl<'a> Simulator<'a> {
             state: State::new(chart),
             previous: None,
             flags: Flags::default(),
+            shown: Vec::new(),
             cleared: chart.transitions.iter().map(|_| false).collect(),
             values: Values::new(chart),
         }
@@ -131,6 +134,7 @@ impl<'a> Simulator<'a> {
         }
         self.previous = None;
         self.flags = Flags::default();
+        self.shown.clear();
     }
 
     /// The state after the latest reaction, or the latest micro-step of one that is observed.

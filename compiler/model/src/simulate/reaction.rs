@@ -1,21 +1,28 @@
 //! R9-R14: reactions.
 
-use super::Simulator;
 use super::arithmetic::{convert, same};
 use super::plan::{Memory, Valued};
 use super::settle::{Conflict, Phase, settle};
 use super::stored::allocate;
+use super::{Simulator, State};
 use crate::chart::{Event, Mode, Stored, Value, VariableId, VariableKind};
-use crate::reaction::{Evolution, Flags, Response, Stimulus};
+use crate::reaction::{Evolution, Flags, LivelockOutputs, Response, Stimulus};
+
+/// What looks on, if somebody does.
+type Observer<'o, 'a> = Option<&'o mut dyn FnMut(&Simulator<'a>)>;
 
 impl<'a> Simulator<'a> {
     /// Reacts to inputs at an instant; the first call is the initial reaction.
     pub fn react(&mut self, stimulus: &Stimulus) -> Response {
-        self.react_observed(stimulus, &mut |_| ())
+        self.reaction(stimulus, None)
     }
 
     /// The same, shown from within: `observe` sees the simulator once it has started and after each micro-step.
     pub fn react_observed(&mut self, stimulus: &Stimulus, observe: &mut dyn FnMut(&Simulator<'a>)) -> Response {
+        self.reaction(stimulus, Some(observe))
+    }
+
+    fn reaction(&mut self, stimulus: &Stimulus, mut observe: Observer<'_, 'a>) -> Response {
         let t = stimulus.t_ms;
         if stimulus.restart {
             self.restart(true);
@@ -33,20 +40,25 @@ impl<'a> Simulator<'a> {
             Some(previous) => previous.iter().zip(&inputs).any(|(&old, &new)| !same(old, new)),
             None => {
                 self.start(t);
-                observe(self);
+                if let Some(observe) = &mut observe {
+                    observe(self);
+                }
                 false
             }
         };
         self.previous = Some(inputs);
-        match self.profile.evolution {
+        let cut_off = match self.profile.evolution {
             Evolution::Stable => self.evolve(t, input_event, observe),
             // R14: exactly one micro-step a call.
             Evolution::Scan => {
                 self.micro_step(t, input_event);
-                observe(self);
+                if let Some(observe) = &mut observe {
+                    observe(self);
+                }
+                false
             }
-        }
-        self.publish(t)
+        };
+        self.publish(t, cut_off)
     }
 
     /// Whether an input that acts on the chart as a whole is true.
@@ -74,20 +86,44 @@ impl<'a> Simulator<'a> {
         inputs
     }
 
-    /// R9: micro-steps until nothing changes, or until there have been too many.
-    fn evolve(&mut self, t: i64, input_event: bool, observe: &mut dyn FnMut(&Simulator<'a>)) {
+    /// R9: micro-steps until nothing changes, or until there have been too many; whether it was that.
+    ///
+    /// A state that comes again comes again and again, since inputs and time are fixed: where nobody looks, what is left
+    /// of the bound after whole rounds is all that need be done.
+    fn evolve(&mut self, t: i64, input_event: bool, mut observe: Observer<'_, 'a>) -> bool {
         let bound = self.profile.bound_for(self.chart.steps.len(), self.chart.transitions.len());
-        let mut done = 0;
+        // The state after the first micro-step, and that after a later one, which moves on in ever larger steps (Brent).
+        let mut marks: [Option<(u32, State)>; 2] = [None, None];
+        let (mut done, mut left) = (0, bound);
         loop {
             let changed = self.micro_step(t, input_event && done == 0);
-            observe(self);
-            if !changed {
-                break;
+            if let Some(observe) = &mut observe {
+                observe(self);
             }
-            done += 1;
-            if done >= bound {
+            if !changed {
+                return false;
+            }
+            (done, left) = (done + 1, left.saturating_sub(1));
+            if left == 0 {
                 self.flags.livelock = true;
-                break;
+                return true;
+            }
+            if observe.is_some() {
+                continue;
+            }
+            let seen = marks.iter().flatten().find(|(_, state)| *state == self.state).map(|(at, _)| *at);
+            match seen {
+                Some(at) => {
+                    left %= done - at;
+                    marks = [None, None];
+                    if left == 0 {
+                        self.flags.livelock = true;
+                        return true;
+                    }
+                }
+                None if done == 1 => marks[0] = Some((done, self.state.clone())),
+                None if done.is_power_of_two() && marks[0].is_some() => marks[1] = Some((done, self.state.clone())),
+                None => {}
             }
         }
     }
@@ -131,19 +167,27 @@ impl<'a> Simulator<'a> {
 
     /// R11, R14: outputs of the situation and the variables reached, with the delays of the latest context. After a
     /// stable reaction that is the latest context itself.
-    fn publish(&mut self, t: i64) -> Response {
+    fn publish(&mut self, t: i64, cut_off: bool) -> Response {
         let nodes = std::mem::take(&mut self.plan.outputs);
         self.evaluate(&nodes, Memory::Hold, t);
         self.plan.outputs = nodes;
         let outputs =
             self.chart.variables.iter_enumerated().filter(|(_, variable)| variable.kind == VariableKind::Output);
+        let wire = |id, place: usize| match self.profile.livelock_outputs {
+            LivelockOutputs::Hold if cut_off => self.shown.get(place).copied().unwrap_or(Value::Bool(false)),
+            LivelockOutputs::Off if cut_off => Value::Bool(false),
+            LivelockOutputs::Computed | LivelockOutputs::Hold | LivelockOutputs::Off => {
+                Value::Bool(self.values.wire(id))
+            }
+        };
+        let outputs = outputs.enumerate().map(|(place, (id, variable))| match variable.mode {
+            Mode::Wire => wire(id, place),
+            Mode::Given | Mode::Stored => self.state.variables[id],
+        });
+        let outputs: Vec<Value> = outputs.collect();
+        self.shown = outputs;
         Response {
-            outputs: outputs
-                .map(|(id, variable)| match variable.mode {
-                    Mode::Wire => Value::Bool(self.values.wire(id)),
-                    Mode::Given | Mode::Stored => self.state.variables[id],
-                })
-                .collect(),
+            outputs: self.shown.clone(),
             situation: self.state.active.iter_enumerated().filter(|(_, active)| **active).map(|(id, _)| id).collect(),
             flags: self.flags,
         }

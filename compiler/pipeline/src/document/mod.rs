@@ -15,6 +15,7 @@ mod emit;
 #[cfg(test)]
 mod tests;
 
+use crate::compile::bounded;
 use crate::stages::flatten;
 use grafc_diagnostics::{Diagnostics, Edit, FileId, Misfit, SourceFile, SourceMap, Span, apply};
 use grafc_logic::scan::Program;
@@ -153,6 +154,14 @@ impl Document {
         if options != self.options {
             self.options = options;
             self.of_options = OfOptions::default();
+        }
+    }
+
+    /// Takes the bound on micro-steps that is known to be enough, where one is, in the place of the usual one.
+    pub fn bound_as_known(&mut self, as_known: bool) {
+        if as_known && let Some(analysis) = self.analysis() {
+            let options = bounded(&self.options, true, analysis);
+            self.set_options(options);
         }
     }
 

@@ -129,7 +129,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let jobs = plan::jobs(&args, &lowering)?;
     let messages = args.messages.messages();
     let product = Product::Program;
-    let options = Options { lowering, controls: args.controls.names(), product, policy: args.messages.policy()? };
+    let (bound_as_known, controls) = (args.profile.bound_as_known(), args.controls.names());
+    let options = Options { lowering, bound_as_known, controls, product, policy: args.messages.policy()? };
     if args.watch {
         watch::run(&args.charts, messages, || Ok(compile(&jobs, &options, messages)))
     } else {

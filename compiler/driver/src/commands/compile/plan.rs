@@ -157,7 +157,13 @@ fn product(
         Asked::Stage(Stage::Scan) => Product::Program,
         Asked::Target(about) => {
             let mut target = args.choices.target(about)?;
-            target.set_header(header(&chart.file_name(), lowering, &args.controls.names(), &target));
+            target.set_header(header(
+                &chart.file_name(),
+                lowering,
+                args.profile.bound_as_known(),
+                &args.controls.names(),
+                &target,
+            ));
             if args.map.is_some() { Product::Mapped(target) } else { Product::Code(target) }
         }
     })

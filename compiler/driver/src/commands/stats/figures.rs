@@ -56,12 +56,22 @@ pub struct EncodingFigures {
     pub repeat: Option<Repeat>,
     pub statements: u64,
     pub instructions: u64,
+    /// What no call exceeds.
+    pub worst_case: Worst,
     /// Those of the instruction list that `--target il` writes.
     pub il_instructions: u64,
     /// Those of the function block that `--target awl` writes; none where it cannot.
     pub awl_instructions: Option<u64>,
     /// What `size_of` gives for the chart's struct in Rust.
     pub rust_bytes: usize,
+}
+
+/// The longest call.
+#[derive(Serialize)]
+pub struct Worst {
+    pub micro_steps: u32,
+    /// Those that are carried out.
+    pub statements: u64,
 }
 
 /// The stability loop.
@@ -97,7 +107,7 @@ pub struct Bit {
 
 /// The figures of a chart. There are some exactly if no message is an error. What an encoding warns of is said when the
 /// chart is compiled with it.
-pub fn figures(document: &mut Document, profile: Profile) -> (Option<Figures>, Diagnostics) {
+pub fn figures(document: &mut Document, profile: Profile, bound_as_known: bool) -> (Option<Figures>, Diagnostics) {
     let mut diagnostics = document.diagnostics().clone();
     diagnostics.append(document.warnings().clone());
     let (Some(chart), Some(analysis)) = (document.chart(), document.analysis()) else { return (None, diagnostics) };
@@ -116,6 +126,7 @@ pub fn figures(document: &mut Document, profile: Profile) -> (Option<Figures>, D
     };
     for encoding in Encoding::ALL {
         document.set_options(Options { profile, encoding, ..Options::default() });
+        document.bound_as_known(bound_as_known);
         match row(document, encoding) {
             Ok(row) => figures.encodings.push(row),
             Err(mut found) => {
@@ -167,6 +178,7 @@ impl EncodingFigures {
     fn new(encoding: Encoding, program: &Program) -> Result<EncodingFigures, Diagnostics> {
         let Measure { state_bits, states, auxiliary_bits, auxiliary_numbers, timers, statements, instructions } =
             measure(program);
+        let worst = program.worst_case();
         Ok(EncodingFigures {
             encoding: encoding.name(),
             state_bits,
@@ -177,6 +189,7 @@ impl EncodingFigures {
             repeat: program.repeat.map(|repeat| Repeat { bound: repeat.limit.map(|limit| limit.bound) }),
             statements,
             instructions,
+            worst_case: Worst { micro_steps: worst.micro_steps, statements: worst.statements },
             il_instructions: il::instructions(program)?,
             awl_instructions: awl::instructions(program).ok(),
             rust_bytes: rust::size_of(program),

@@ -1,6 +1,6 @@
 //! Figures as text for people.
 
-use super::figures::{Decomposition, EncodingFigures, Figures, Repeat, Transients};
+use super::figures::{Decomposition, EncodingFigures, Figures, Repeat, Transients, Worst};
 
 /// Lines are at most this long, except for a name that is longer.
 const WIDTH: usize = 100;
@@ -50,6 +50,13 @@ impl Figures {
         let awl = |row: &EncodingFigures| row.awl_instructions.map_or("none".to_string(), |count| count.to_string());
         out.push_str(&format!("\nin AWL\n  {}\n", by_encoding(&awl)));
         out.push_str(&format!("\nbytes in Rust\n  {}\n", by_encoding(&|row| row.rust_bytes.to_string())));
+        let worst = |row: &EncodingFigures| {
+            let Worst { micro_steps, statements } = row.worst_case;
+            format!("{micro_steps} and {statements}")
+        };
+        out.push_str("\nmicro-steps and statements of the longest call\n");
+        let worst: Vec<String> = self.encodings.iter().map(|row| format!("{} {}", row.encoding, worst(row))).collect();
+        wrap(&mut out, "", 2, &worst.join(", ").split(' ').collect::<Vec<_>>());
         self.transients.list(&mut out);
         let by_method: Vec<String> = self
             .exclusion

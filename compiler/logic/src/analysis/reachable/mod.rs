@@ -182,7 +182,6 @@ impl Reached {
     }
 
     /// How many situations there are, if that is no astronomical number.
-    #[cfg(test)]
     pub(crate) fn count(&self) -> Option<u64> {
         self.situations.count()
     }

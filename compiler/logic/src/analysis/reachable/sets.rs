@@ -203,7 +203,6 @@ impl Diagram {
     }
 
     /// How many situations there are, if that is no astronomical number.
-    #[cfg(test)]
     pub(super) fn count(&self) -> Option<u64> {
         let mut counts: Vec<Option<u64>> = vec![Some(0), Some(1)];
         for node in &self.nodes[2..] {

@@ -19,6 +19,7 @@
 //!
 //! All this is said of evolutions in which every reaction before ended by itself, and of encodings without overlap.
 
+mod bound;
 mod cases;
 mod causes;
 mod conditions;
