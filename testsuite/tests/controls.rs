@@ -192,6 +192,9 @@ fn random_charts_agree() {
     assert!(ran > 2 * drawn.len(), "{ran} runs");
 }
 
+/// What a run came to; none where there is no such text.
+type Ran = Result<Option<Vec<Response>>, String>;
+
 /// Instruction lists, and ladders of one micro-step a call, in the suite's own controller.
 #[test]
 fn instruction_lists_and_ladders_agree() {
@@ -201,7 +204,7 @@ fn instruction_lists_and_ladders_agree() {
         let mut chart = checked(seed, kind).chart;
         chart.control(&names(seed % 3 == 0)).expect("names that random charts do not have");
         let stimuli = rare(seed, &chart);
-        let agree = |profile: Profile, run: &dyn Fn(&Job) -> Result<Option<Vec<Response>>, String>| {
+        let agree = |profile: Profile, run: &dyn Fn(&Job) -> Ran| {
             let ways = exact(profile);
             let program = compile(&chart, &ways[seed as usize % ways.len()].1).expect("a scan program");
             let job = Job { program, stimuli: stimuli.clone() };
