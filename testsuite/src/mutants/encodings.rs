@@ -51,7 +51,7 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "no-copy-of-the-old-situation",
         at: COMPILER,
         breaks: "where writing goes round in a circle, those that come later read the new situation (R3)",
-        text: "copies.extend(fresh);",
+        text: "copies.of.insert(v, copy);",
         instead: "",
     },
     Fault {

@@ -44,7 +44,7 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "entered-while-it-is-left",
         at: COMPILER,
         breaks: "a step that is left and entered at once is said to be entered while it is active (W0418)",
-        text: "marking.binary_search(step).is_ok() && !leaves(step) && entered.insert(*step)",
+        text: "marking.binary_search(step).is_ok() && !leaves.contains(step) && entered.insert(*step)",
         instead: "marking.binary_search(step).is_ok() && entered.insert(*step)",
     },
     Fault {
