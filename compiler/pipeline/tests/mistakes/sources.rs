@@ -13,10 +13,12 @@ const MAKERS: [&str; 6] = [".help(", "Cure::new(", "Cure::words(", "Cure::write(
 /// Names of variables that hold a help until it is given.
 const HELD: [&str; 5] = ["help", "words", "otherwise", "declaration", "cure"];
 
-/// Where helps on other things than the text of a chart are made, and who tries those.
+/// Where helps on other things than the text of a chart are made.
 const ELSEWHERE: &[&str] = &[
     // Traces: the tests there.
     "model/src/trace/",
+    // Names that options give, and no chart.
+    "model/src/chart/controls.rs",
     // Encodings and drawn bodies: the pages of W0413 and E0503, which are compiled.
     "logic/src/warn/overlap.rs",
     "logic/src/sequence/",
