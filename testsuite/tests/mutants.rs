@@ -3,7 +3,10 @@
 use grafc_testsuite::binary::root;
 use grafc_testsuite::mutants::run::suites;
 use grafc_testsuite::mutants::{Fault, Part, Places, all, faulty_files, places};
+use grafc_testsuite::tools::{Tool, or_skip};
 use std::collections::BTreeSet;
+use std::io::Write;
+use std::process::{Command, Stdio};
 
 #[test]
 fn each_fault_has_its_place() {
@@ -54,5 +57,25 @@ fn faults_stand_beside_what_is_right() {
             done = place.range.end;
         }
         assert!(faulty.ends_with(&right[done..]), "{file}");
+    }
+}
+
+/// The text of a fault is an expression, or statements: with the choice in its place the file is still Rust.
+#[test]
+fn what_has_faults_is_rust_all_the_same() {
+    let here = Command::new("rustfmt").arg("--version").output().is_ok_and(|output| output.status.success());
+    let Some(()) = or_skip(Tool::Rustfmt, here.then_some(()).ok_or_else(|| "rustfmt cannot be called".to_owned()))
+    else {
+        return;
+    };
+    for (file, faulty) in faulty_files(&root()).expect("faults that have their places") {
+        let mut rustfmt = Command::new("rustfmt");
+        rustfmt.args(["--edition", "2024"]).stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
+        let mut child = rustfmt.spawn().expect("a tool that was there before");
+        let mut input = child.stdin.take().expect("it is piped");
+        input.write_all(faulty.as_bytes()).expect("it reads");
+        drop(input);
+        let output = child.wait_with_output().expect("it ends");
+        assert!(output.status.success(), "{file}: {}", String::from_utf8_lossy(&output.stderr));
     }
 }

@@ -93,8 +93,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "exclusion-of-the-same",
         at: COMPILER,
         breaks: "two conditions with a factor in common are taken to exclude each other",
-        text: "is_some_and(|other| other != asserted)",
-        instead: "is_some_and(|other| other == asserted)",
+        text: "known.insert(inner, asserted).is_some_and(|other| other != asserted)",
+        instead: "known.insert(inner, asserted).is_some_and(|other| other == asserted)",
     },
     Fault {
         name: "exclusion-cuts-downwards",
@@ -121,8 +121,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "exclusion-bounds-of-the-denied",
         at: COMPILER,
         breaks: "a whole number that is not below a bound is taken to lie below it",
-        text: "if !measured.real => (None, from)",
-        instead: "if !measured.real => (from, None)",
+        text: "(None, from)",
+        instead: "(from, None)",
     },
     Fault {
         name: "situations-rivals-one-by-one",
