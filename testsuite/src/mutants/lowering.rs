@@ -121,8 +121,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "conflict-of-many-unseen",
         at: COMPILER,
         breaks: "of more than two actions that disagree on a value nothing is told (R7)",
-        text: ".take(triggers.len() - 1)",
-        instead: ".take(0)",
+        text: "triggers.iter().zip(&values).take(triggers.len() - 1)",
+        instead: "triggers.iter().zip(&values).take(0)",
     },
     Fault {
         name: "quotient-outlives-its-branch",

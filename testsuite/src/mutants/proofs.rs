@@ -135,9 +135,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "situations-kept-steps-are-lost",
         at: COMPILER,
         breaks: "a step that is left and entered at once is taken to become inactive",
-        text: "others.extend(single.before.iter().flat_map(|s| &self.entered_active[usize::from(*s)])); \
-               others.extend(single.before.symmetric_difference(&single.after)",
-        instead: "others.extend(single.before.symmetric_difference(&single.after)",
+        text: "others.extend(single.before.iter().flat_map(|s| &self.entered_active[usize::from(*s)]));",
+        instead: "",
     },
     Fault {
         name: "situations-conditions-one-by-one",
@@ -171,8 +170,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "sets-of-rivals-that-meet",
         at: COMPILER,
         breaks: "a step is held in a state although two transitions after it may clear together",
-        text: "find(|u| part.meet(*t, **u))",
-        instead: "find(|_| false)",
+        text: "part.meet(*t, **u)",
+        instead: "part.meet(*t, **u) && false",
     },
     Fault {
         name: "tokens-always-marked",
