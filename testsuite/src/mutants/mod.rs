@@ -16,6 +16,7 @@
 
 mod backends;
 mod bodies;
+mod calls;
 mod encodings;
 mod lowering;
 mod net;
@@ -119,7 +120,7 @@ pub struct Fault {
 /// All of them, along the way of a chart through the compiler.
 pub fn all() -> impl Iterator<Item = &'static Fault> {
     let compiler = [net::FAULTS, lowering::FAULTS, encodings::FAULTS, proofs::FAULTS, warnings::FAULTS];
-    compiler.into_iter().chain([backends::FAULTS, bodies::FAULTS]).flatten()
+    compiler.into_iter().chain([backends::FAULTS, bodies::FAULTS, calls::FAULTS]).flatten()
 }
 
 impl Fault {

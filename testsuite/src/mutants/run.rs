@@ -47,6 +47,8 @@ const COMPILER: &[Suite] = &[
     tests("micro_steps"),
     suite("grafc-logic", "compiler/logic", Some("warnings")),
     tests("cases"),
+    tests("controls"),
+    tests("livelock"),
     tests("warnings"),
 ];
 
@@ -69,6 +71,7 @@ const CHART: &[Suite] =
     &[tests("plcopen_sfc"), with(Tool::Beremiz, "beremiz", Some("sequential_function_charts")), BACKENDS];
 const RUST: &[Suite] = &[
     Suite { only: Some("overlapping"), ..tests("rust") },
+    tests("saved"),
     Suite { only: Some("vectors"), ..tests("rust") },
     tests("rust"),
 ];
