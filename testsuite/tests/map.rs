@@ -103,12 +103,12 @@ fn a_transition_is_named_on_its_lines() {
             let arrow = transition.at.as_deref().unwrap_or_default();
             let mut own = transition.lines.iter().flat_map(|(first, last)| *first..=*last);
             let is_named = own.any(|line| comment(lines[line as usize - 1]).is_some_and(|text| says(text, arrow)));
-            // A long comment goes over several lines.
+            // A long comment goes over several lines, and each of them may begin as the first one does.
             let is_named = is_named
                 || transition.lines.iter().any(|(first, last)| {
-                    let run =
-                        lines[*first as usize - 1..*last as usize].iter().flat_map(|line| line.split_whitespace());
-                    says(&run.collect::<Vec<_>>().join(" "), arrow)
+                    let run = lines[*first as usize - 1..*last as usize].iter();
+                    let bare = run.flat_map(|line| line.trim_start().trim_start_matches('/').split_whitespace());
+                    bare.collect::<Vec<_>>().join(" ").contains(arrow)
                 });
             assert!(is_named || !arrow.is_ascii(), "{}: {arrow} is on none of {:?}", mapped.name, transition.lines);
             **count.borrow_mut() += 1;
