@@ -3,7 +3,7 @@
 //! An allowance holds for a part of the text. The parts lie within each other or apart, as blocks and items do, so
 //! finding those around a place takes no more than a search and as many steps as blocks are nested.
 
-use crate::{Code, Diagnostic, Diagnostics, Fix, Severity, Span};
+use crate::{Allowed, Code, Diagnostic, Diagnostics, Fix, Severity, Span};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a text allows, where, and why.
@@ -26,15 +26,6 @@ pub enum Scope {
     Block(Span),
     /// Where it is about this step, transition or declaration: one of the places that the message shows lies in it.
     Item(Span),
-}
-
-/// Why a message is not shown.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Allowed {
-    /// What the text gives as the reason; none if it was allowed from outside.
-    pub reason: Option<String>,
-    /// The place that allows it, if the text does.
-    pub span: Option<Span>,
 }
 
 /// The allowances of a text.

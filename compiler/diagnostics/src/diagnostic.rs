@@ -1,6 +1,6 @@
 //! One message, and the list a stage returns.
 
-use crate::{Allowed, Code, Fix, Severity, Span};
+use crate::{Code, Fix, Severity, Span};
 
 /// A place and what is to be said there.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -83,6 +83,15 @@ impl Diagnostic {
         self.fixes.push(fix);
         self
     }
+}
+
+/// Why a message is not shown.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Allowed {
+    /// What the text gives as the reason; none if it was allowed from outside.
+    pub reason: Option<String>,
+    /// The place that allows it, if the text does.
+    pub span: Option<Span>,
 }
 
 /// The messages of a stage, in the order in which they were found.

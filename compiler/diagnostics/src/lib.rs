@@ -12,9 +12,9 @@ mod policy;
 pub mod render;
 mod source;
 
-pub use allow::{Allowance, Allowances, Allowed, Scope};
+pub use allow::{Allowance, Allowances, Scope};
 pub use code::{Code, Severity};
-pub use diagnostic::{Diagnostic, Diagnostics, Label};
+pub use diagnostic::{Allowed, Diagnostic, Diagnostics, Label};
 pub use fix::{Applicability, Edit, Fix, Misfit, apply};
 pub use lines::{EditorPosition, Position, Unit};
 pub use policy::Policy;

@@ -4,7 +4,7 @@
 
 use crate::font::shown;
 use crate::rich::Token;
-use grafc_model::chart::{Arithmetic, Comparison, DelayTime, ExprId, ExprKind, Tables, Value};
+use grafc_model::chart::{Arithmetic, Comparison, DelayTime, ExprId, ExprKind, Tables, Value, below};
 use rustc_hash::FxHashMap;
 
 /// So many lines over each other can still be told apart; further negations are written `¬( )`.
@@ -126,12 +126,7 @@ impl<const N: usize> Concat for [Vec<Piece>; N] {
 /// How far each negation's line is above the text: above the lines of the negations within. Without one where there
 /// would be too many.
 fn heights(chart: &Tables, root: ExprId) -> FxHashMap<ExprId, u8> {
-    let mut found = Vec::new();
-    let mut open = vec![root];
-    while let Some(id) = open.pop() {
-        found.push(id);
-        open.extend(chart.exprs[id].kind.operands());
-    }
+    let mut found: Vec<ExprId> = below(&chart.exprs, root).collect();
     // Operands have smaller ids.
     found.sort_unstable();
     let mut lines: FxHashMap<ExprId, u8> = FxHashMap::default();

@@ -1,7 +1,7 @@
 //! The canonical format.
 
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
-use grafc_syntax::ast::same;
+use grafc_syntax::same;
 
 /// The text in canonical format, if it can be parsed.
 pub fn format(file: FileId, text: &str) -> (Option<String>, Diagnostics) {

@@ -7,8 +7,6 @@ use ecow::EcoString;
 use grafc_diagnostics::Span;
 use index_vec::{IndexVec, define_index_type};
 
-pub use crate::same::same;
-
 define_index_type! {
     /// An expression of a [`Chart`].
     pub struct ExprId = u32;

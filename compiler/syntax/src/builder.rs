@@ -1,8 +1,8 @@
 //! What the grammar's actions do: they make tree nodes, and find the faults that a grammar says badly.
 
 use crate::ast::*;
+use crate::faults::MOST_FAULTS;
 use crate::habits::words::{TYPES, ours};
-use crate::lexer::MOST_FAULTS;
 use crate::numeral::{self, Numeral};
 use crate::spelling::distance;
 use grafc_diagnostics::{Code, Diagnostic, FileId, Fix, Span};

@@ -2,9 +2,9 @@
 //!
 //! Most come from other languages and from drawings; some are put there by a word processor.
 
+use crate::faults::MOST_FAULTS;
 use crate::habits::words::{OPERATORS, ours};
 use crate::habits::{Cure, named};
-use crate::lexer::MOST_FAULTS;
 use crate::token::{Lexeme, Token};
 use grafc_diagnostics::{FileId, Fix, Span};
 use std::ops::Range;

@@ -5,8 +5,7 @@
 //! each other. In these braces two names are two actions, but no string follows a name there, so `allow W0409 "reason"`
 //! cannot be anything else.
 
-use crate::lexer::may_end_item;
-use crate::token::{Lexeme, Token, begins_item};
+use crate::token::{Lexeme, Token, begins_item, may_end_item};
 
 /// Finds the words among the names.
 pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {

@@ -18,7 +18,7 @@ const WIDTH: usize = 100;
 
 /// The canonical text of a chart that was parsed from `text` without errors.
 ///
-/// Formatting the result again changes nothing, and it is read as the [same](crate::ast::same) chart.
+/// Formatting the result again changes nothing, and it is read as the [same](crate::same()) chart.
 pub fn format(text: &str, chart: &Chart) -> String {
     let lexed = lexer::lex(chart.span.file, text);
     if !lexed.faults.is_empty() {

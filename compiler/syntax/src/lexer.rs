@@ -7,8 +7,9 @@
 
 use crate::characters::{self, Run, comment_end, is_visible};
 use crate::context;
+use crate::faults::MOST_FAULTS;
 use crate::numeral;
-use crate::token::{Lexeme, Token, declares};
+use crate::token::{Lexeme, Token, declares, may_end_item};
 use grafc_diagnostics::{Code, Diagnostic, FileId, Fix, Span};
 use logos::Logos;
 
@@ -26,9 +27,6 @@ pub(crate) struct Lexed {
     /// The places of all faults, also of those that are too many to be listed, in order.
     pub(crate) bad: Vec<(u32, u32)>,
 }
-
-/// Beyond so many faults of one kind a text is not a chart, and the rest is not listed.
-pub(crate) const MOST_FAULTS: usize = 200;
 
 /// Cuts a text into tokens.
 pub(crate) fn lex(file: FileId, text: &str) -> Lexed {
@@ -135,20 +133,6 @@ fn mark_retain(text: &str, lexemes: &mut [Lexeme]) {
     let is_retain = last.token == Token::Name && &text[last.start as usize..last.end as usize] == "retain";
     if is_retain && before.last().is_none_or(|l| may_end_item(l.token)) {
         last.token = Token::Retain;
-    }
-}
-
-/// Whether an item, or the head of a block, may end with this token.
-pub(crate) fn may_end_item(token: Token) -> bool {
-    use Token::*;
-    match token {
-        Name | String | Address | Whole | Integer | Real | Duration | Unreadable | True | False | CloseParen
-        | CloseBracket | OpenBrace | CloseBrace => true,
-        Chart | Input | Output | Var | Const | Grafcet | Expansion | Step | Transition | Initial | Activated
-        | Enclosing | Macro | If | On | Force | And | Or | Xor | Not | Rise | Fall | Mod | Plus | Minus | Star
-        | Slash | Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual | Assign | Colon | Comma | Arrow
-        | OpenParen | OpenBracket | Numeral | LineComment | BlockComment | ForeignComment | Activation
-        | Deactivation | Event | At | Retain | Allow | AllowInside | End => false,
     }
 }
 

@@ -11,6 +11,7 @@ mod characters;
 mod context;
 pub mod dump;
 mod expected;
+mod faults;
 mod format;
 pub mod habits;
 mod items;
@@ -33,3 +34,4 @@ mod grammar {
 pub use dump::dump;
 pub use format::format;
 pub use items::parse;
+pub use same::same;

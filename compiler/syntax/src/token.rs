@@ -226,6 +226,20 @@ pub(crate) fn begins_item(token: Token) -> bool {
     is_prefix(token) || may_stand_in_block(token) || is_top_level(token)
 }
 
+/// Whether an item, or the head of a block, may end with this token.
+pub(crate) fn may_end_item(token: Token) -> bool {
+    use Token::*;
+    match token {
+        Name | String | Address | Whole | Integer | Real | Duration | Unreadable | True | False | CloseParen
+        | CloseBracket | OpenBrace | CloseBrace => true,
+        Chart | Input | Output | Var | Const | Grafcet | Expansion | Step | Transition | Initial | Activated
+        | Enclosing | Macro | If | On | Force | And | Or | Xor | Not | Rise | Fall | Mod | Plus | Minus | Star
+        | Slash | Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual | Assign | Colon | Comma | Arrow
+        | OpenParen | OpenBracket | Numeral | LineComment | BlockComment | ForeignComment | Activation
+        | Deactivation | Event | At | Retain | Allow | AllowInside | End => false,
+    }
+}
+
 pub(crate) fn is_prefix(token: Token) -> bool {
     matches!(token, Token::Initial | Token::Activated | Token::Enclosing | Token::Macro)
 }

@@ -16,7 +16,7 @@ fn survives(text: String, sound: bool) {
         if sound {
             let formatted = grafc_syntax::format(&text, &chart);
             let (again, _) = grafc_syntax::parse(FileId(0), &formatted);
-            assert!(grafc_syntax::ast::same(&chart, &again));
+            assert!(grafc_syntax::same(&chart, &again));
         }
     });
     thread.expect("a thread can be made").join().expect("no panic");

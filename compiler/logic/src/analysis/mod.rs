@@ -8,6 +8,7 @@
 //! | `reachable/` | all situations of a part of the net, where there are not too many |
 //! | `components/` | sets of steps of which at most one is active at any time, and which of them share a variable |
 //! | `exclusive` | steps that are never active together, conditions that never hold together |
+//! | `parts` | the nodes of a graph that lead to each other in circles |
 //! | `liveness/` | what can never happen, situations without a way out, circles that come to no rest |
 //! | `together/` | transitions, assignments and orders that are not proved never to meet |
 //! | `transients/` | how many micro-steps a reaction can need |
@@ -18,6 +19,7 @@ pub(crate) mod components;
 mod exclusion_tests;
 mod exclusive;
 pub(crate) mod liveness;
+mod parts;
 mod reachable;
 mod rivals;
 pub(crate) mod together;

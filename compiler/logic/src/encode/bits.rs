@@ -5,6 +5,7 @@ use super::sequent;
 use super::task::Task;
 use crate::encode::by_grafcet::{headed, sorted};
 use crate::encode::clearings::{Clearings, StepEvents};
+use crate::encode::heading::heading;
 use crate::encode::input_event::InputEvent;
 use crate::encode::next_activity::next_activity;
 use crate::encode::settle;
@@ -24,7 +25,7 @@ pub(super) fn micro_step(
     input_event: &mut InputEvent,
 ) -> Vec<Statement> {
     let mut out = Vec::new();
-    stored::heading(&mut out, Heading::MemoryOfEdges, edges(lowering, task.again));
+    heading(&mut out, Heading::MemoryOfEdges, edges(lowering, task.again));
     if task.encoding == Encoding::Sequent
         && let Some(statements) = sequent::in_place(lowering, task)
     {
@@ -33,7 +34,7 @@ pub(super) fn micro_step(
     }
     let overlaps = task.encoding.overlaps();
     let (frozen, freezing) = settle::frozen(lowering);
-    stored::heading(&mut out, Heading::FrozenGrafcets, freezing);
+    heading(&mut out, Heading::FrozenGrafcets, freezing);
     // The textbook's triggers write conditions out; elsewhere each clearing is named and latched.
     let (mut clearings, latched) = Clearings::new(lowering, task, &frozen, !overlaps);
     out.extend(sorted(lowering, Part::TransitionsThatClear, latched));
@@ -52,7 +53,7 @@ pub(super) fn micro_step(
 
     let step_events = StepEvents::new(lowering, &clearings, task.components);
     let actions = stored::actions(lowering, cx, task, &clearings, step_events, input_event);
-    stored::heading(&mut out, Heading::StoredActions, actions);
+    heading(&mut out, Heading::StoredActions, actions);
 
     let mut situation = Vec::new();
     for s in lowering.net.places.indices() {
@@ -71,7 +72,7 @@ pub(super) fn micro_step(
     }
     if task.encoding == Encoding::Sequent && !ahead.iter().any(|needed| *needed) {
         let moves = sequent::moves(lowering, task, &clearings, |lowering, s| lowering.situation.bit(s));
-        stored::heading(&mut out, Heading::Situation, moves);
+        heading(&mut out, Heading::Situation, moves);
     } else {
         out.extend(sorted(lowering, Part::Situation, situation));
     }

@@ -16,6 +16,7 @@ mod by_grafcet;
 pub(crate) mod clearings;
 pub(crate) mod controls;
 pub(crate) mod first_call;
+pub(crate) mod heading;
 mod in_order;
 pub(crate) mod input_event;
 pub(crate) mod livelock;

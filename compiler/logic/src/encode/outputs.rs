@@ -5,8 +5,8 @@
 //! is entered; a condition is only looked at while its step is active.
 
 use crate::encode::by_grafcet;
+use crate::encode::heading::heading;
 use crate::encode::state_case::StateCase;
-use crate::encode::stored::heading;
 use crate::lower::situation::Holder;
 use crate::lower::{Context, Lowering, Moment};
 use crate::scan::{ActionId, Heading, Origin, Part, Statement};

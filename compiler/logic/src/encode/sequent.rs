@@ -81,7 +81,7 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Option<Vec<State
         blocks.push(Bundle::new(lowering, statements, |v| lowering.situation.step_of(v).is_some()));
     }
     let (mut out, mut moving) = (Vec::new(), Vec::new());
-    crate::encode::stored::heading(&mut out, Heading::FrozenGrafcets, statements);
+    crate::encode::heading::heading(&mut out, Heading::FrozenGrafcets, statements);
     if let Some(target) = task.again.filter(|_| lowering.edges.is_empty()) {
         moving.push(Statement::assign(Origin::Chart, target, lowering.pool.truth(false)));
     }

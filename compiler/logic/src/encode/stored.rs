@@ -6,19 +6,11 @@ use crate::encode::clearings::{Clearings, StepEvents};
 use crate::encode::input_event::InputEvent;
 use crate::encode::task::Task;
 use crate::lower::{Context, Lowering};
-use crate::scan::{ActionId, Heading, Origin, Role, Statement, VarId};
+use crate::scan::{ActionId, Origin, Role, Statement, VarId};
 use ecow::eco_format;
 use grafc_formula::{Formula, FormulaId, Type};
 use grafc_model::chart::{Event, StepId};
 use rustc_hash::FxHashMap;
-
-/// Adds statements under a heading, if there are any.
-pub(crate) fn heading(out: &mut Vec<Statement>, of: Heading, statements: Vec<Statement>) {
-    if !statements.is_empty() {
-        out.push(Statement::Heading(of));
-        out.extend(statements);
-    }
-}
 
 /// All stored actions of a micro-step.
 pub(crate) fn actions(

@@ -1,29 +1,18 @@
 //! The elements of the chart that statements come from, beside steps and variables.
 
-use super::{Heading, Held, Origin, Program, Role, Statement, StepId, TimerId, Told, TransitionId, VarId, Variable};
+use super::{
+    ActionId, Heading, Held, OrderId, Origin, Program, Role, Statement, StepId, TimerId, Told, TransitionId, VarId,
+    Variable,
+};
 use ecow::EcoString;
 use grafc_diagnostics::Span;
 use grafc_formula::{FormulaId, Pool, Value};
 use grafc_model::chart::{GrafcetId, VariableId};
 use grafc_net::Net;
-use index_vec::{IndexVec, define_index_type};
+use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use std::ops::Range;
-
-define_index_type! {
-    /// An action of the chart: the continuous ones, then the stored ones, each in order of declaration.
-    pub struct ActionId = u32;
-    DISPLAY_FORMAT = "a{}";
-    DEBUG_FORMAT = "a{}";
-}
-
-define_index_type! {
-    /// A forcing order: those on one grafcet after those on another, the one that wins first.
-    pub struct OrderId = u32;
-    DISPLAY_FORMAT = "o{}";
-    DEBUG_FORMAT = "o{}";
-}
 
 /// Transitions, actions and orders of the chart.
 #[derive(Clone, Debug, Default)]

@@ -50,13 +50,13 @@ mod worst;
 
 pub use division::{ByMinusOne, Division, Guard};
 pub use dump::{dump, equations};
-pub use elements::{Action, ActionId, Elements, Grafcet, Order, OrderId, Origins, Transition, When};
+pub use elements::{Action, Elements, Grafcet, Order, Origins, Transition, When};
 pub use facts::{Divided, Reads};
 pub use fingerprint::Fingerprint;
 pub use grafc_formula::{TimerId, VarId};
 pub use grafc_model::chart::{GrafcetId, StepId, TransitionId, VariableId};
 pub use measure::{Measure, measure};
-pub use origin::{Heading, Origin, Part, Told};
+pub use origin::{ActionId, Heading, OrderId, Origin, Part, Told};
 pub use restoring::{Exclusive, Restoring};
 pub use statement::{Arm, Statement, is_empty, origin_of, origin_of_end};
 pub use variable::{Flag, Held, Preset, Role, State, Step, Timer, Variable};

@@ -1,7 +1,22 @@
 //! Where in the chart a statement comes from.
 
-use super::{ActionId, OrderId, StepId, TransitionId, VarId};
+use super::{StepId, TransitionId, VarId};
 use grafc_model::chart::{GrafcetId, VariableId};
+use index_vec::define_index_type;
+
+define_index_type! {
+    /// An action of the chart: the continuous ones, then the stored ones, each in order of declaration.
+    pub struct ActionId = u32;
+    DISPLAY_FORMAT = "a{}";
+    DEBUG_FORMAT = "a{}";
+}
+
+define_index_type! {
+    /// A forcing order: those on one grafcet after those on another, the one that wins first.
+    pub struct OrderId = u32;
+    DISPLAY_FORMAT = "o{}";
+    DEBUG_FORMAT = "o{}";
+}
 
 /// What part of the chart a statement comes from: no larger than a number, so that each statement can say it. What it
 /// stands for is in the tables of the program, see [`super::Elements`].

@@ -2,6 +2,7 @@
 
 use super::{ExprId, GrafcetId, MacroId, StepId, Type, Value, VariableId};
 use grafc_diagnostics::Span;
+use index_vec::IndexVec;
 
 /// An expression, its type and its place.
 #[derive(Clone, Copy, Debug)]
@@ -83,6 +84,21 @@ impl ExprKind {
         };
         first.into_iter().chain(second)
     }
+}
+
+/// An expression and all below it, in order of the text. What is used in several places comes once for each.
+pub fn below(exprs: &IndexVec<ExprId, Expr>, root: ExprId) -> impl Iterator<Item = ExprId> {
+    // Most expressions are a name, for which nothing is put aside.
+    let mut next = Some(root);
+    let mut open = Vec::new();
+    std::iter::from_fn(move || {
+        let id = next?;
+        let mut operands = exprs[id].kind.operands();
+        next = operands.next();
+        open.extend(operands.rev());
+        next = next.or_else(|| open.pop());
+        Some(id)
+    })
 }
 
 /// A delay: milliseconds, and the constant that gave them, if one did.

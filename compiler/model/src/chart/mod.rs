@@ -12,7 +12,7 @@ mod expression;
 
 pub use controls::{ControlNames, Controls};
 use ecow::EcoString;
-pub use expression::{Arithmetic, Comparison, DelayTime, Expr, ExprKind};
+pub use expression::{Arithmetic, Comparison, DelayTime, Expr, ExprKind, below};
 use grafc_diagnostics::{Allowances, Span};
 pub use grafc_syntax::ast::Type;
 use index_vec::{IndexVec, define_index_type};

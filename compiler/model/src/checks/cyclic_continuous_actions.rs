@@ -6,8 +6,7 @@
 //! Wrong: `step 1 { A if B }`, `step 2 { B if A }`
 //! Right: `step 1 { A if b }`, `step 2 { B if A }`
 
-use super::walk::below;
-use crate::chart::{ExprKind, Mode, Tables, VariableId};
+use crate::chart::{ExprKind, Mode, Tables, VariableId, below};
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use index_vec::{IndexVec, index_vec};

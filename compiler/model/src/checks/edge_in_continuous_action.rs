@@ -5,7 +5,7 @@
 //! Wrong: `step 1 { V if ↑a }`
 //! Right: `step 1 { V := 1 on event ↑a }`
 
-use super::walk::first_edges;
+use super::edges::first_edges;
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 

@@ -5,7 +5,7 @@
 //! Wrong: `transition 1 -> 2 : ↑(a and ↑b)`
 //! Right: `transition 1 -> 2 : a and ↑b`
 
-use super::walk::first_edges;
+use super::edges::first_edges;
 use crate::chart::ExprKind;
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};

@@ -16,6 +16,7 @@ mod cyclic_hierarchy;
 mod edge_in_continuous_action;
 mod edge_in_delay;
 mod edge_inside_edge;
+mod edges;
 mod enclosing_step_without_enclosure;
 mod enclosure_may_be_empty;
 mod enclosure_of_two_steps;
@@ -48,7 +49,6 @@ mod transient_step_with_continuous_action;
 mod transition_without_steps;
 mod truth;
 mod usage;
-mod walk;
 
 use crate::resolve::Resolved;
 use grafc_diagnostics::Diagnostics;

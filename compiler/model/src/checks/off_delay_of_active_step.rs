@@ -6,8 +6,7 @@
 //! Warned of: `transition 3 -> 4 : X3/5s`; `step 3 { V if X3/5s }`
 //! Not warned of: `transition 3 -> 4 : 5s/X3`; `transition 4 -> 5 : X3/5s`
 
-use super::walk::below;
-use crate::chart::{DelayTime, Event, ExprId, ExprKind, Node, StepId, Tables};
+use crate::chart::{DelayTime, Event, ExprId, ExprKind, Node, StepId, Tables, below};
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
 use grafc_syntax::dump::plain_or_quoted;

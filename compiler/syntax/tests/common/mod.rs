@@ -162,7 +162,7 @@ pub fn check(text: &str) -> bool {
     let formatted = grafc_syntax::format(text, &chart);
     let (again, faults) = grafc_syntax::parse(FileId(0), &formatted);
     assert!(faults.is_empty(), "formatting made faults:\n{:#?}\n{text}\n{formatted}", faults_of(&formatted, &faults));
-    assert!(grafc_syntax::ast::same(&chart, &again), "formatting changed the meaning:\n{text}\n{formatted}");
+    assert!(grafc_syntax::same(&chart, &again), "formatting changed the meaning:\n{text}\n{formatted}");
     assert_eq!(
         comments(text, &chart),
         comments(&formatted, &again),

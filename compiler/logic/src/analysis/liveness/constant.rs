@@ -5,7 +5,7 @@
 //! unknown: what it switches off is meant.
 
 use crate::analysis::together::questions::Questions;
-use grafc_model::chart::{Event, ExprId, ExprKind, TransitionId, Value};
+use grafc_model::chart::{Event, ExprId, ExprKind, TransitionId, Value, below};
 use grafc_net::Net;
 use rustc_hash::FxHashSet;
 
@@ -58,10 +58,8 @@ fn is_suspicious(net: &Net, condition: ExprId) -> bool {
     }
     let mut seen = FxHashSet::default();
     let (mut comparisons, mut operands) = (0, 0);
-    let mut open = vec![condition];
-    while let Some(e) = open.pop() {
-        let kind = &net.exprs[e].kind;
-        let named = match *kind {
+    for e in below(&net.exprs, condition) {
+        let named = match net.exprs[e].kind {
             ExprKind::Variable(v) => Some((0, v.index())),
             ExprKind::StepActive(s) => Some((1, s.index())),
             ExprKind::StepTime(s) => Some((2, s.index())),
@@ -90,7 +88,6 @@ fn is_suspicious(net: &Net, condition: ExprId) -> bool {
                 return true;
             }
         }
-        open.extend(kind.operands());
     }
     comparisons > 1 || operands == 0
 }

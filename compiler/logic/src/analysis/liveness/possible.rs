@@ -13,7 +13,7 @@
 use super::constant::Constant;
 use crate::analysis::together::questions::Questions;
 use crate::analysis::together::witness::{self, SearchResult};
-use grafc_model::chart::{ExprId, ExprKind, StepId, TransitionId};
+use grafc_model::chart::{ExprId, ExprKind, StepId, TransitionId, below};
 use grafc_net::Net;
 use grafc_net::net::Forced;
 use index_vec::{IndexVec, index_vec};
@@ -114,14 +114,7 @@ fn refuted(asked: &mut Questions, constant: &[Constant]) -> IndexVec<TransitionI
 }
 
 fn reads_steps(net: &Net, condition: ExprId) -> bool {
-    let mut open = vec![condition];
-    while let Some(e) = open.pop() {
-        if matches!(net.exprs[e].kind, ExprKind::StepActive(_)) {
-            return true;
-        }
-        open.extend(net.exprs[e].kind.operands());
-    }
-    false
+    below(&net.exprs, condition).any(|e| matches!(net.exprs[e].kind, ExprKind::StepActive(_)))
 }
 
 /// The steps that must be active when a transition clears: those before it, and those that its condition asks for.

@@ -7,7 +7,7 @@
 
 use super::possible::Never;
 use crate::analysis::together::questions::Questions;
-use grafc_model::chart::{ExprKind, GrafcetId, Mode, StepId, TransitionId};
+use grafc_model::chart::{ExprId, ExprKind, GrafcetId, Mode, StepId, TransitionId, below};
 use grafc_net::Net;
 use grafc_net::net::Forced;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -196,11 +196,10 @@ fn is_before(net: &Net, t: TransitionId, kind: &ExprKind) -> bool {
 }
 
 /// Whether an expression reads inputs, constants, and how long steps before the transition have been active.
-fn is_free(net: &Net, t: TransitionId, root: grafc_model::chart::ExprId) -> bool {
-    let mut open = vec![root];
-    while let Some(e) = open.pop() {
+fn is_free(net: &Net, t: TransitionId, root: ExprId) -> bool {
+    below(&net.exprs, root).all(|e| {
         let kind = &net.exprs[e].kind;
-        let free = match kind {
+        match kind {
             ExprKind::Variable(v) => net.variables[*v].mode == Mode::Given,
             ExprKind::StepTime(step) => net.transitions[t].pre.contains(step),
             ExprKind::StepActive(_) => is_before(net, t, kind),
@@ -217,11 +216,6 @@ fn is_free(net: &Net, t: TransitionId, root: grafc_model::chart::ExprId) -> bool
             | ExprKind::Arithmetic(..)
             | ExprKind::Negate(_)
             | ExprKind::Widen(_) => true,
-        };
-        if !free {
-            return false;
         }
-        open.extend(kind.operands());
-    }
-    true
+    })
 }

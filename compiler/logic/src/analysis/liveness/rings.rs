@@ -9,12 +9,14 @@
 //! these inputs may be true at once has been said there.
 
 use super::possible::Never;
+use crate::analysis::parts::Parts;
 use crate::analysis::together::questions::Questions;
 use crate::analysis::together::witness::{self, Case, SearchResult};
-use grafc_model::chart::{ExprId, ExprKind, Mode, StepId, TransitionId, Type, Value, VariableId, VariableKind};
+use grafc_model::chart::{ExprId, ExprKind, Mode, StepId, TransitionId, Type, Value, VariableId, VariableKind, below};
 use grafc_net::Net;
 use index_vec::{IndexVec, index_vec};
 use rustc_hash::{FxHashMap, FxHashSet};
+use std::ops::Range;
 
 /// Longer circles are not looked for.
 const LONGEST: usize = 64;
@@ -42,138 +44,225 @@ pub(crate) struct Ring {
 /// At most one for each set of steps that circles share.
 pub(super) fn find(asked: &mut Questions, never: &Never) -> Vec<Ring> {
     let net = asked.analysis.net();
-    let mut told_or_above: FxHashSet<StepId> = net.places.iter().filter_map(|place| place.within).collect();
-    told_or_above.extend(net.grafcets.iter().flat_map(|grafcet| &grafcet.orders).map(|order| order.step));
-    told_or_above.extend(asked.analysis.together().clearings.iter().map(|clashes| clashes.step));
-    let literals: IndexVec<TransitionId, Option<Literals>> = net
-        .transitions
-        .iter_enumerated()
-        .map(|(t, transition)| {
-            let stands_alone = transition.within.is_none() && net.grafcets[transition.grafcet].orders.is_empty();
-            let counts = stands_alone
-                && !transition.pre.is_empty()
-                && transition.pre.iter().all(|step| !told_or_above.contains(step))
-                && !never.clears[t]
-                && is_of_inputs(net, transition.condition);
-            counts.then(|| factors(net, transition.condition))
-        })
-        .collect();
+    let factors = Factors::of(asked, never);
     let mut found = Vec::new();
-    // A step is left for good once it was the start of a search, so each circle is looked for from its first step.
-    let mut done: IndexVec<StepId, bool> = index_vec![false; net.places.len()];
-    let component = components(net, asked, &literals);
-    let mut told: FxHashSet<usize> = FxHashSet::default();
     let mut left = MOST + TRIED * net.places.len();
-    let mut followed = MOST + FOLLOWED * net.places.len();
+    let (part_of, parts) = parts(asked, &factors);
+    let mut is_over: Vec<bool> = parts.iter().map(|part| part.is_one_circle && part.steps > LONGEST).collect();
+    let mut search = Search::new(asked, &factors, &part_of);
     for start in net.places.indices() {
-        let Some(number) = component[start] else { continue };
-        if told.contains(&number) {
-            continue;
-        }
-        let mut search = Search {
-            net,
-            asked,
-            literals: &literals,
-            component: &component,
-            done: &done,
-            start,
-            left: &mut left,
-            followed: &mut followed,
-        };
-        if let Some(ring) = search.run() {
-            told.insert(number);
-            found.push(ring);
-        }
-        done[start] = true;
+        let Some(part) = part_of[start].filter(|part| !is_over[*part]) else { continue };
+        let ring = search.from(start, &mut left);
+        // A part that is one circle has been seen whole.
+        is_over[part] = ring.is_some() || parts[part].is_one_circle;
+        found.extend(ring);
     }
     found
 }
 
-/// The inputs that a condition asserts or denies as factors.
-type Literals = Vec<(VariableId, bool)>;
+/// The inputs that the conditions assert or deny as factors, of those transitions that are looked at.
+struct Factors {
+    all: Vec<(VariableId, bool)>,
+    /// Where those of each transition lie.
+    of: IndexVec<TransitionId, Option<Range<usize>>>,
+}
 
+impl Factors {
+    fn of(asked: &Questions, never: &Never) -> Factors {
+        let net = asked.analysis.net();
+        let mut told_or_above: IndexVec<StepId, bool> = index_vec![false; net.places.len()];
+        let around = net.places.iter().filter_map(|place| place.within);
+        let forcing = net.grafcets.iter().flat_map(|grafcet| &grafcet.orders).map(|order| order.step);
+        let told = asked.analysis.together().clearings.iter().map(|clashes| clashes.step);
+        around.chain(forcing).chain(told).for_each(|step| told_or_above[step] = true);
+        let mut factors = Factors { all: Vec::new(), of: IndexVec::with_capacity(net.transitions.len()) };
+        for (t, transition) in net.transitions.iter_enumerated() {
+            let stands_alone = transition.within.is_none() && net.grafcets[transition.grafcet].orders.is_empty();
+            let counts = stands_alone
+                && !transition.pre.is_empty()
+                && transition.pre.iter().all(|step| !told_or_above[*step])
+                && !never.clears[t]
+                && is_of_inputs(net, transition.condition);
+            let begin = factors.all.len();
+            if counts {
+                add_factors(net, transition.condition, &mut factors.all);
+            }
+            factors.of.push(counts.then_some(begin..factors.all.len()));
+        }
+        factors
+    }
+
+    fn counts(&self, t: TransitionId) -> bool {
+        self.of[t].is_some()
+    }
+
+    fn get(&self, t: TransitionId) -> &[(VariableId, bool)] {
+        self.of[t].as_ref().map_or(&[], |range| &self.all[range.clone()])
+    }
+}
+
+/// Steps that lie on circles together.
+struct Part {
+    steps: usize,
+    /// Whether it has no other way than once round.
+    is_one_circle: bool,
+}
+
+/// The part of each step that lies on a circle of transitions that are looked at.
+fn parts(asked: &Questions, factors: &Factors) -> (IndexVec<StepId, Option<usize>>, Vec<Part>) {
+    let net = asked.analysis.net();
+    // The circles lead through steps and transitions in turn, so that a transition with n steps on both sides is 2 n arcs
+    // and not n * n.
+    let steps = net.places.len() as u32;
+    let successors = |node: u32| {
+        let (leaving, post) = match node.checked_sub(steps) {
+            None => (asked.analysis.arcs.leaving(StepId::from_raw(node)), &[][..]),
+            Some(t) => (&[][..], net.transitions[TransitionId::from_raw(t)].post.as_slice()),
+        };
+        let leaving = leaving.iter().filter(|t| factors.counts(**t)).map(move |t| steps + t.raw());
+        leaving.chain(post.iter().map(|step| step.raw()))
+    };
+    let nodes = net.places.len() + net.transitions.len();
+    let mut part_of: Vec<Option<usize>> = vec![None; nodes];
+    let mut parts: Vec<Part> = Vec::new();
+    for part in Parts::of(nodes, 0..steps, successors, |_| true).in_order() {
+        // A circle that comes back to its only step at once is none.
+        let count = part.iter().filter(|node| **node < steps).count();
+        if count > 1 {
+            part.iter().for_each(|node| part_of[*node as usize] = Some(parts.len()));
+            let arcs = part.iter().flat_map(|node| successors(*node));
+            let within = arcs.filter(|node| part_of[*node as usize] == Some(parts.len())).count();
+            parts.push(Part { steps: count, is_one_circle: within == part.len() });
+        }
+    }
+    part_of.truncate(net.places.len());
+    (part_of.into(), parts)
+}
+
+/// What is still to be done on the way through the transitions.
+#[derive(Clone, Copy)]
+enum Move {
+    /// Go along a transition to a step.
+    Forth(TransitionId, StepId),
+    /// Take back the last one.
+    Back,
+}
+
+/// Looks for circles, from one step after the other.
 struct Search<'q, 'a> {
     net: &'a Net,
     asked: &'q mut Questions<'a>,
-    literals: &'q IndexVec<TransitionId, Option<Literals>>,
-    component: &'q IndexVec<StepId, Option<usize>>,
-    done: &'q IndexVec<StepId, bool>,
-    start: StepId,
-    /// How many transitions may still be tried.
-    left: &'q mut usize,
+    factors: &'q Factors,
+    part_of: &'q IndexVec<StepId, Option<usize>>,
+    /// A step is left for good once it was the start of a search, so each circle is looked for from its first step.
+    done: IndexVec<StepId, bool>,
+    /// The transitions on the way, each with the step that it was followed to.
+    way: Vec<(TransitionId, StepId)>,
+    is_on_way: IndexVec<StepId, bool>,
+    /// What the factors on the way ask of each input, and how many of them do.
+    row: IndexVec<VariableId, (bool, u32)>,
+    open: Vec<Move>,
     /// How many active steps may still be looked at.
-    followed: &'q mut usize,
+    followed: usize,
 }
 
-impl Search<'_, '_> {
-    /// Goes along the arcs and back, as long as the factors of the conditions agree.
-    fn run(&mut self) -> Option<Ring> {
-        let mut row: FxHashMap<VariableId, (bool, usize)> = FxHashMap::default();
-        let mut path: Vec<(TransitionId, StepId)> = Vec::new();
-        let mut on_path: FxHashSet<StepId> = FxHashSet::default();
-        let mut open: Vec<Vec<(TransitionId, StepId)>> = vec![self.next(self.start)];
+impl<'q, 'a> Search<'q, 'a> {
+    fn new(asked: &'q mut Questions<'a>, factors: &'q Factors, part_of: &'q IndexVec<StepId, Option<usize>>) -> Self {
+        let net = asked.analysis.net();
+        Search {
+            net,
+            asked,
+            factors,
+            part_of,
+            done: index_vec![false; net.places.len()],
+            way: Vec::new(),
+            is_on_way: index_vec![false; net.places.len()],
+            row: index_vec![(false, 0); net.variables.len()],
+            open: Vec::new(),
+            followed: MOST + FOLLOWED * net.places.len(),
+        }
+    }
+
+    /// A circle from a step back to it; of the transitions that may still be tried, those that were are taken away.
+    fn from(&mut self, start: StepId, left: &mut usize) -> Option<Ring> {
+        let may_try = (*left).min(MOST);
         let mut tried = 0;
-        while let Some(choices) = open.last_mut() {
-            let Some((t, to)) = choices.pop() else {
-                open.pop();
-                if let Some((back, to)) = path.pop() {
-                    self.take_back(&mut row, back);
-                    on_path.remove(&to);
-                }
+        let ring = self.run(start, may_try, &mut tried);
+        *left -= tried;
+        self.open.clear();
+        while !self.way.is_empty() {
+            self.back();
+        }
+        self.done[start] = true;
+        ring
+    }
+
+    /// Goes along the arcs and back, as long as the factors of the conditions agree.
+    fn run(&mut self, start: StepId, may_try: usize, tried: &mut usize) -> Option<Ring> {
+        self.open_after(start);
+        while let Some(next) = self.open.pop() {
+            let Move::Forth(t, to) = next else {
+                self.back();
                 continue;
             };
-            tried += 1;
-            let left = self.left.checked_sub(1).filter(|_| tried < MOST)?;
-            *self.left = left;
-            if path.len() >= LONGEST || on_path.contains(&to) || !self.agrees(&row, t) {
+            if *tried == may_try {
+                return None;
+            }
+            *tried += 1;
+            if self.way.len() >= LONGEST || self.is_on_way[to] || !self.agrees(t) {
                 continue;
             }
-            path.push((t, to));
-            if to == self.start {
-                let transitions: Vec<TransitionId> = path.iter().map(|(t, _)| *t).collect();
+            self.forth(t, to);
+            if to == start {
+                let transitions: Vec<TransitionId> = self.way.iter().map(|(t, _)| *t).collect();
                 if let Some(ring) = self.ring(&transitions) {
                     return Some(ring);
                 }
-                path.pop();
+                self.back();
                 continue;
             }
-            for (v, value) in self.literals[t].iter().flatten() {
-                row.entry(*v).or_insert((*value, 0)).1 += 1;
-            }
-            on_path.insert(to);
-            let next = self.next(to);
-            open.push(next);
+            self.open.push(Move::Back);
+            self.open_after(to);
         }
         None
     }
 
-    fn take_back(&self, row: &mut FxHashMap<VariableId, (bool, usize)>, t: TransitionId) {
-        for (v, _) in self.literals[t].iter().flatten() {
-            if let Some((_, count)) = row.get_mut(v) {
-                *count -= 1;
-                if *count == 0 {
-                    row.remove(v);
-                }
+    fn forth(&mut self, t: TransitionId, to: StepId) {
+        self.way.push((t, to));
+        self.is_on_way[to] = true;
+        for (v, value) in self.factors.get(t) {
+            let (known, count) = &mut self.row[*v];
+            if *count == 0 {
+                *known = *value;
             }
+            *count += 1;
         }
     }
 
-    fn agrees(&self, row: &FxHashMap<VariableId, (bool, usize)>, t: TransitionId) -> bool {
-        self.literals[t].iter().flatten().all(|(v, value)| row.get(v).is_none_or(|(known, _)| known == value))
+    fn back(&mut self) {
+        if let Some((t, to)) = self.way.pop() {
+            self.is_on_way[to] = false;
+            self.factors.get(t).iter().for_each(|(v, _)| self.row[*v].1 -= 1);
+        }
     }
 
-    /// The transitions after a step within its component, each with a step that it leads to; the last is tried first.
-    fn next(&self, step: StepId) -> Vec<(TransitionId, StepId)> {
-        let mut next = Vec::new();
-        for t in self.asked.analysis.arcs.leaving(step).iter().take(AFTER).copied() {
+    fn agrees(&self, t: TransitionId) -> bool {
+        self.factors.get(t).iter().all(|(v, value)| match self.row[*v] {
+            (_, 0) => true,
+            (known, _) => known == *value,
+        })
+    }
+
+    /// Puts the transitions after a step within its part on the stack, the first on top.
+    fn open_after(&mut self, step: StepId) {
+        let from = self.open.len();
+        for t in self.asked.analysis.arcs.leaving(step).iter().take(AFTER).copied().filter(|t| self.factors.counts(*t))
+        {
             let steps = self.net.transitions[t].post.iter().copied().take(AFTER);
-            let within = |to: &StepId| self.component[*to] == self.component[step] && !self.done[*to] && *to != step;
-            if self.literals[t].is_some() {
-                next.extend(steps.filter(within).map(|to| (t, to)));
-            }
+            let within = |to: &StepId| self.part_of[*to] == self.part_of[step] && !self.done[*to] && *to != step;
+            self.open.extend(steps.filter(within).map(|to| Move::Forth(t, to)));
         }
-        next.reverse();
-        next
+        self.open[from..].reverse();
     }
 
     /// The circle, if there is a row of inputs with which it goes on without end.
@@ -204,7 +293,7 @@ impl Search<'_, '_> {
         let mut seen: FxHashSet<Vec<StepId>> = FxHashSet::default();
         for _ in 0..4 * path.len() + 8 {
             let Some(left) = self.followed.checked_sub(situation.len()) else { return false };
-            *self.followed = left;
+            self.followed = left;
             if !seen.insert(situation.clone()) {
                 return true;
             }
@@ -214,7 +303,7 @@ impl Search<'_, '_> {
                 situation.iter().flat_map(|step| arcs.leaving(*step)).copied().collect();
             let clears = |t: &TransitionId| {
                 let ready = net.transitions[*t].pre.iter().all(|step| situation.binary_search(step).is_ok());
-                ready && self.literals[*t].is_some() && holds(net, net.transitions[*t].condition, inputs)
+                ready && self.factors.counts(*t) && holds(net, net.transitions[*t].condition, inputs)
             };
             let cleared: FxHashSet<TransitionId> = after.into_iter().filter(clears).collect();
             let left: FxHashSet<StepId> = cleared.iter().flat_map(|t| &net.transitions[*t].pre).copied().collect();
@@ -233,63 +322,48 @@ impl Search<'_, '_> {
 
 /// Whether a condition is of Boolean inputs and constants alone.
 fn is_of_inputs(net: &Net, condition: ExprId) -> bool {
-    let mut open = vec![condition];
-    while let Some(e) = open.pop() {
-        let counts = match net.exprs[e].kind {
-            ExprKind::Variable(v) => net.variables[v].mode == Mode::Given && net.variables[v].ty == Type::Bool,
-            ExprKind::Literal(Value::Bool(_))
-            | ExprKind::Not(_)
-            | ExprKind::And(..)
-            | ExprKind::Or(..)
-            | ExprKind::Xor(..) => true,
-            ExprKind::Literal(_)
-            | ExprKind::StepActive(_)
-            | ExprKind::StepTime(_)
-            | ExprKind::MacroActive(_)
-            | ExprKind::GrafcetActive(_)
-            | ExprKind::Rise(_)
-            | ExprKind::Fall(_)
-            | ExprKind::Delay { .. }
-            | ExprKind::Compare(..)
-            | ExprKind::Arithmetic(..)
-            | ExprKind::Negate(_)
-            | ExprKind::Widen(_) => false,
-        };
-        if !counts {
-            return false;
-        }
-        open.extend(net.exprs[e].kind.operands());
-    }
-    true
+    below(&net.exprs, condition).all(|e| match net.exprs[e].kind {
+        ExprKind::Variable(v) => net.variables[v].mode == Mode::Given && net.variables[v].ty == Type::Bool,
+        ExprKind::Literal(Value::Bool(_))
+        | ExprKind::Not(_)
+        | ExprKind::And(..)
+        | ExprKind::Or(..)
+        | ExprKind::Xor(..) => true,
+        ExprKind::Literal(_)
+        | ExprKind::StepActive(_)
+        | ExprKind::StepTime(_)
+        | ExprKind::MacroActive(_)
+        | ExprKind::GrafcetActive(_)
+        | ExprKind::Rise(_)
+        | ExprKind::Fall(_)
+        | ExprKind::Delay { .. }
+        | ExprKind::Compare(..)
+        | ExprKind::Arithmetic(..)
+        | ExprKind::Negate(_)
+        | ExprKind::Widen(_) => false,
+    })
 }
 
 /// The inputs among the factors of a condition.
-fn factors(net: &Net, condition: ExprId) -> Literals {
+fn add_factors(net: &Net, condition: ExprId, factors: &mut Vec<(VariableId, bool)>) {
     let input = |v: VariableId| net.variables[v].kind == VariableKind::Input;
-    let mut literals = Literals::new();
     let mut open = vec![condition];
     while let Some(e) = open.pop() {
         if let ExprKind::And(a, b) = net.exprs[e].kind {
             open.extend([b, a]);
         } else if let ExprKind::Variable(v) = net.exprs[e].kind {
-            literals.extend(input(v).then_some((v, true)));
+            factors.extend(input(v).then_some((v, true)));
         } else if let ExprKind::Not(a) = net.exprs[e].kind
             && let ExprKind::Variable(v) = net.exprs[a].kind
         {
-            literals.extend(input(v).then_some((v, false)));
+            factors.extend(input(v).then_some((v, false)));
         }
     }
-    literals
 }
 
 /// The value of a condition of inputs; those that nothing is said of are false.
 fn holds(net: &Net, condition: ExprId, inputs: &FxHashMap<VariableId, bool>) -> bool {
-    let mut inside = vec![condition];
-    let mut at = 0;
-    while let Some(e) = inside.get(at).copied() {
-        inside.extend(net.exprs[e].kind.operands());
-        at += 1;
-    }
+    let mut inside: Vec<ExprId> = below(&net.exprs, condition).collect();
     // Operands have smaller ids than what uses them.
     inside.sort_unstable();
     inside.dedup();
@@ -323,80 +397,4 @@ fn holds(net: &Net, condition: ExprId, inputs: &FxHashMap<VariableId, bool>) -> 
         values.insert(e, value);
     }
     values.get(&condition).copied().unwrap_or(false)
-}
-
-/// The steps that lie on circles of such transitions, those of one circle with one number (Tarjan). The circles lead
-/// through steps and transitions in turn, so that a transition with n steps on both sides is 2 n arcs and not n * n.
-fn components(
-    net: &Net,
-    asked: &Questions,
-    literals: &IndexVec<TransitionId, Option<Literals>>,
-) -> IndexVec<StepId, Option<usize>> {
-    let steps = net.places.len();
-    let successors = |node: usize| -> Box<dyn Iterator<Item = usize>> {
-        if node < steps {
-            let counted = asked.analysis.arcs.leaving(StepId::from_usize(node)).iter();
-            Box::new(counted.filter(|t| literals[**t].is_some()).map(move |t| steps + t.index()))
-        } else {
-            Box::new(net.transitions[TransitionId::from_usize(node - steps)].post.iter().map(|step| step.index()))
-        }
-    };
-    let count = steps + net.transitions.len();
-    let mut number: Vec<usize> = vec![usize::MAX; count];
-    let mut low = number.clone();
-    let mut component: IndexVec<StepId, Option<usize>> = index_vec![None; steps];
-    let mut is_open = vec![false; count];
-    let (mut next_number, mut next_component) = (0, 0);
-    let mut stack: Vec<usize> = Vec::new();
-    for root in 0..steps {
-        if number[root] != usize::MAX {
-            continue;
-        }
-        let mut calls: Vec<(usize, Box<dyn Iterator<Item = usize>>)> = Vec::new();
-        let mut enter = |node: usize, number: &mut Vec<usize>, low: &mut Vec<usize>| {
-            number[node] = next_number;
-            low[node] = next_number;
-            next_number += 1;
-        };
-        enter(root, &mut number, &mut low);
-        stack.push(root);
-        is_open[root] = true;
-        calls.push((root, successors(root)));
-        while let Some((node, rest)) = calls.last_mut() {
-            let node = *node;
-            match rest.next() {
-                Some(to) if number[to] == usize::MAX => {
-                    enter(to, &mut number, &mut low);
-                    stack.push(to);
-                    is_open[to] = true;
-                    calls.push((to, successors(to)));
-                }
-                Some(to) => {
-                    if is_open[to] {
-                        low[node] = low[node].min(number[to]);
-                    }
-                }
-                None => {
-                    calls.pop();
-                    if let Some((above, _)) = calls.last() {
-                        low[*above] = low[*above].min(low[node]);
-                    }
-                    if low[node] == number[node] {
-                        let from = stack.iter().rposition(|n| *n == node).unwrap_or_default();
-                        let members = stack.split_off(from);
-                        // A circle that comes back to its only step at once is none.
-                        let is_circle = members.iter().filter(|n| **n < steps).count() > 1;
-                        for member in members {
-                            is_open[member] = false;
-                            if member < steps && is_circle {
-                                component[StepId::from_usize(member)] = Some(next_component);
-                            }
-                        }
-                        next_component += 1;
-                    }
-                }
-            }
-        }
-    }
-    component
 }

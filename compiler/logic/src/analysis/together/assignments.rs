@@ -4,7 +4,7 @@ use super::neighbours;
 use super::questions::Questions;
 use super::triggers::{meet, ways};
 use crate::analysis::Analysis;
-use grafc_model::chart::{ExprKind, Stored, VariableId};
+use grafc_model::chart::{ExprKind, Stored, VariableId, below};
 use grafc_net::Net;
 use std::collections::BTreeMap;
 
@@ -60,12 +60,5 @@ pub(super) fn conflicts(asked: &mut Questions) -> Vec<Meeting> {
 
 /// Whether an action computes a value from the one that it replaces.
 fn counts(net: &Net, action: &Stored) -> bool {
-    let mut open = vec![action.value];
-    while let Some(e) = open.pop() {
-        if net.exprs[e].kind == ExprKind::Variable(action.target) {
-            return true;
-        }
-        open.extend(net.exprs[e].kind.operands());
-    }
-    false
+    below(&net.exprs, action.value).any(|e| net.exprs[e].kind == ExprKind::Variable(action.target))
 }

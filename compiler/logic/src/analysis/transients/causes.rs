@@ -148,12 +148,6 @@ pub(super) struct Effects {
 }
 
 impl Effects {
-    /// Each change by number, and causes with an effect in the next micro-step.
-    #[cfg(test)]
-    pub(super) fn by_hand(changes: usize, edges: &[(u32, u32)]) -> Effects {
-        Effects::new(changes, &edges.iter().map(|(cause, effect)| (*cause, *effect, true)).collect::<Vec<_>>())
-    }
-
     fn new(changes: usize, edges: &[(u32, u32, bool)]) -> Effects {
         let mut begins = vec![0_u32; changes + 1];
         edges.iter().for_each(|(cause, ..)| begins[*cause as usize + 1] += 1);

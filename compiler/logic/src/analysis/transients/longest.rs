@@ -1,7 +1,7 @@
 //! The longest path through the graph of causes.
 
 use super::causes::{Causes, Effects};
-use super::parts::Parts;
+use crate::analysis::parts::Parts;
 use grafc_model::chart::TransitionId;
 use grafc_net::Net;
 use rustc_hash::FxHashMap;
@@ -31,7 +31,8 @@ impl Times {
         never: &dyn Fn(TransitionId) -> bool,
     ) -> Result<Times, Endless> {
         let possible = |change: u32| !causes.transition(net, change).is_some_and(never);
-        let parts = Parts::of(causes.len(), effects, &causes.at_start, possible);
+        let follow = |change: u32| effects.of(change).iter().map(|effect| effect.change);
+        let parts = Parts::of(causes.len(), causes.at_start.iter().copied(), follow, possible);
         let mut last: Vec<Option<(u32, Option<u32>)>> = vec![None; causes.len()];
         for start in causes.at_start.iter().filter(|start| possible(**start)) {
             last[*start as usize] = Some((1, None));

@@ -7,7 +7,7 @@
 //! is the graph of all changes that are possible at all with an edge from each cause to its effects; it is made in
 //! `values` (expressions), `situation` (clearings, enclosures, orders) and `stored` (stored actions), which say why
 //! each list of causes is complete. A change in micro-step k is the end of a path that begins with a change in
-//! micro-step 1 and along which k - 1 edges lead into the next micro-step. So the longest path (`longest`, `parts`) gives the
+//! micro-step 1 and along which k - 1 edges lead into the next micro-step. So the longest path (`longest`) gives the
 //! last micro-step in which something changes, the one after it finds nothing, and where changes cause each other in a
 //! circle no bound is known.
 //!
@@ -24,7 +24,6 @@ mod cases;
 mod causes;
 mod conditions;
 mod longest;
-mod parts;
 mod situation;
 mod stable;
 mod stored;

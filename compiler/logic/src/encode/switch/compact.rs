@@ -19,6 +19,7 @@ use super::{assign_number, copy, differs, next_in_set, uncovered, value_of, with
 use crate::encode::allocate::choose;
 use crate::encode::by_grafcet::sorted;
 use crate::encode::clearings::{Clearings, StepEvents, clears};
+use crate::encode::heading::heading;
 use crate::encode::input_event::InputEvent;
 use crate::encode::state_case::StateCase;
 use crate::encode::task::Task;
@@ -44,17 +45,17 @@ pub(super) fn micro_step(
 ) -> Vec<Statement> {
     let mut out = Vec::new();
     let (frozen, freezing) = settle::frozen(lowering);
-    stored::heading(&mut out, Heading::FrozenGrafcets, freezing);
+    heading(&mut out, Heading::FrozenGrafcets, freezing);
     let acted_on = settle::acted_on(&lowering.net);
     let sets = lowering.situation.sets.iter();
     let is_short = |set: &Set| set.steps.len() < FEW && !set.steps.iter().any(|s| acted_on[*s]);
     let short: Vec<bool> = sets.map(is_short).collect();
     let (mut clearings, moves) = transitions(lowering, task, &frozen, &short, &mut out);
-    stored::heading(&mut out, Heading::EnclosuresAndOrders, settled(lowering, task, &short, &mut clearings));
+    heading(&mut out, Heading::EnclosuresAndOrders, settled(lowering, task, &short, &mut clearings));
     out.extend(tell(lowering, task, &short, &clearings));
     let step_events = StepEvents::new(lowering, &clearings, task.components);
     let actions = stored::actions(lowering, cx, task, &clearings, step_events, input_event);
-    stored::heading(&mut out, Heading::StoredActions, actions);
+    heading(&mut out, Heading::StoredActions, actions);
     let situation = situation(lowering, &short, moves, &clearings);
     out.extend(sorted(lowering, Part::Situation, situation));
     out

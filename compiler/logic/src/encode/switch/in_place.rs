@@ -6,10 +6,10 @@ use super::{assign_number, assign_truth};
 use crate::encode::allocate::choose;
 use crate::encode::by_grafcet::headed;
 use crate::encode::clearings::clears;
+use crate::encode::heading::heading;
 use crate::encode::outputs::Followers;
 use crate::encode::settle;
 use crate::encode::state_case::StateCase;
-use crate::encode::stored;
 use crate::encode::task::Task;
 use crate::lower::Lowering;
 use crate::scan::{Heading, Origin, Part, Statement, VarId};
@@ -57,7 +57,7 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Vec<Statement> {
         }
     }
     let mut out = Vec::new();
-    stored::heading(&mut out, Heading::FrozenGrafcets, freezing);
+    heading(&mut out, Heading::FrozenGrafcets, freezing);
     let mut moving = Vec::new();
     if let Some(again) = task.again.filter(|_| lowering.edges.is_empty()) {
         moving.push(assign_truth(lowering, Origin::Chart, again, false));

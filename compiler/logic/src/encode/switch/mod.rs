@@ -28,6 +28,7 @@ use super::bits;
 use super::task::Task;
 use crate::encode::by_grafcet::headed;
 use crate::encode::clearings::{Clearings, StepEvents};
+use crate::encode::heading::heading;
 use crate::encode::input_event::InputEvent;
 use crate::encode::outputs::Followers;
 use crate::encode::settle;
@@ -100,7 +101,7 @@ pub(super) fn micro_step(
     let net = &*lowering.net.clone();
     let layout = Layout::new(lowering);
     let mut out = Vec::new();
-    stored::heading(&mut out, Heading::MemoryOfEdges, bits::edges(lowering, task.again));
+    heading(&mut out, Heading::MemoryOfEdges, bits::edges(lowering, task.again));
     if lowering.situation.in_place {
         out.extend(in_place::in_place(lowering, task));
         return out;
@@ -115,19 +116,19 @@ pub(super) fn micro_step(
 
     let mut switch = Switch { task, layout, numbered, moved, cleared: IndexVec::new() };
     let transitions = switch.transitions(lowering, &frozen);
-    stored::heading(&mut out, Heading::FrozenGrafcets, freezing);
+    heading(&mut out, Heading::FrozenGrafcets, freezing);
     out.extend(headed(lowering, Part::Transitions, transitions));
 
     // What follows happens only where something clears, unless an action on an event has to be done in any case.
     let mut inner = Vec::new();
     let mut clearings = Clearings::with(task.arcs, net, std::mem::take(&mut switch.cleared));
-    stored::heading(&mut inner, Heading::EnclosuresAndOrders, switch.settle(lowering, &mut clearings));
+    heading(&mut inner, Heading::EnclosuresAndOrders, switch.settle(lowering, &mut clearings));
     inner.extend(switch.tell_changed_bits(lowering, &clearings));
     let step_events = StepEvents::new(lowering, &clearings, task.components);
     let actions = stored::actions(lowering, cx, task, &clearings, step_events, input_event);
-    stored::heading(&mut inner, Heading::StoredActions, actions);
-    stored::heading(&mut inner, Heading::OutputsOfTheSteps, switch.follow(lowering));
-    stored::heading(&mut inner, Heading::Situation, switch.commit(lowering, &clearings));
+    heading(&mut inner, Heading::StoredActions, actions);
+    heading(&mut inner, Heading::OutputsOfTheSteps, switch.follow(lowering));
+    heading(&mut inner, Heading::Situation, switch.commit(lowering, &clearings));
     // Orders that disagree raise a flag, and raise it again where an input has lowered it.
     let conflicts = net.controls.clear_flags.is_some() && net.grafcets.iter().any(|grafcet| grafcet.orders.len() > 1);
     if !task.events.is_empty() || conflicts {

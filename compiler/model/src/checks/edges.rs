@@ -1,19 +1,7 @@
-//! Ways through the pool of expressions, with loops.
+//! Where edges stand within expressions.
 
 use crate::chart::{Expr, ExprId, ExprKind};
 use index_vec::IndexVec;
-
-/// An expression and all below it, in order of the text.
-pub fn below(exprs: &IndexVec<ExprId, Expr>, root: ExprId) -> impl Iterator<Item = ExprId> {
-    let mut open = vec![root];
-    std::iter::from_fn(move || {
-        let id = open.pop()?;
-        let place = open.len();
-        open.extend(exprs[id].kind.operands());
-        open[place..].reverse();
-        Some(id)
-    })
-}
 
 /// For each expression the first edge in it that no other edge and no delay holds.
 pub fn first_edges(exprs: &IndexVec<ExprId, Expr>) -> IndexVec<ExprId, Option<ExprId>> {

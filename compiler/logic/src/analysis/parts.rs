@@ -1,0 +1,121 @@
+//! The strongly connected components of a graph, here called parts: the nodes that lead to each other in circles, and each
+//! other node as a part of its own. By the algorithm of Tarjan, with a stack of its own.
+
+/// Not yet met.
+const UNSEEN: u32 = u32::MAX;
+/// In a part that is complete, or left out.
+const DONE: u32 = u32::MAX - 1;
+
+/// The parts of the graph that can be reached.
+pub(super) struct Parts {
+    /// The nodes, part by part, a part behind those that it leads to.
+    nodes: Vec<u32>,
+    /// Where each part ends.
+    ends: Vec<usize>,
+}
+
+/// A node whose successors are being followed.
+struct Followed<I> {
+    node: u32,
+    /// Those that have not been.
+    rest: I,
+    /// When it was met.
+    number: u32,
+}
+
+impl Parts {
+    /// Those that can be reached from some nodes, by way of nodes alone that are `wanted`.
+    pub(super) fn of<I: Iterator<Item = u32>>(
+        count: usize,
+        from: impl IntoIterator<Item = u32>,
+        successors: impl Fn(u32) -> I,
+        wanted: impl Fn(u32) -> bool,
+    ) -> Parts {
+        let mut parts = Parts { nodes: Vec::new(), ends: Vec::new() };
+        // The number of each node, or a lower one of what can be reached from it and is in no complete part.
+        let mut low = vec![UNSEEN; count];
+        // What is in no complete part yet, and the way from the start to where we are.
+        let mut open: Vec<u32> = Vec::new();
+        let mut way: Vec<Followed<I>> = Vec::new();
+        let mut met = 0;
+        let mut meet = |node: u32, low: &mut [u32], open: &mut Vec<u32>| {
+            let number = met;
+            met += 1;
+            low[node as usize] = number;
+            open.push(node);
+            Followed { node, rest: successors(node), number }
+        };
+        for start in from {
+            if low[start as usize] != UNSEEN || !wanted(start) {
+                continue;
+            }
+            way.push(meet(start, &mut low, &mut open));
+            while let Some(Followed { node, rest, number }) = way.last_mut() {
+                let at = *node as usize;
+                if let Some(next) = rest.next() {
+                    let known = low[next as usize];
+                    if known != UNSEEN {
+                        low[at] = low[at].min(known);
+                    } else if wanted(next) {
+                        way.push(meet(next, &mut low, &mut open));
+                    } else {
+                        low[next as usize] = DONE;
+                    }
+                    continue;
+                }
+                if low[at] == *number {
+                    while let Some(member) = open.pop() {
+                        low[member as usize] = DONE;
+                        parts.nodes.push(member);
+                        if member == *node {
+                            break;
+                        }
+                    }
+                    parts.ends.push(parts.nodes.len());
+                }
+                way.pop();
+                if let Some(before) = way.last() {
+                    let before = before.node as usize;
+                    low[before] = low[before].min(low[at]);
+                }
+            }
+        }
+        parts
+    }
+
+    /// The parts, each before those that it leads to.
+    pub(super) fn in_order(&self) -> impl Iterator<Item = &[u32]> {
+        (0..self.ends.len()).rev().map(|part| {
+            let begin = part.checked_sub(1).map_or(0, |before| self.ends[before]);
+            &self.nodes[begin..self.ends[part]]
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn circles_are_parts_and_what_leads_to_others_comes_first() {
+        // And 5, which is not wanted, between 3 and 6.
+        let edges = [(0, 1), (1, 2), (2, 1), (2, 3), (3, 3), (3, 5), (5, 6), (4, 0)];
+        let successors = |node| edges.iter().filter(move |(from, _)| *from == node).map(|(_, to)| *to);
+        let parts = Parts::of(7, [1, 0, 5], successors, |node| node != 5);
+        let parts: Vec<Vec<u32>> = parts
+            .in_order()
+            .map(|part| {
+                let mut part = part.to_vec();
+                part.sort_unstable();
+                part
+            })
+            .collect();
+        assert_eq!(parts, [vec![0], vec![1, 2], vec![3]]);
+    }
+
+    #[test]
+    fn a_long_way_needs_no_deep_stack() {
+        let parts = Parts::of(200_001, [0], |node| (node + 1..=200_000).take(1), |_| true);
+        assert_eq!(parts.in_order().count(), 200_001);
+    }
+}
