@@ -15,7 +15,7 @@ use super::code::Code;
 use super::numbers::Numbers;
 use super::{AwlNames, local};
 use ecow::EcoString;
-use grafc_formula::{Formula, FormulaId, Type};
+use grafc_formula::{Formula, FormulaId, List, Type};
 use grafc_logic::scan::Program;
 use rustc_hash::FxHashMap;
 
@@ -51,6 +51,10 @@ impl<'p> Conditions<'p> {
 
     fn get(&self, id: FormulaId) -> &'p Formula {
         self.program.pool.get(id)
+    }
+
+    fn list(&self, list: List) -> &'p [FormulaId] {
+        self.program.pool.list(list)
     }
 
     /// What is negated, and whether something is.
@@ -93,7 +97,7 @@ impl<'p> Conditions<'p> {
     /// How many parentheses an operand of `OR` opens behind a bare `O`, or in a parenthesis.
     fn summand(&self, id: FormulaId) -> u32 {
         match self.get(id) {
-            Formula::And(list) => list.iter().map(|factor| self.parenthesis(*factor)).max().unwrap_or(0),
+            Formula::And(list) => self.list(*list).iter().map(|factor| self.parenthesis(*factor)).max().unwrap_or(0),
             _ => self.parenthesis(id),
         }
     }
@@ -119,10 +123,13 @@ impl<'p> Conditions<'p> {
                 (chain, chain)
             }
             Formula::And(list) => {
-                let chain = chain(list, &operand);
+                let chain = chain(self.list(*list), &operand);
                 (chain, chain)
             }
-            Formula::Or(list) => (chain(list, &operand), chain(list, &|id| self.summand(id))),
+            Formula::Or(list) => {
+                let list = self.list(*list);
+                (chain(list, &operand), chain(list, &|id| self.summand(id)))
+            }
             Formula::Xor(a, b) => {
                 let chain = chain(&[*a, *b], &operand);
                 (chain, chain)
@@ -164,13 +171,14 @@ impl<'p> Conditions<'p> {
         if self.parts.contains_key(&id) {
             return self.chain(code, names, id, "A");
         }
+        let list = self.list(*list);
         let leader = self.leader(list, |id| self.summand(id));
         self.chain(code, names, list[leader], "O");
         for (_, id) in list.iter().enumerate().filter(|(place, _)| *place != leader) {
             match self.get(*id) {
                 Formula::And(factors) if !self.parts.contains_key(id) => {
                     code.bit("O", "");
-                    factors.iter().for_each(|factor| self.apply(code, names, "A", *factor));
+                    self.list(*factors).iter().for_each(|factor| self.apply(code, names, "A", *factor));
                 }
                 _ => self.apply(code, names, "O", *id),
             }
@@ -190,8 +198,8 @@ impl<'p> Conditions<'p> {
                     code.bit("NOT", "");
                 }
             },
-            Formula::And(list) => self.operands(code, names, list, "A"),
-            Formula::Or(list) => self.operands(code, names, list, "O"),
+            Formula::And(list) => self.operands(code, names, self.list(*list), "A"),
+            Formula::Or(list) => self.operands(code, names, self.list(*list), "O"),
             Formula::Xor(a, b) => self.operands(code, names, &[*a, *b], "X"),
             Formula::Compare(op, x, y) => Numbers::new(self.program).compare(code, names, *op, *x, *y, false),
             Formula::Constant(_) => code.truth(self.program.pool.as_truth(id).unwrap_or(false)),

@@ -160,9 +160,22 @@ impl Entry {
     }
 
     fn text(&self) -> String {
-        let address = self.address.iter().map(|address| format!(" AT {address}"));
-        let initial = self.initial.iter().map(|initial| format!(" := {initial}"));
-        format!("{}{} : {}{};", self.name, address.collect::<String>(), self.ty.name(), initial.collect::<String>())
+        let mut text = String::with_capacity(self.length());
+        self.pieces().for_each(|piece| text.push_str(piece));
+        text
+    }
+
+    /// How long its text is, in bytes.
+    fn length(&self) -> usize {
+        self.pieces().map(str::len).sum()
+    }
+
+    fn pieces(&self) -> impl Iterator<Item = &str> {
+        let address = self.address.as_deref().map_or(["", ""], |address| [" AT ", address]);
+        let initial = self.initial.as_deref().map_or(["", ""], |initial| [" := ", initial]);
+        let [at, address] = address;
+        let [becomes, initial] = initial;
+        [self.name.as_str(), at, address, " : ", self.ty.name(), becomes, initial, ";"].into_iter()
     }
 
     /// Whether it may share a line. MATIEC crashes on lists of function blocks.
@@ -373,7 +386,7 @@ fn write_block(out: &mut Writer, block: &VarBlock, retain: &str) {
 
 fn section(out: &mut Writer, entries: &[&Entry]) {
     let commented = entries.iter().filter(|entry| entry.comment.is_some());
-    let lengths = commented.map(|entry| out.indent() + entry.text().len());
+    let lengths = commented.map(|entry| out.indent() + entry.length());
     let column = column_of(lengths.filter(|length| *length <= FURTHEST_COLUMN).max().unwrap_or(0));
     let outer = out.origin(Origin::Chart);
     // How many neighbours are alike but have a line each.

@@ -85,8 +85,8 @@ impl<'p> Expressions<'p> {
                 Form::Simple
             }
             Formula::Not(a) => Form::Then(*a, "NOT".into(), ""),
-            Formula::And(list) => Form::Any("AND", list),
-            Formula::Or(list) => Form::Any("OR", list),
+            Formula::And(list) => Form::Any("AND", pool.list(*list)),
+            Formula::Or(list) => Form::Any("OR", pool.list(*list)),
             Formula::Xor(a, b) if self.goes_first(*b, *a) => Form::Pair(*b, "XOR", *a),
             Formula::Xor(a, b) => Form::Pair(*a, "XOR", *b),
             Formula::Compare(op, a, b) if self.goes_first(*b, *a) => Form::Pair(*b, comparison(op.mirrored()), *a),

@@ -179,8 +179,8 @@ impl Notation for Rust<'_> {
                 Formula::Compare(Comparison::Equal, b, c) => self.comparison(Comparison::NotEqual, *b, *c),
                 _ => (RustLevel::Prefix, Arrangement::Prefix("!", *a)),
             },
-            Formula::And(list) => (RustLevel::Junction, Arrangement::Infix("&&", Cow::Borrowed(list))),
-            Formula::Or(list) => (RustLevel::Junction, Arrangement::Infix("||", Cow::Borrowed(list))),
+            Formula::And(list) => (RustLevel::Junction, Arrangement::Infix("&&", Cow::Borrowed(pool.list(*list)))),
+            Formula::Or(list) => (RustLevel::Junction, Arrangement::Infix("||", Cow::Borrowed(pool.list(*list)))),
             Formula::Xor(a, b) => (RustLevel::Comparison, Arrangement::Infix("!=", pair(*a, *b))),
             Formula::Compare(op, a, b) => self.comparison(*op, *a, *b),
             Formula::Arithmetic(Arithmetic::Multiply, a, b)

@@ -175,15 +175,19 @@ impl Notation for StructuredText<'_> {
             }
             Formula::Not(a) => match pool.get(*a) {
                 Formula::Xor(b, c) => (StLevel::Comparison, Arrangement::Infix("=", pair(*b, *c))),
-                Formula::And(list) if self.bare[a.index()] => (StLevel::Junction, self.negated(" OR ", list)),
-                Formula::Or(list) if self.bare[a.index()] => (StLevel::Junction, self.negated(" AND ", list)),
+                Formula::And(list) if self.bare[a.index()] => {
+                    (StLevel::Junction, self.negated(" OR ", pool.list(*list)))
+                }
+                Formula::Or(list) if self.bare[a.index()] => {
+                    (StLevel::Junction, self.negated(" AND ", pool.list(*list)))
+                }
                 Formula::Compare(Comparison::Equal, b, c) => {
                     (StLevel::Comparison, Arrangement::Infix("<>", pair(*b, *c)))
                 }
                 _ => (StLevel::Not, Arrangement::Prefix("NOT ", *a)),
             },
-            Formula::And(list) => (StLevel::Junction, Arrangement::Infix("AND", Cow::Borrowed(list))),
-            Formula::Or(list) => (StLevel::Junction, Arrangement::Infix("OR", Cow::Borrowed(list))),
+            Formula::And(list) => (StLevel::Junction, Arrangement::Infix("AND", Cow::Borrowed(pool.list(*list)))),
+            Formula::Or(list) => (StLevel::Junction, Arrangement::Infix("OR", Cow::Borrowed(pool.list(*list)))),
             Formula::Xor(a, b) if self.is_plain(*a) && self.is_plain(*b) => {
                 (StLevel::Comparison, Arrangement::Infix("<>", pair(*a, *b)))
             }
@@ -215,7 +219,7 @@ impl StructuredText<'_> {
         match pool.get(id) {
             Formula::Compare(..) => true,
             Formula::Not(a) => !matches!(pool.get(*a), Formula::And(_) | Formula::Or(_)) || self.bare[a.index()],
-            Formula::And(list) | Formula::Or(list) => list.iter().all(|a| self.bare[a.index()]),
+            Formula::And(list) | Formula::Or(list) => pool.list(*list).iter().all(|a| self.bare[a.index()]),
             Formula::Xor(a, b) => {
                 self.is_plain(*a) && self.is_plain(*b) || self.bare[a.index()] && self.bare[b.index()]
             }
@@ -242,10 +246,11 @@ impl StructuredText<'_> {
             if place > 0 {
                 pieces.push(text(word));
             }
-            match self.program.pool.get(*operand) {
+            let pool = &self.program.pool;
+            match pool.get(*operand) {
                 Formula::Not(a) => pieces.push(Piece::Operand(0, *a)),
-                Formula::And(list) => self.negate_within(pieces, " OR ", list),
-                Formula::Or(list) => self.negate_within(pieces, " AND ", list),
+                Formula::And(list) => self.negate_within(pieces, " OR ", pool.list(*list)),
+                Formula::Or(list) => self.negate_within(pieces, " AND ", pool.list(*list)),
                 Formula::Xor(a, b) => {
                     let both = [text("(("), Piece::Enclosed(*a), text(") = ("), Piece::Enclosed(*b), text("))")];
                     pieces.extend(both);

@@ -8,4 +8,4 @@ pub mod exclusion;
 pub mod number;
 pub mod pool;
 
-pub use pool::{Arithmetic, Comparison, Formula, FormulaId, Pool, TimerId, Type, Value, VarId};
+pub use pool::{Arithmetic, Comparison, Formula, FormulaId, List, Pool, TimerId, Type, Value, VarId};

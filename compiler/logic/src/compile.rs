@@ -35,18 +35,46 @@ pub fn compile_saved(analysis: Analysis, options: &Options) -> (Program, Diagnos
 }
 
 fn make(analysis: Analysis, options: &Options, saved: bool) -> (Program, Diagnostics) {
+    let mut diagnostics = Diagnostics::new();
+    let is_small = is_small(analysis.net());
+    // When this is done, the net is gone: what follows asks the program alone.
+    let controls = analysis.net().controls;
+    let (mut program, held) = assemble(analysis, options, saved, &mut diagnostics);
+    if options.simplify {
+        absorb::absorb(&mut program);
+        // A small chart calls all of them, which takes fewer lines.
+        if !is_small {
+            idle_delays::rest(&mut program);
+        }
+        once::once(&mut program);
+    }
+    program.first.splice(0..0, held);
+    controls::add(&mut program, controls);
+    join::join(&mut program);
+    sweep::sweep(&mut program);
+    long_chains::cut(&mut program);
+    debug_assert_eq!(crate::scan::verify(&program), Ok(()), "the program as compiled");
+    (program, diagnostics)
+}
+
+/// The sections of the program, each as it comes about by itself; and what stands before all others.
+fn assemble(
+    analysis: Analysis,
+    options: &Options,
+    saved: bool,
+    diagnostics: &mut Diagnostics,
+) -> (Program, Vec<Statement>) {
     // Where steps overlap, those of a component are active together for one micro-step: what is proved does not hold.
     let overlaps = options.encoding.overlaps();
     let proofs = options.simplify && !overlaps;
     let evolution = Ends::new(analysis.net(), options.profile, proofs.then(|| analysis.transients()));
-    let mut diagnostics = Diagnostics::new();
     if overlaps {
         if let Some(warning) = overlap::check(&analysis, options) {
             diagnostics.push(warning);
         }
     }
 
-    let Analysis { net, arcs, mut conditions, components, cover, .. } = analysis;
+    let (net, arcs, mut conditions, components, cover) = analysis.into_parts();
     let mut followers = None;
     if options.encoding == Encoding::Switch {
         // Now that it is known which steps share a state, once more with these.
@@ -123,7 +151,7 @@ fn make(analysis: Analysis, options: &Options, saved: bool) -> (Program, Diagnos
         Some(Repeat { limit: Some(limit), .. }) => limit.bound,
         Some(Repeat { limit: None, .. }) => evolution.longest,
     };
-    let mut program = Program {
+    let program = Program {
         name: net.name.to_string(),
         comment: net.comment.clone(),
         steps: lowering.situation.of_chart(&net),
@@ -141,21 +169,7 @@ fn make(analysis: Analysis, options: &Options, saved: bool) -> (Program, Diagnos
         after,
         restoring,
     };
-    if options.simplify {
-        absorb::absorb(&mut program);
-        // A small chart calls all of them, which takes fewer lines.
-        if !is_small(&net) {
-            idle_delays::rest(&mut program);
-        }
-        once::once(&mut program);
-    }
-    program.first.splice(0..0, held);
-    controls::add(&mut program, net.controls);
-    join::join(&mut program);
-    sweep::sweep(&mut program);
-    long_chains::cut(&mut program);
-    debug_assert_eq!(crate::scan::verify(&program), Ok(()), "the program as compiled");
-    (program, diagnostics)
+    (program, held)
 }
 
 /// Whether an evolution of a call ends by itself (R9).

@@ -41,9 +41,11 @@ fn chains_are_flat_and_mixtures_stay() {
     let (mut pool, a, b, c) = pool();
     let ab = pool.and([a, b]);
     let abc = pool.and([ab, c]);
-    assert_eq!(pool.get(abc), &Formula::And([a, b, c].into()));
+    let Formula::And(list) = pool.get(abc) else { panic!("a conjunction") };
+    assert_eq!(pool.list(*list), [a, b, c]);
     let mixed = pool.or([ab, c]);
-    assert_eq!(pool.get(mixed), &Formula::Or([ab, c].into()));
+    let Formula::Or(list) = pool.get(mixed) else { panic!("a disjunction") };
+    assert_eq!(pool.list(*list), [ab, c]);
     assert_eq!(pool.depth(mixed), 2);
 }
 
@@ -53,7 +55,7 @@ fn numbers_that_are_none_do_not_differ() {
     let [x, y] = [0, 1].map(|v| pool.variable(VarId::new(v), Type::Lreal));
     let differs = pool.differs(x, y);
     let Formula::And(terms) = pool.get(differs) else { panic!("a conjunction") };
-    assert_eq!(pool.get(terms[0]), &Formula::Compare(Comparison::NotEqual, x, y));
+    assert_eq!(pool.get(pool.list(*terms)[0]), &Formula::Compare(Comparison::NotEqual, x, y));
     let [m, n] = [2, 3].map(|v| pool.variable(VarId::new(v), Type::Int));
     let differs = pool.differs(m, n);
     assert_eq!(pool.get(differs), &Formula::Compare(Comparison::NotEqual, m, n));

@@ -1,11 +1,16 @@
 //! Checked chart to Petri net. Translates, decides nothing.
 
 use crate::net::{Grafcet, MacroStep, Net, Place, Transition};
-use grafc_model::chart::{Chart, MacroId, Node, StepId};
+use grafc_model::chart::{Chart, MacroId, Node, StepId, Tables};
 use index_vec::IndexVec;
 
 /// The Petri net of a checked chart; macro-steps, enclosures and orders stand in side tables.
 pub fn build(chart: &Chart) -> Net {
+    into_net(chart.clone())
+}
+
+/// The same, of a chart that nobody asks any more: what the net has of it changes hands.
+pub fn into_net(chart: Chart) -> Net {
     let mut macro_steps: IndexVec<MacroId, MacroStep> = chart
         .macro_steps
         .iter_enumerated()
@@ -29,23 +34,24 @@ pub fn build(chart: &Chart) -> Net {
             macro_steps[m].inner.push(id);
         }
     }
+    let chart: Tables = chart.into();
     let mut transitions = IndexVec::with_capacity(chart.transitions.len());
-    for (id, t) in chart.transitions.iter_enumerated() {
-        let mut places = |nodes: &[Node], table: fn(&mut MacroStep) -> &mut Vec<_>| -> Vec<StepId> {
+    for (id, t) in chart.transitions.into_iter_enumerated() {
+        let mut places = |nodes: Vec<Node>, table: fn(&mut MacroStep) -> &mut Vec<_>| -> Vec<StepId> {
             let mut steps = Vec::with_capacity(nodes.len());
             for node in nodes {
-                match *node {
+                match node {
                     Node::Step(s) => steps.push(s),
                     Node::Macro(m) => table(&mut macro_steps[m]).push(id),
                 }
             }
             steps
         };
-        let pre = places(&t.pre, |m| &mut m.left_by);
-        let post = places(&t.post, |m| &mut m.entered_by);
+        let pre = places(t.pre, |m| &mut m.left_by);
+        let post = places(t.post, |m| &mut m.entered_by);
         transitions.push(Transition {
-            designation: t.designation.clone(),
-            comment: t.comment.clone(),
+            designation: t.designation,
+            comment: t.comment,
             grafcet: t.grafcet,
             pre,
             post,
@@ -55,15 +61,15 @@ pub fn build(chart: &Chart) -> Net {
         });
     }
     Net {
-        name: chart.name.clone(),
-        comment: chart.comment.clone(),
-        variables: chart.variables.clone(),
+        name: chart.name,
+        comment: chart.comment,
+        variables: chart.variables,
         places: chart
             .steps
-            .iter()
+            .into_iter()
             .map(|s| Place {
-                label: s.label.clone(),
-                comment: s.comment.clone(),
+                label: s.label,
+                comment: s.comment,
                 grafcet: s.grafcet,
                 initial: s.initial,
                 activated: s.activated,
@@ -75,26 +81,26 @@ pub fn build(chart: &Chart) -> Net {
         transitions,
         grafcets: chart
             .grafcets
-            .iter()
+            .into_iter()
             .map(|g| Grafcet {
-                name: g.name.clone(),
-                comment: g.comment.clone(),
+                name: g.name,
+                comment: g.comment,
                 enclosing_step: g.enclosing_step,
                 level: g.level,
-                steps: g.steps.clone(),
+                steps: g.steps,
                 orders: Vec::new(),
                 frozen_with: None,
                 span: g.span,
             })
             .collect(),
-        hierarchy: chart.hierarchy.clone(),
+        hierarchy: chart.hierarchy,
         controls: chart.controls,
         macro_steps,
-        continuous: chart.continuous.clone(),
-        stored: chart.stored.clone(),
-        orders: chart.orders.clone(),
+        continuous: chart.continuous,
+        stored: chart.stored,
+        orders: chart.orders,
         conflict_at_start: false,
-        exprs: chart.exprs.clone(),
+        exprs: chart.exprs,
         facts: Vec::new(),
     }
 }

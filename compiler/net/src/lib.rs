@@ -15,7 +15,7 @@ pub mod passes;
 mod verify;
 
 pub use arcs::Arcs;
-pub use build::build;
+pub use build::{build, into_net};
 pub use dump::dump;
 pub use net::{Fact, Net};
 pub use verify::verify;

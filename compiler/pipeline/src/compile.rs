@@ -33,7 +33,7 @@ pub fn check(file: FileId, text: &str, default_name: &str) -> (Option<Chart>, Di
     let mut diagnostics = Diagnostics::new();
     let tree = parse(file, text, &mut diagnostics);
     let chart = resolve(&tree, default_name, &mut diagnostics);
-    let net = chart.as_ref().and_then(|chart| flatten(chart, false, &mut diagnostics));
+    let net = chart.clone().and_then(|chart| flatten(chart, false, &mut diagnostics));
     if let (Some(chart), Some(net)) = (&chart, net) {
         warn(&Analysis::new(net), &chart.allowances, &mut diagnostics);
     }
@@ -59,20 +59,19 @@ fn make(
         diagnostics.append(found);
         return None;
     }
-    let mut analysis = Analysis::new(flatten(&chart, false, diagnostics)?);
-    warn(&analysis, &chart.allowances, diagnostics);
-    if let Product::Chart = product {
-        return Some(grafc_model::dump(&chart).into());
-    }
-    if let Product::NetAfter(pass) = product {
-        return net_after(&chart, lowering.encoding.overlaps(), pass).map(Output::from);
-    }
-    if lowering.encoding.overlaps() {
-        // It was warned of the net that does what the rules say; this one is drawn for the encoding.
-        analysis = Analysis::new(flatten(&chart, true, diagnostics)?);
-    }
     let allowances = chart.allowances.clone();
-    drop(chart);
+    let overlaps = lowering.encoding.overlaps();
+    let is_asked_again = overlaps || matches!(product, Product::Chart | Product::NetAfter(_));
+    let kept = is_asked_again.then(|| chart.clone());
+    let mut analysis = Analysis::new(flatten(chart, false, diagnostics)?);
+    warn(&analysis, &allowances, diagnostics);
+    match (kept, product) {
+        (Some(chart), Product::Chart) => return Some(grafc_model::dump(&chart).into()),
+        (Some(chart), Product::NetAfter(pass)) => return net_after(&chart, overlaps, pass).map(Output::from),
+        // It was warned of the net that does what the rules say; this one is drawn for the encoding.
+        (Some(chart), _) => analysis = Analysis::new(flatten(chart, true, diagnostics)?),
+        (None, _) => {}
+    }
     if let Product::Net = product {
         return Some(grafc_net::dump(analysis.net()).into());
     }

@@ -30,8 +30,8 @@ pub fn check(tree: &ast::Chart, default_name: &str, diagnostics: &mut Diagnostic
 }
 
 /// Chart to flat net; for encodings in which steps overlap it is another one.
-pub fn flatten(chart: &Chart, overlap: bool, diagnostics: &mut Diagnostics) -> Option<Net> {
-    let mut net = grafc_net::build(chart);
+pub fn flatten(chart: Chart, overlap: bool, diagnostics: &mut Diagnostics) -> Option<Net> {
+    let mut net = grafc_net::into_net(chart);
     passes::run(&mut net, overlap, diagnostics);
     Some(net).filter(|_| !diagnostics.has_errors())
 }

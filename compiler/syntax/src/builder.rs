@@ -19,6 +19,16 @@ pub(crate) enum Parsed {
     Item(Item),
 }
 
+impl Parsed {
+    /// The item, if it opens no block.
+    pub(crate) fn plain(self) -> Option<Item> {
+        match self {
+            Parsed::Item(item) => Some(item),
+            Parsed::Heading(_) | Parsed::Grafcet(_) | Parsed::Expansion(_) => None,
+        }
+    }
+}
+
 /// What is under construction, and the faults found so far.
 pub(crate) struct Builder<'text> {
     pub(crate) file: FileId,
@@ -197,7 +207,9 @@ impl<'text> Builder<'text> {
             }
             kind = new_kind;
         }
-        let actions = self.without_if_and_then(actions);
+        let mut actions = self.without_if_and_then(actions);
+        // Most steps have one, and lists grow by four.
+        actions.shrink_to_fit();
         Step { kind, words: seen, label, comment, actions, allows, span: self.span(start, end) }
     }
 

@@ -23,7 +23,7 @@ use crate::iec::literals;
 use crate::iec::names::Names;
 use crate::st::Texts;
 use ecow::EcoString;
-use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Type, Value};
+use grafc_formula::{Comparison, Formula, FormulaId, List, TimerId, Type, Value};
 use grafc_logic::scan::Program;
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -159,14 +159,15 @@ impl Ladder<'_> {
 
     /// What a formula, or its negation, looks like.
     fn shape(&self, id: FormulaId, negated: bool) -> CircuitForm {
-        let each = |list: &[FormulaId]| list.iter().map(|id| (*id, negated)).collect();
-        match self.program.pool.get(id) {
+        let pool = &self.program.pool;
+        let each = |list: List| pool.list(list).iter().map(|id| (*id, negated)).collect();
+        match pool.get(id) {
             Formula::Constant(Value::Bool(truth)) if *truth != negated => CircuitForm::Product(Vec::new()),
             Formula::Not(a) => self.shape(*a, !negated),
-            Formula::And(list) if negated => CircuitForm::Sum(each(list)),
-            Formula::And(list) => CircuitForm::Product(each(list)),
-            Formula::Or(list) if negated => CircuitForm::Product(each(list)),
-            Formula::Or(list) => CircuitForm::Sum(each(list)),
+            Formula::And(list) if negated => CircuitForm::Sum(each(*list)),
+            Formula::And(list) => CircuitForm::Product(each(*list)),
+            Formula::Or(list) if negated => CircuitForm::Product(each(*list)),
+            Formula::Or(list) => CircuitForm::Sum(each(*list)),
             Formula::Xor(a, b) => CircuitForm::Either((*a, false), (*b, negated)),
             Formula::Constant(_)
             | Formula::Variable(_)

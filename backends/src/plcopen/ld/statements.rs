@@ -168,9 +168,9 @@ impl Ladder<'_> {
     fn junction(&self, id: FormulaId) -> Option<(&[FormulaId], bool)> {
         let pool = &self.program.pool;
         if let Formula::Or(list) = pool.get(id) {
-            return Some((list, true));
+            return Some((pool.list(*list), true));
         }
-        if let Formula::And(list) = pool.get(id) { Some((list, false)) } else { None }
+        if let Formula::And(list) = pool.get(id) { Some((pool.list(*list), false)) } else { None }
     }
 
     /// Whether a formula reads a variable.

@@ -8,9 +8,9 @@ mod rewrite;
 
 use crate::number;
 pub use grafc_model::chart::{Arithmetic, Comparison, Type, Value};
+use hashbrown::HashTable;
 use index_vec::define_index_type;
-use indexmap::{Equivalent, IndexSet};
-use rustc_hash::{FxBuildHasher, FxHashSet};
+use rustc_hash::{FxHashSet, FxHasher};
 use std::hash::{Hash, Hasher};
 use std::{array, slice};
 
@@ -36,7 +36,7 @@ define_index_type! {
 }
 
 /// The forms of formula. Operands of `And`, `Or`, `Not` and `Xor` are Boolean.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Formula {
     /// A constant of the type.
     Constant(Value),
@@ -49,9 +49,9 @@ pub enum Formula {
     /// Negation.
     Not(FormulaId),
     /// Conjunction of two or more, none of them a conjunction.
-    And(Box<[FormulaId]>),
+    And(List),
     /// Disjunction of two or more, none of them a disjunction.
-    Or(Box<[FormulaId]>),
+    Or(List),
     /// Exclusive disjunction; also Boolean inequality.
     Xor(FormulaId, FormulaId),
     /// Both sides have the same type.
@@ -68,50 +68,64 @@ pub enum Formula {
 /// Up to so many operands are compared one by one, which needs no table.
 const SHORT: usize = 16;
 
+/// Where in its pool the operands of a conjunction or disjunction lie: [`Pool::list`] has them.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct List {
+    begin: u32,
+    length: u32,
+}
+
 /// All formulas of one program.
+///
+/// There are many, and they stay to the end: so they are small, and lists lie one behind the other.
 #[derive(Clone, Debug, Default)]
 pub struct Pool {
-    nodes: IndexSet<TypedFormula, FxBuildHasher>,
+    formulas: Vec<Formula>,
+    types: Vec<Type>,
     depths: Vec<u32>,
+    /// The operands of all conjunctions and disjunctions.
+    lists: Vec<FormulaId>,
+    /// All formulas by what they are.
+    known: HashTable<FormulaId>,
     /// The operands of the junction that is being made: a list of its own is needed for a new one only.
     operands: Vec<FormulaId>,
 }
 
-/// A formula and its type. Constants are the same only if they are the same to the bit.
-#[derive(Clone, Debug)]
-struct TypedFormula {
+/// A formula to be found or made. If it is a junction these are its operands, which need not lie in the pool.
+struct Candidate<'l> {
     formula: Formula,
     ty: Type,
+    list: &'l [FormulaId],
 }
 
-impl PartialEq for TypedFormula {
-    fn eq(&self, other: &TypedFormula) -> bool {
-        let same = match (&self.formula, &other.formula) {
+impl Candidate<'_> {
+    fn hash(&self) -> u64 {
+        let mut state = FxHasher::default();
+        self.ty.hash(&mut state);
+        std::mem::discriminant(&self.formula).hash(&mut state);
+        match self.formula {
+            Formula::Constant(Value::Bool(b)) => b.hash(&mut state),
+            Formula::Constant(Value::Int(n) | Value::Time(n)) => n.hash(&mut state),
+            Formula::Constant(Value::Real(x)) => x.to_bits().hash(&mut state),
+            Formula::Variable(v) => v.hash(&mut state),
+            Formula::TimerDone(t) | Formula::TimerElapsed(t) => t.hash(&mut state),
+            Formula::Not(a) | Formula::Negate(a) | Formula::Widen(a) => a.hash(&mut state),
+            Formula::And(_) | Formula::Or(_) => self.list.hash(&mut state),
+            Formula::Xor(a, b) => (a, b).hash(&mut state),
+            Formula::Compare(op, a, b) => (op, a, b).hash(&mut state),
+            Formula::Arithmetic(op, a, b) => (op, a, b).hash(&mut state),
+        }
+        state.finish()
+    }
+
+    /// Constants are the same only if they are the same to the bit.
+    fn is(&self, other: &Candidate) -> bool {
+        let same = match (self.formula, other.formula) {
             (Formula::Constant(Value::Real(a)), Formula::Constant(Value::Real(b))) => a.to_bits() == b.to_bits(),
+            (Formula::And(_), Formula::And(_)) | (Formula::Or(_), Formula::Or(_)) => self.list == other.list,
             (a, b) => a == b,
         };
         same && self.ty == other.ty
-    }
-}
-
-impl Eq for TypedFormula {}
-
-impl Hash for TypedFormula {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        self.ty.hash(state);
-        std::mem::discriminant(&self.formula).hash(state);
-        match &self.formula {
-            Formula::Constant(Value::Bool(b)) => b.hash(state),
-            Formula::Constant(Value::Int(n) | Value::Time(n)) => n.hash(state),
-            Formula::Constant(Value::Real(x)) => x.to_bits().hash(state),
-            Formula::Variable(v) => v.hash(state),
-            Formula::TimerDone(t) | Formula::TimerElapsed(t) => t.hash(state),
-            Formula::Not(a) | Formula::Negate(a) | Formula::Widen(a) => a.hash(state),
-            Formula::And(list) | Formula::Or(list) => list.hash(state),
-            Formula::Xor(a, b) => (a, b).hash(state),
-            Formula::Compare(op, a, b) => (op, a, b).hash(state),
-            Formula::Arithmetic(op, a, b) => (op, a, b).hash(state),
-        }
     }
 }
 
@@ -148,67 +162,42 @@ impl DoubleEndedIterator for Operands<'_> {
     }
 }
 
-/// A conjunction or disjunction to look for: the node of it, without a list of its own.
-struct Junction<'l> {
-    conjunction: bool,
-    list: &'l [FormulaId],
-}
-
-impl Hash for Junction<'_> {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        // As the node does it.
-        let none = Box::default();
-        let form = if self.conjunction { Formula::And(none) } else { Formula::Or(none) };
-        Type::Bool.hash(state);
-        std::mem::discriminant(&form).hash(state);
-        self.list.hash(state);
-    }
-}
-
-impl Equivalent<TypedFormula> for Junction<'_> {
-    fn equivalent(&self, node: &TypedFormula) -> bool {
-        match &node.formula {
-            Formula::And(list) => self.conjunction && **list == *self.list,
-            Formula::Or(list) => !self.conjunction && **list == *self.list,
-            Formula::Constant(_)
-            | Formula::Variable(_)
-            | Formula::TimerDone(_)
-            | Formula::TimerElapsed(_)
-            | Formula::Not(_)
-            | Formula::Xor(..)
-            | Formula::Compare(..)
-            | Formula::Arithmetic(..)
-            | Formula::Negate(_)
-            | Formula::Widen(_) => false,
-        }
-    }
-}
-
 impl Pool {
     /// No formula, and room for so many.
-    fn with_capacity(formulas: usize) -> Pool {
-        let nodes = IndexSet::with_capacity_and_hasher(formulas, FxBuildHasher);
-        Pool { nodes, depths: Vec::with_capacity(formulas), operands: Vec::new() }
+    fn with_capacity(formulas: usize, operands: usize) -> Pool {
+        Pool {
+            formulas: Vec::with_capacity(formulas),
+            types: Vec::with_capacity(formulas),
+            depths: Vec::with_capacity(formulas),
+            lists: Vec::with_capacity(operands),
+            known: HashTable::with_capacity(formulas),
+            operands: Vec::new(),
+        }
     }
 
     /// The formula of an id.
     pub fn get(&self, id: FormulaId) -> &Formula {
-        &self.nodes[id.index()].formula
+        &self.formulas[id.index()]
+    }
+
+    /// The operands of a conjunction or disjunction.
+    pub fn list(&self, list: List) -> &[FormulaId] {
+        in_list(&self.lists, list)
     }
 
     /// The type of a formula.
     pub fn ty(&self, id: FormulaId) -> Type {
-        self.nodes[id.index()].ty
+        self.types[id.index()]
     }
 
     /// How many formulas there are; ids count up to it.
     pub fn len(&self) -> usize {
-        self.nodes.len()
+        self.formulas.len()
     }
 
     /// Whether there is no formula.
     pub fn is_empty(&self) -> bool {
-        self.nodes.is_empty()
+        self.formulas.is_empty()
     }
 
     /// Whether a formula has no operands: a constant, a variable or a timer.
@@ -218,12 +207,12 @@ impl Pool {
 
     /// The factors of a conjunction; of any other formula itself.
     pub fn factors<'a>(&'a self, id: &'a FormulaId) -> &'a [FormulaId] {
-        if let Formula::And(list) = self.get(*id) { list } else { slice::from_ref(id) }
+        if let Formula::And(list) = self.get(*id) { self.list(*list) } else { slice::from_ref(id) }
     }
 
     /// All ids, operands before operators.
     pub fn ids(&self) -> impl Iterator<Item = FormulaId> + use<> {
-        (0..self.nodes.len()).map(FormulaId::from_usize)
+        (0..self.formulas.len()).map(FormulaId::from_usize)
     }
 
     /// The operands of a formula, from left to right.
@@ -236,18 +225,38 @@ impl Pool {
             Formula::Xor(a, b) | Formula::Compare(_, a, b) | Formula::Arithmetic(_, a, b) => {
                 Operands::Pair([*a, *b].into_iter())
             }
-            Formula::And(list) | Formula::Or(list) => Operands::List(list.iter()),
+            Formula::And(list) | Formula::Or(list) => Operands::List(self.list(*list).iter()),
         }
     }
 
     fn add(&mut self, formula: Formula, ty: Type) -> FormulaId {
-        let (index, new) = self.nodes.insert_full(TypedFormula { formula, ty });
-        let id = FormulaId::from_usize(index);
-        if new {
-            let below = self.operands(id).map(|o| self.depths[o.index()] + 1).max();
-            self.depths.push(below.unwrap_or(0));
+        self.add_candidate(&Candidate { formula, ty, list: &[] })
+    }
+
+    fn add_candidate(&mut self, candidate: &Candidate) -> FormulaId {
+        let hash = candidate.hash();
+        if let Some(known) = self.find(candidate, hash) {
+            return known;
         }
+        let id = FormulaId::from_usize(self.formulas.len());
+        let list = List { begin: self.lists.len() as u32, length: candidate.list.len() as u32 };
+        self.lists.extend_from_slice(candidate.list);
+        self.formulas.push(match candidate.formula {
+            Formula::And(_) => Formula::And(list),
+            Formula::Or(_) => Formula::Or(list),
+            other => other,
+        });
+        self.types.push(candidate.ty);
+        let below = self.operands(id).map(|o| self.depths[o.index()] + 1).max();
+        self.depths.push(below.unwrap_or(0));
+        let Pool { formulas, types, lists, known, .. } = self;
+        known.insert_unique(hash, id, |id| as_candidate(formulas, types, lists, *id).hash());
         id
+    }
+
+    fn find(&self, candidate: &Candidate, hash: u64) -> Option<FormulaId> {
+        let Pool { formulas, types, lists, .. } = self;
+        self.known.find(hash, |id| candidate.is(&as_candidate(formulas, types, lists, *id))).copied()
     }
 
     /// How many operators stand above one another in a formula: 0 for a variable or constant.
@@ -312,7 +321,8 @@ impl Pool {
             Formula::Not(inner) => return Some(inner),
             _ => Formula::Not(a),
         };
-        self.nodes.get_index_of(&TypedFormula { formula: looked_for, ty: Type::Bool }).map(FormulaId::from_usize)
+        let candidate = Candidate { formula: looked_for, ty: Type::Bool, list: &[] };
+        self.find(&candidate, candidate.hash())
     }
 
     /// The conjunction of the operands; `TRUE` of none.
@@ -345,7 +355,7 @@ impl Pool {
             match (self.get(operand), neutral) {
                 (Formula::Constant(Value::Bool(b)), _) if *b == neutral => {}
                 (Formula::Constant(Value::Bool(_)), _) => return operand,
-                (Formula::And(inner), true) | (Formula::Or(inner), false) => list.extend(inner.iter()),
+                (Formula::And(inner), true) | (Formula::Or(inner), false) => list.extend_from_slice(self.list(*inner)),
                 _ => list.push(operand),
             }
         }
@@ -370,11 +380,10 @@ impl Pool {
         match list.as_slice() {
             [] => self.truth(neutral),
             [only] => *only,
-            list => match self.nodes.get_index_of(&Junction { conjunction: neutral, list }) {
-                Some(known) => FormulaId::from_usize(known),
-                None if neutral => self.add(Formula::And(list.into()), Type::Bool),
-                None => self.add(Formula::Or(list.into()), Type::Bool),
-            },
+            list => {
+                let formula = if neutral { Formula::And(List::default()) } else { Formula::Or(List::default()) };
+                self.add_candidate(&Candidate { formula, ty: Type::Bool, list })
+            }
         }
     }
 
@@ -440,10 +449,62 @@ impl Pool {
         if self.ty(a) == ty {
             return a;
         }
-        match (self.get(a).clone(), ty) {
+        match (*self.get(a), ty) {
             (Formula::Constant(Value::Int(n)), Type::Real | Type::Lreal) => self.constant(Value::Real(n as f64), ty),
             (Formula::Constant(value), _) => self.constant(value, ty),
             _ => self.add(Formula::Widen(a), ty),
         }
+    }
+}
+
+fn in_list(lists: &[FormulaId], list: List) -> &[FormulaId] {
+    &lists[list.begin as usize..][..list.length as usize]
+}
+
+/// A formula that a pool of these tables holds.
+fn as_candidate<'l>(formulas: &[Formula], types: &[Type], lists: &'l [FormulaId], id: FormulaId) -> Candidate<'l> {
+    let formula = formulas[id.index()];
+    let list = match formula {
+        Formula::And(list) | Formula::Or(list) => in_list(lists, list),
+        Formula::Constant(_)
+        | Formula::Variable(_)
+        | Formula::TimerDone(_)
+        | Formula::TimerElapsed(_)
+        | Formula::Not(_)
+        | Formula::Xor(..)
+        | Formula::Compare(..)
+        | Formula::Arithmetic(..)
+        | Formula::Negate(_)
+        | Formula::Widen(_) => &[],
+    };
+    Candidate { formula, ty: types[id.index()], list }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_formula_takes_no_more_room_than_a_constant() {
+        assert_eq!(size_of::<Formula>(), size_of::<Value>());
+    }
+
+    #[test]
+    fn equal_formulas_are_one_however_many_there_are() {
+        let mut pool = Pool::default();
+        let mut all = Vec::new();
+        for _ in 0..2 {
+            for v in 0..1_000 {
+                let [a, b] = [v, v + 1].map(|v| pool.variable(VarId::from_usize(v), Type::Bool));
+                let not = pool.not(b);
+                all.extend([pool.and([a, not]), pool.or([a, not]), pool.xor(a, b)]);
+            }
+        }
+        let (first, second) = all.split_at(3_000);
+        assert_eq!(first, second);
+        // The variables, their negations but that of the first, and three for each pair.
+        assert_eq!(pool.len(), 1_001 + 1_000 + 3_000);
+        let zeros = [0.0, -0.0].map(|zero| pool.constant(Value::Real(zero), Type::Real));
+        assert_ne!(zeros[0], zeros[1]);
     }
 }

@@ -1,6 +1,6 @@
 //! Formulas made of others: with parts replaced, or with what nobody needs left out.
 
-use super::{Formula, FormulaId, Pool, TypedFormula, VarId};
+use super::{Candidate, Formula, FormulaId, Pool, VarId};
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -52,41 +52,57 @@ impl Pool {
         roots: impl IntoIterator<Item = FormulaId>,
         variables: &IndexVec<VarId, VarId>,
     ) -> (Pool, IndexVec<FormulaId, FormulaId>) {
-        let mut kept = vec![false; self.nodes.len()];
+        let mut kept = vec![false; self.formulas.len()];
         let mut open: Vec<FormulaId> = roots.into_iter().collect();
         while let Some(id) = open.pop() {
             if !std::mem::replace(&mut kept[id.index()], true) {
                 open.extend(self.operands(id));
             }
         }
-        let mut pool = Pool::with_capacity(kept.iter().filter(|kept| **kept).count());
-        let mut new: IndexVec<FormulaId, FormulaId> = self.ids().collect();
+        let (mut formulas, mut operands) = (0, 0);
         for id in self.ids().filter(|id| kept[id.index()]) {
-            let TypedFormula { formula, ty } = self.nodes[id.index()].clone();
-            let formula = match formula {
+            formulas += 1;
+            if let Formula::And(list) | Formula::Or(list) = self.get(id) {
+                operands += self.list(*list).len();
+            }
+        }
+        let mut pool = Pool::with_capacity(formulas, operands);
+        let mut new: IndexVec<FormulaId, FormulaId> = self.ids().collect();
+        let mut on_new: Vec<FormulaId> = Vec::new();
+        for id in self.ids().filter(|id| kept[id.index()]) {
+            on_new.clear();
+            let formula = match *self.get(id) {
                 Formula::Variable(v) => Formula::Variable(variables[v]),
-                Formula::Constant(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) => formula,
+                formula @ (Formula::Constant(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_)) => formula,
+                formula @ (Formula::And(list) | Formula::Or(list)) => {
+                    on_new.extend(self.list(list).iter().map(|a| new[*a]));
+                    formula
+                }
                 Formula::Not(a) => Formula::Not(new[a]),
-                Formula::And(list) => Formula::And(list.iter().map(|a| new[*a]).collect()),
-                Formula::Or(list) => Formula::Or(list.iter().map(|a| new[*a]).collect()),
                 Formula::Xor(a, b) => Formula::Xor(new[a], new[b]),
                 Formula::Compare(op, a, b) => Formula::Compare(op, new[a], new[b]),
                 Formula::Arithmetic(op, a, b) => Formula::Arithmetic(op, new[a], new[b]),
                 Formula::Negate(a) => Formula::Negate(new[a]),
                 Formula::Widen(a) => Formula::Widen(new[a]),
             };
-            new[id] = pool.add(formula, ty);
+            new[id] = pool.add_candidate(&Candidate { formula, ty: self.ty(id), list: &on_new });
         }
         (pool, new)
     }
 
     /// One formula on new operands, all of which are in `new`.
     pub fn rebuilt(&mut self, id: FormulaId, new: &FxHashMap<FormulaId, FormulaId>) -> FormulaId {
-        match self.get(id).clone() {
+        match *self.get(id) {
             Formula::Variable(_) | Formula::Constant(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) => id,
             Formula::Not(a) => self.not(new[&a]),
-            Formula::And(list) => self.and(list.iter().map(|o| new[o])),
-            Formula::Or(list) => self.or(list.iter().map(|o| new[o])),
+            Formula::And(list) => {
+                let operands: Vec<FormulaId> = self.list(list).iter().map(|o| new[o]).collect();
+                self.and(operands)
+            }
+            Formula::Or(list) => {
+                let operands: Vec<FormulaId> = self.list(list).iter().map(|o| new[o]).collect();
+                self.or(operands)
+            }
             Formula::Xor(a, b) => self.xor(new[&a], new[&b]),
             Formula::Compare(op, a, b) => self.compare(op, new[&a], new[&b]),
             Formula::Arithmetic(op, a, b) => self.arithmetic(op, self.ty(id), new[&a], new[&b]),

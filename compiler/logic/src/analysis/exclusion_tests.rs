@@ -279,8 +279,8 @@ fn value(pool: &Pool, f: FormulaId, valuation: &Valuation) -> Value {
         Formula::Constant(c) => *c,
         Formula::Variable(v) => valuation[v.index()],
         Formula::Not(a) => Value::Bool(!truth(*a)),
-        Formula::And(list) => Value::Bool(list.iter().all(|f| truth(*f))),
-        Formula::Or(list) => Value::Bool(list.iter().any(|f| truth(*f))),
+        Formula::And(list) => Value::Bool(pool.list(*list).iter().all(|f| truth(*f))),
+        Formula::Or(list) => Value::Bool(pool.list(*list).iter().any(|f| truth(*f))),
         Formula::Xor(a, b) => Value::Bool(truth(*a) != truth(*b)),
         Formula::Compare(op, a, b) => {
             let order = match (value(pool, *a, valuation), value(pool, *b, valuation)) {

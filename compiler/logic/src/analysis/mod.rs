@@ -98,6 +98,11 @@ impl Analysis {
         &self.net
     }
 
+    /// What a program is made of; all else has served.
+    pub(crate) fn into_parts(self) -> (Arc<Net>, Arcs, Conditions, Components, Cover) {
+        (self.net, self.arcs, self.conditions, self.components, self.cover)
+    }
+
     /// How many micro-steps a reaction can need.
     pub fn transients(&self) -> &Transients {
         self.transients.get_or_init(|| transients::find(self))

@@ -1,6 +1,6 @@
 //! What gives saved memory back: the wires of the restored situation, and which steps exclude each other in it.
 
-use crate::encode::stored::heading;
+use crate::encode::heading::heading;
 use crate::lower::cover::Cover;
 use crate::lower::{Context, Lowering, Moment};
 use crate::scan::{Exclusive, Heading, Restoring, Statement, VarId};

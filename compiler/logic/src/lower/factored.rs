@@ -7,6 +7,9 @@ use rustc_hash::{FxBuildHasher, FxHashSet};
 /// The disjunction of terms, each the activity of a step and perhaps a condition.
 pub(super) fn factored(pool: &mut Pool, terms: Vec<(FormulaId, Option<FormulaId>)>) -> FormulaId {
     let always = pool.truth(true);
+    if let [(step, condition)] = terms[..] {
+        return pool.and([step, condition.unwrap_or(always)]);
+    }
     let mut steps: IndexMap<FormulaId, Vec<FormulaId>, FxBuildHasher> = IndexMap::default();
     for (step, condition) in terms {
         steps.entry(condition.unwrap_or(always)).or_default().push(step);

@@ -153,18 +153,20 @@ impl Situation {
 
     /// The chart's own steps.
     pub(crate) fn of_chart(&self, net: &Net) -> IndexVec<StepId, Step> {
-        let own = net.places.iter_enumerated().filter(|(_, place)| !place.auxiliary);
-        own.map(|(s, place)| Step {
-            label: place.label.clone(),
-            comment: place.comment.clone(),
-            span: place.span,
-            held: match self.holder[s] {
-                Holder::Bit(v) => Held::Bit(v),
-                Holder::State { set, value } => Held::State(set, value),
-            },
-            active: self.active[s],
-        })
-        .collect()
+        let mut steps = IndexVec::with_capacity(net.places.len());
+        for (s, place) in net.places.iter_enumerated().filter(|(_, place)| !place.auxiliary) {
+            steps.push(Step {
+                label: place.label.clone(),
+                comment: place.comment.clone(),
+                span: place.span,
+                held: match self.holder[s] {
+                    Holder::Bit(v) => Held::Bit(v),
+                    Holder::State { set, value } => Held::State(set, value),
+                },
+                active: self.active[s],
+            });
+        }
+        steps
     }
 
     /// The states as the program lists them.

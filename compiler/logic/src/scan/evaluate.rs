@@ -213,8 +213,8 @@ impl<'p> Evaluator<'p> {
                 Value::Time(self.timers[*t].since.map_or(0, |since| self.timers[*t].at - since))
             }
             Formula::Not(a) => Value::Bool(!holds(a)),
-            Formula::And(list) => Value::Bool(list.iter().all(holds)),
-            Formula::Or(list) => Value::Bool(list.iter().any(holds)),
+            Formula::And(list) => Value::Bool(pool.list(*list).iter().all(holds)),
+            Formula::Or(list) => Value::Bool(pool.list(*list).iter().any(holds)),
             Formula::Xor(a, b) => Value::Bool(holds(a) != holds(b)),
             Formula::Compare(op, a, b) => Value::Bool(compare(*op, known(a), known(b))),
             Formula::Arithmetic(op, a, b) => arithmetic(*op, pool.ty(id), known(a), known(b)),

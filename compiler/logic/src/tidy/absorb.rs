@@ -53,7 +53,7 @@ pub(crate) fn share(lowering: &mut Lowering, conditions: &mut IndexVec<Transitio
     for condition in conditions.iter() {
         for f in lowering.pool.below(*condition) {
             if let Formula::And(list) | Formula::Or(list) = lowering.pool.get(f)
-                && list.len() >= WORTH_A_NAME
+                && lowering.pool.list(*list).len() >= WORTH_A_NAME
             {
                 *uses.entry(f).or_default() += 1;
             }
@@ -82,7 +82,7 @@ pub(crate) fn share(lowering: &mut Lowering, conditions: &mut IndexVec<Transitio
 pub(crate) fn absorb(program: &mut Program) {
     let pool = std::mem::take(&mut program.pool);
     let shorter = pool.ids().map(|_| None).collect();
-    let mut absorbing = Absorbing { pool, shorter };
+    let mut absorbing = Absorbing { pool, shorter, open: Vec::new() };
     let restored = program.restoring.iter_mut().map(|restoring| &mut restoring.statements);
     let sections = [&mut program.first, &mut program.before, &mut program.micro_step, &mut program.after];
     for section in sections.into_iter().chain(restored) {
@@ -95,6 +95,8 @@ struct Absorbing {
     pool: Pool,
     /// The shorter form of each formula that has been looked at.
     shorter: IndexVec<FormulaId, Option<FormulaId>>,
+    /// Formulas that wait for their operands.
+    open: Vec<FormulaId>,
 }
 
 impl Absorbing {
@@ -123,17 +125,17 @@ impl Absorbing {
 
     /// The shorter form of a formula; those of its operands come first.
     fn formula(&mut self, root: FormulaId) -> FormulaId {
-        let mut stack = vec![root];
-        while let Some(id) = stack.last().copied() {
+        self.open.push(root);
+        while let Some(id) = self.open.last().copied() {
             if self.shorter[id].is_none() {
-                let waiting = stack.len();
-                stack.extend(self.pool.operands(id).filter(|operand| self.shorter[*operand].is_none()));
-                if stack.len() > waiting {
+                let waiting = self.open.len();
+                self.open.extend(self.pool.operands(id).filter(|operand| self.shorter[*operand].is_none()));
+                if self.open.len() > waiting {
                     continue;
                 }
                 self.shorter[id] = Some(self.one(id));
             }
-            stack.pop();
+            self.open.pop();
         }
         self.of(root)
     }
@@ -156,14 +158,15 @@ impl Absorbing {
             _ => false,
         };
         let (list, conjunction) = match self.pool.get(inner) {
-            Formula::And(list) => (list, true),
-            Formula::Or(list) => (list, false),
+            Formula::And(list) => (*list, true),
+            Formula::Or(list) => (*list, false),
             _ => return inner,
         };
+        let list = self.pool.list(list);
         if !list.iter().any(|operand| dual(self.pool.get(*operand), conjunction)) {
             return inner;
         }
-        let list = list.clone();
+        let list = list.to_vec();
         junction(&mut self.pool, &list, conjunction)
     }
 }
@@ -174,7 +177,7 @@ fn junction(pool: &mut Pool, list: &[FormulaId], conjunction: bool) -> FormulaId
     let mut kept = Vec::with_capacity(list.len());
     for operand in list {
         let inner = match (pool.get(*operand), conjunction) {
-            (Formula::Or(inner), true) | (Formula::And(inner), false) => inner,
+            (Formula::Or(inner), true) | (Formula::And(inner), false) => pool.list(*inner),
             _ => {
                 kept.push(*operand);
                 continue;

@@ -32,48 +32,42 @@ fn is_changed_by(read: &FxHashSet<Cell>, branches: &[Branch], otherwise: &[State
 
 /// Statements nest no deeper than lowering nests them.
 fn block(pool: &Pool, statements: &mut Vec<Statement>) {
-    let mut out: Vec<Statement> = Vec::with_capacity(statements.len());
-    // What the guards of the last statement read, if another has been joined to it; whether others may be.
+    // What the guards of the last statement read, if another may be joined to it; whether that is over.
     let mut read: Option<FxHashSet<Cell>> = None;
-    let mut closed = true;
-    for mut statement in statements.drain(..) {
-        match &mut statement {
+    let mut closed = false;
+    statements.dedup_by(|statement, last| {
+        if !closed
+            && let Statement::If { branches: known, otherwise: other } = last
+            && let Statement::If { branches, otherwise } = statement
+            && same(known, branches)
+        {
+            let read = read.get_or_insert_with(|| {
+                let read = read_by_guards(pool, known);
+                closed = is_changed_by(&read, known, other);
+                read
+            });
+            if !closed {
+                closed = is_changed_by(read, branches, otherwise);
+                for ((_, body), (_, more)) in known.iter_mut().zip(branches) {
+                    body.append(more);
+                }
+                other.append(otherwise);
+                return true;
+            }
+        }
+        (read, closed) = (None, false);
+        false
+    });
+    for statement in statements {
+        match statement {
             Statement::Case { arms, .. } => arms.iter_mut().for_each(|arm| block(pool, &mut arm.body)),
             Statement::If { branches, otherwise } => {
-                if let Some(Statement::If { branches: known, otherwise: other }) = out.last_mut()
-                    && !closed
-                    && same(known, branches)
-                {
-                    let read = read.get_or_insert_with(|| {
-                        let read = read_by_guards(pool, known);
-                        closed = is_changed_by(&read, known, other);
-                        read
-                    });
-                    if !closed {
-                        closed = is_changed_by(read, branches, otherwise);
-                        for ((_, body), (_, more)) in known.iter_mut().zip(branches) {
-                            body.append(more);
-                        }
-                        other.append(otherwise);
-                        continue;
-                    }
-                }
-                (read, closed) = (None, false);
-                out.push(statement);
-                continue;
+                branches.iter_mut().for_each(|(_, body)| block(pool, body));
+                block(pool, otherwise);
             }
             Statement::Heading(_) | Statement::Assign { .. } | Statement::Divide(_) | Statement::CallTimer { .. } => {}
         }
-        closed = true;
-        out.push(statement);
     }
-    for statement in &mut out {
-        if let Statement::If { branches, otherwise } = statement {
-            branches.iter_mut().for_each(|(_, body)| block(pool, body));
-            block(pool, otherwise);
-        }
-    }
-    *statements = out;
 }
 
 fn same(a: &[Branch], b: &[Branch]) -> bool {

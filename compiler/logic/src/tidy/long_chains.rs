@@ -11,7 +11,7 @@
 //! Formulas have no effects, so the pieces stand before the statement that reads them; those of a condition before the
 //! whole `If`.
 
-use crate::scan::{Origin, Program, Role, Statement, Variable, origin_of};
+use crate::scan::{Heading, Origin, Program, Role, Statement, Variable, origin_of};
 use grafc_formula::{Formula, FormulaId, Type};
 use rustc_hash::FxHashMap;
 
@@ -30,24 +30,23 @@ pub(crate) fn cut(program: &mut Program) {
         return;
     }
     // Tables that are full would else grow to twice their size for a few pieces.
-    let pieces = program.pool.ids().filter_map(|id| operands(program, id)).map(|list| list.len() / LONGEST).sum();
+    let pieces =
+        program.pool.ids().filter_map(|id| operands(program, id)).map(|list| list.len().div_ceil(LONGEST)).sum();
     program.variables.raw.reserve_exact(pieces);
     let sections = [&mut program.first, &mut program.before, &mut program.micro_step, &mut program.after];
-    let sections = sections.map(std::mem::take);
+    let mut sections = sections.map(std::mem::take);
     let mut restoring = program.restoring.take();
     let mut cutter = Cutter { program, concerned, origin: Origin::Chart };
-    let [first, before, micro_step, after] = sections.map(|section| cutter.block(section));
-    if let Some(restoring) = &mut restoring {
-        restoring.statements = cutter.block(std::mem::take(&mut restoring.statements));
-    }
+    let restored = restoring.iter_mut().map(|restoring| &mut restoring.statements);
+    sections.iter_mut().chain(restored).for_each(|section| cutter.block(section));
     program.restoring = restoring;
-    (program.first, program.before, program.micro_step, program.after) = (first, before, micro_step, after);
+    [program.first, program.before, program.micro_step, program.after] = sections;
 }
 
 /// The operands of a conjunction or a disjunction.
 fn operands(program: &Program, id: FormulaId) -> Option<&[FormulaId]> {
     match program.pool.get(id) {
-        Formula::And(list) | Formula::Or(list) => Some(list),
+        Formula::And(list) | Formula::Or(list) => Some(program.pool.list(*list)),
         Formula::Constant(_)
         | Formula::Variable(_)
         | Formula::TimerDone(_)
@@ -70,30 +69,30 @@ struct Cutter<'p> {
 
 impl Cutter<'_> {
     /// Statements nest no deeper than lowering nests them.
-    fn block(&mut self, statements: Vec<Statement>) -> Vec<Statement> {
-        let mut out = Vec::with_capacity(statements.len());
-        for mut statement in statements {
+    fn block(&mut self, statements: &mut Vec<Statement>) {
+        // What comes before which statement.
+        let mut pieces: Vec<(usize, Statement)> = Vec::new();
+        let mut before = Vec::new();
+        for (place, statement) in statements.iter_mut().enumerate() {
             self.origin = statement.origin();
-            match &mut statement {
+            match statement {
                 // Operands of a division have no operators.
                 Statement::Heading(_) | Statement::Divide(_) => {}
-                Statement::Assign { value, .. } => *value = self.formula(*value, &mut out),
-                Statement::CallTimer { input, .. } => *input = self.formula(*input, &mut out),
-                Statement::Case { arms, .. } => {
-                    arms.iter_mut().for_each(|arm| arm.body = self.block(std::mem::take(&mut arm.body)));
-                }
+                Statement::Assign { value, .. } => *value = self.formula(*value, &mut before),
+                Statement::CallTimer { input, .. } => *input = self.formula(*input, &mut before),
+                Statement::Case { arms, .. } => arms.iter_mut().for_each(|arm| self.block(&mut arm.body)),
                 Statement::If { branches, otherwise } => {
                     for (when, body) in branches {
                         self.origin = origin_of(body);
-                        *when = self.formula(*when, &mut out);
-                        *body = self.block(std::mem::take(body));
+                        *when = self.formula(*when, &mut before);
+                        self.block(body);
                     }
-                    *otherwise = self.block(std::mem::take(otherwise));
+                    self.block(otherwise);
                 }
             }
-            out.push(statement);
+            pieces.extend(before.drain(..).map(|piece| (place, piece)));
         }
-        out
+        insert(statements, pieces);
     }
 
     /// A formula whose long parts have been given to variables before it.
@@ -132,6 +131,23 @@ impl Cutter<'_> {
     fn junction(&mut self, operands: Vec<FormulaId>, conjunction: bool) -> FormulaId {
         let pool = &mut self.program.pool;
         if conjunction { pool.and(operands) } else { pool.or(operands) }
+    }
+}
+
+/// Puts statements before others, whose places they have with them, in order. Programs are long, so the statements move up
+/// where they are.
+fn insert(statements: &mut Vec<Statement>, new: Vec<(usize, Statement)>) {
+    let mut from = statements.len();
+    let mut to = from + new.len();
+    statements.reserve_exact(new.len());
+    statements.resize(to, Statement::Heading(Heading::Conditions));
+    for (place, statement) in new.into_iter().rev() {
+        while from > place {
+            (from, to) = (from - 1, to - 1);
+            statements.swap(from, to);
+        }
+        to -= 1;
+        statements[to] = statement;
     }
 }
 

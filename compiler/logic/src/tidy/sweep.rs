@@ -294,13 +294,13 @@ fn without_empty_branches(
 /// Takes the dead variables out of the table, and formulas that nothing uses out of the pool.
 fn renumber(program: &mut Program, dead: &IndexVec<VarId, bool>) {
     let mut new: IndexVec<VarId, VarId> = program.variables.indices().collect();
-    let mut table = IndexVec::with_capacity(program.variables.len());
-    for (old, variable) in std::mem::take(&mut program.variables).into_iter_enumerated() {
-        if !dead[old] {
-            new[old] = table.push(variable);
-        }
-    }
-    program.variables = table;
+    let (mut kept, mut old) = (0, 0..);
+    program.variables.raw.retain(|_| {
+        let id = VarId::from_usize(old.next().unwrap_or_default());
+        new[id] = VarId::from_usize(kept);
+        kept += usize::from(!dead[id]);
+        !dead[id]
+    });
     for state in &mut program.states {
         state.variable = new[state.variable];
         state.copies.retain(|v| !dead[*v]);

@@ -76,6 +76,12 @@ impl Chart {
     }
 }
 
+impl From<Chart> for Tables {
+    fn from(chart: Chart) -> Self {
+        chart.0
+    }
+}
+
 impl Deref for Chart {
     type Target = Tables;
 

@@ -10,20 +10,32 @@ use super::likeness::likeness;
 use crate::chart::{Event, ExprId, Node, TransitionId, VariableId};
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
-use index_vec::{IndexVec, index_vec};
+use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
-/// What makes two transitions the same: steps in any order, condition, actions.
-type Key = (Vec<Node>, Vec<Node>, usize, Vec<(VariableId, usize)>);
+/// What makes two transitions with one condition the same: steps in any order, actions.
+type Key = (Vec<Node>, Vec<Node>, Vec<(VariableId, usize)>);
 
 /// One warning per transition that was there before.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     let likeness: IndexVec<ExprId, usize> = likeness(&chart.exprs);
-    let mut actions: IndexVec<TransitionId, Vec<(VariableId, usize)>> = index_vec![Vec::new(); chart.transitions.len()];
+    // Only those that are alike at a glance are looked at more closely; nearly always there are none.
+    let glance = |id: &TransitionId| {
+        let transition = &chart.transitions[*id];
+        (likeness[transition.condition], transition.pre.iter().min(), transition.post.iter().min())
+    };
+    let mut order: Vec<TransitionId> = chart.transitions.indices().collect();
+    order.sort_by_key(glance);
+    let alike: Vec<&[TransitionId]> =
+        order.chunk_by(|a, b| glance(a) == glance(b)).filter(|alike| alike.len() > 1).collect();
+    if alike.is_empty() {
+        return;
+    }
+    let mut actions: FxHashMap<TransitionId, Vec<(VariableId, usize)>> = FxHashMap::default();
     for action in &chart.stored {
         if let Event::Clearing(t) = action.event {
-            actions[t].push((action.target, likeness[action.value]));
+            actions.entry(t).or_default().push((action.target, likeness[action.value]));
         }
     }
     let sorted = |nodes: &[Node]| {
@@ -31,18 +43,20 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         nodes.sort_unstable();
         nodes
     };
-    let mut first_of: FxHashMap<Key, TransitionId> = FxHashMap::default();
-    for (id, transition) in chart.transitions.iter_enumerated() {
-        let actions = std::mem::take(&mut actions[id]);
-        let key = (sorted(&transition.pre), sorted(&transition.post), likeness[transition.condition], actions);
-        let first = *first_of.entry(key).or_insert(id);
-        if first != id {
-            diagnostics.push(
-                Diagnostic::new(Code::W0421, transition.span, "this transition is there already")
-                    .also(chart.transitions[first].span, "the same steps, condition and actions")
-                    .help("leave one of the two out, or correct what was to be different")
-                    .fix(Fix::maybe("leave it out").delete(transition.span)),
-            );
+    for alike in alike {
+        let mut first_of: FxHashMap<Key, TransitionId> = FxHashMap::default();
+        for id in alike.iter().copied() {
+            let transition = &chart.transitions[id];
+            let key = (sorted(&transition.pre), sorted(&transition.post), actions.remove(&id).unwrap_or_default());
+            let first = *first_of.entry(key).or_insert(id);
+            if first != id {
+                diagnostics.push(
+                    Diagnostic::new(Code::W0421, transition.span, "this transition is there already")
+                        .also(chart.transitions[first].span, "the same steps, condition and actions")
+                        .help("leave one of the two out, or correct what was to be different")
+                        .fix(Fix::maybe("leave it out").delete(transition.span)),
+                );
+            }
         }
     }
 }

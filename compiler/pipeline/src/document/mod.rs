@@ -251,7 +251,7 @@ impl Document {
             let chart = self.chart()?;
             #[cfg(test)]
             self.runs.count("net");
-            flatten(chart, overlap, &mut Diagnostics::new()).map(Arc::new)
+            flatten(chart.clone(), overlap, &mut Diagnostics::new()).map(Arc::new)
         });
         net.as_ref()
     }

@@ -63,12 +63,15 @@ impl Reader<'_> {
         let cutter =
             Cutter { text: self.text, lexemes: &self.lexed.lexemes, balance: &self.balance, depth: self.stack.len() };
         let outcome = attempt_all(&self.parser, &mut self.builder, cutter, self.at);
-        let mut parsed = std::mem::take(&mut self.builder.parsed);
-        self.list().extend(parsed.drain(..).filter_map(|parsed| match parsed {
-            Parsed::Item(item) => Some(item),
-            Parsed::Heading(_) | Parsed::Grafcet(_) | Parsed::Expansion(_) => None, // they are not plain
-        }));
-        self.builder.parsed = parsed;
+        // In place, since there are as many as the text has items.
+        let parsed = std::mem::take(&mut self.builder.parsed).into_iter();
+        let items: Vec<ast::Item> = parsed.filter_map(Parsed::plain).collect();
+        let list = self.list();
+        if list.is_empty() {
+            *list = items;
+        } else {
+            list.extend(items);
+        }
         match outcome {
             Ok(next) => self.at = next,
             Err((run, stop)) => {

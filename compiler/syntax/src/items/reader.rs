@@ -99,6 +99,9 @@ impl<'text> Reader<'text> {
         }
         diagnostics.sort_by_place();
         let diagnostics = repeated::joined(self.text, diagnostics);
+        // The tree stays for a while, and what was doubled last is half empty.
+        self.items.shrink_to_fit();
+        self.builder.exprs.shrink_to_fit();
         let comments = self.lexed.comments.iter().map(|c| ast::Comment { span: self.builder.span(c.start, c.end) });
         let chart = ast::Chart {
             heading: self.heading.map(|heading| *heading),

@@ -54,7 +54,10 @@ fn operands(program: &Program) -> Result<(), String> {
         let boolean = |f: &FormulaId| pool.ty(*f) == Type::Bool;
         let fits = match pool.get(id) {
             Formula::Not(a) => boolean(a),
-            Formula::And(list) | Formula::Or(list) => list.len() > 1 && list.iter().all(boolean),
+            Formula::And(list) | Formula::Or(list) => {
+                let list = pool.list(*list);
+                list.len() > 1 && list.iter().all(boolean)
+            }
             Formula::Xor(a, b) => boolean(a) && boolean(b),
             Formula::Compare(_, a, b) => pool.ty(*a) == pool.ty(*b),
             Formula::Constant(_)
