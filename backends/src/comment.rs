@@ -6,6 +6,11 @@
 /// The text on one line: runs of blanks, line breaks and control characters become one blank; `(*` and `*)` are drawn
 /// apart; braces, which hold pragmas, become brackets.
 pub fn clean(text: &str) -> String {
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-' | b'>' | b',' | b':' | b'.');
+    let mut words = text.split(' ');
+    if words.all(|word| !word.is_empty() && word.bytes().all(is_plain)) {
+        return text.to_owned();
+    }
     let mut out = String::with_capacity(text.len());
     let mut blank = false;
     for c in text.chars() {

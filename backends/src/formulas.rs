@@ -59,7 +59,8 @@ pub(crate) struct Formulas<N, Level> {
 impl<N: Notation> Formulas<N, N::Level> {
     /// Measures all formulas; operands come before operators.
     pub fn new(notation: N, ids: impl Iterator<Item = FormulaId>) -> Self {
-        let mut this = Formulas { notation, widths: Vec::new(), levels: Vec::new() };
+        let count = ids.size_hint().0;
+        let mut this = Formulas { notation, widths: Vec::with_capacity(count), levels: Vec::with_capacity(count) };
         for id in ids {
             let (width, level) = this.measure(id);
             this.widths.push(width);

@@ -159,17 +159,12 @@ impl Entry {
         }
     }
 
-    fn text(&self) -> String {
-        let mut text = String::with_capacity(self.length());
-        self.pieces().for_each(|piece| text.push_str(piece));
-        text
-    }
-
     /// How long its text is, in bytes.
     fn length(&self) -> usize {
         self.pieces().map(str::len).sum()
     }
 
+    /// The pieces of its text, the name first.
     fn pieces(&self) -> impl Iterator<Item = &str> {
         let address = self.address.as_deref().map_or(["", ""], |address| [" AT ", address]);
         let initial = self.initial.as_deref().map_or(["", ""], |initial| [" := ", initial]);
@@ -395,16 +390,17 @@ fn section(out: &mut Writer, entries: &[&Entry]) {
     while let Some(entry) = entries.get(place) {
         place += 1;
         out.origin(entry.origin);
-        let text = entry.text();
-        let length = out.indent() + text.len();
+        let length = out.indent() + entry.length();
         if let Some(comment) = &entry.comment {
             if !out.fits_behind(length.max(column), comment) {
                 out.comment(comment);
-                out.line(&text);
+                out.start();
+                entry.pieces().for_each(|piece| out.text(piece));
+                out.end();
                 continue;
             }
             out.start();
-            out.text(&text);
+            entry.pieces().for_each(|piece| out.text(piece));
             out.trailing_comment(length, column, comment);
             out.end();
             continue;
@@ -430,7 +426,7 @@ fn section(out: &mut Writer, entries: &[&Entry]) {
         } else {
             alone -= 1;
         }
-        out.text(&text[entry.name.len()..]);
+        entry.pieces().skip(1).for_each(|piece| out.text(piece));
         out.end();
     }
     out.origin(outer);

@@ -94,8 +94,7 @@ impl<'a> Clearings<'a> {
     }
 
     fn any(&self, lowering: &mut Lowering, transitions: impl IntoIterator<Item = TransitionId>) -> FormulaId {
-        let cleared: Vec<FormulaId> = transitions.into_iter().map(|t| self.cleared[t]).collect();
-        lowering.pool.or(cleared)
+        lowering.pool.or(transitions.into_iter().map(|t| self.cleared[t]))
     }
 
     /// What decides on the next activity of a step; none if no transition touches it.

@@ -117,6 +117,9 @@ pub(crate) struct Lowering {
     designations: FxHashMap<EcoString, u32>,
     /// The words that delays are called by.
     delay_words: FxHashSet<EcoString>,
+    /// What waits to be built, each with whether all that it needs has been; and what one of them needs. Empty in between.
+    open_needs: Vec<(Need, bool)>,
+    needs: Vec<Need>,
     /// The pieces of conditions that were too deep, in the order of their definition.
     pub(crate) parts: Vec<(VarId, FormulaId)>,
     /// Wires whose variables follow the situation by themselves, so that nothing need be computed to read them.
@@ -166,6 +169,8 @@ impl Lowering {
             first_order,
             designations,
             delay_words: FxHashSet::default(),
+            open_needs: Vec::new(),
+            needs: Vec::new(),
             parts: Vec::new(),
             kept_wires: FxHashSet::default(),
             redirected: FxHashMap::default(),
@@ -185,8 +190,12 @@ impl Lowering {
 
     /// Lowers what `root` needs, then `root`: a walk with its own stack, since the depth of a condition is the author's.
     fn satisfy(&mut self, cx: &mut Context, root: Need) {
-        let mut stack = vec![(root, false)];
-        let mut needs = Vec::new();
+        if self.is_done(cx, root) {
+            return;
+        }
+        let mut stack = std::mem::take(&mut self.open_needs);
+        let mut needs = std::mem::take(&mut self.needs);
+        stack.push((root, false));
         while let Some((need, ready)) = stack.pop() {
             if self.is_done(cx, need) {
                 continue;
@@ -200,6 +209,7 @@ impl Lowering {
             self.needs(cx, need, &mut needs);
             stack.extend(needs.iter().rev().map(|n| (*n, false)));
         }
+        (self.open_needs, self.needs) = (stack, needs);
     }
 
     fn is_done(&self, cx: &Context, need: Need) -> bool {

@@ -279,10 +279,16 @@ impl Program {
     /// A transition as the chart writes it: `5, 8 -> 9`.
     pub fn arrow(&self, transition: TransitionId) -> String {
         let Transition { before, after, .. } = &self.elements.transitions[transition];
-        let labels = |range: &Range<u32>| {
-            self.elements.steps(range).iter().map(|s| self.label(*s)).collect::<Vec<_>>().join(", ")
-        };
-        format!("{} -> {}", labels(before), labels(after)).trim().to_owned()
+        let mut arrow = String::new();
+        for (range, sign) in [(before, " -> "), (after, "")] {
+            for (place, s) in self.elements.steps(range).iter().enumerate() {
+                arrow.push_str(if place > 0 { ", " } else { "" });
+                arrow.push_str(self.label(*s));
+            }
+            arrow.push_str(sign);
+        }
+        let trimmed = arrow.trim();
+        if trimmed.len() == arrow.len() { arrow } else { trimmed.to_owned() }
     }
 
     /// Whether there is what a statement says that it comes from.

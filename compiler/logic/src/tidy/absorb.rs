@@ -31,6 +31,9 @@ pub(crate) fn restrict(
     let net = &*lowering.net.clone();
     let step_of: FxHashMap<FormulaId, StepId> = net.places.indices().map(|s| (lowering.active(s), s)).collect();
     for (t, transition) in net.transitions.iter_enumerated() {
+        if lowering.pool.is_leaf(conditions[t]) && !step_of.contains_key(&conditions[t]) {
+            continue;
+        }
         let mut known: FxHashMap<FormulaId, FormulaId> = FxHashMap::default();
         for f in lowering.pool.below(conditions[t]) {
             let Some(s) = step_of.get(&f) else { continue };
@@ -50,7 +53,7 @@ pub(crate) fn restrict(
 /// Gives a name to what several conditions have in common, and returns the definitions.
 pub(crate) fn share(lowering: &mut Lowering, conditions: &mut IndexVec<TransitionId, FormulaId>) -> Vec<Statement> {
     let mut uses: FxHashMap<FormulaId, u32> = FxHashMap::default();
-    for condition in conditions.iter() {
+    for condition in conditions.iter().filter(|condition| !lowering.pool.is_leaf(**condition)) {
         for f in lowering.pool.below(*condition) {
             if let Formula::And(list) | Formula::Or(list) = lowering.pool.get(f)
                 && lowering.pool.list(*list).len() >= WORTH_A_NAME
@@ -125,11 +128,14 @@ impl Absorbing {
 
     /// The shorter form of a formula; those of its operands come first.
     fn formula(&mut self, root: FormulaId) -> FormulaId {
-        self.open.push(root);
+        if !self.pool.is_leaf(root) {
+            self.open.push(root);
+        }
         while let Some(id) = self.open.last().copied() {
             if self.shorter[id].is_none() {
                 let waiting = self.open.len();
-                self.open.extend(self.pool.operands(id).filter(|operand| self.shorter[*operand].is_none()));
+                let is_new = |operand: &FormulaId| !self.pool.is_leaf(*operand) && self.shorter[*operand].is_none();
+                self.open.extend(self.pool.operands(id).filter(is_new));
                 if self.open.len() > waiting {
                     continue;
                 }

@@ -13,7 +13,7 @@
 
 use crate::scan::{Heading, Origin, Program, Role, Statement, Variable, origin_of};
 use grafc_formula::{Formula, FormulaId, Type};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The most operands of one conjunction or disjunction.
 const LONGEST: usize = 256;
@@ -101,12 +101,14 @@ impl Cutter<'_> {
             return root;
         }
         let mut by: FxHashMap<FormulaId, FormulaId> = FxHashMap::default();
-        for id in self.program.pool.below(root) {
-            if !self.concerned[id.index()] {
-                by.insert(id, id);
-                continue;
+        for id in self.concerned_below(root) {
+            let pool = &mut self.program.pool;
+            let of = |operand: FormulaId| (operand, by.get(&operand).copied().unwrap_or(operand));
+            let mut short = id;
+            if pool.operands(id).any(|operand| by.contains_key(&operand)) {
+                let operands = pool.operands(id).map(of).collect();
+                short = pool.rebuilt(id, &operands);
             }
-            let mut short = self.program.pool.rebuilt(id, &by);
             while let Some(list) = operands(self.program, short).filter(|list| list.len() > LONGEST) {
                 let conjunction = matches!(self.program.pool.get(short), Formula::And(_));
                 let pieces: Vec<Vec<FormulaId>> = list.chunks(LONGEST).map(<[FormulaId]>::to_vec).collect();
@@ -117,6 +119,20 @@ impl Cutter<'_> {
             by.insert(id, short);
         }
         by[&root]
+    }
+
+    /// What is long, or has something long in it, operands before operators.
+    fn concerned_below(&self, root: FormulaId) -> Vec<FormulaId> {
+        let mut seen: FxHashSet<FormulaId> = FxHashSet::default();
+        let mut open = vec![root];
+        while let Some(id) = open.pop() {
+            if seen.insert(id) {
+                open.extend(self.program.pool.operands(id).filter(|operand| self.concerned[operand.index()]));
+            }
+        }
+        let mut ids: Vec<FormulaId> = seen.into_iter().collect();
+        ids.sort_unstable();
+        ids
     }
 
     /// A variable for a piece of a long formula.

@@ -55,18 +55,21 @@ impl Cutter<'_> {
         if first == Token::Retain && tokens.get(end).is_some_and(|l| declares(l.token)) {
             end += 1;
         }
-        // Braces are not nested in an item, unless a mistake nests them: so this is nearly always empty.
-        let mut open = Vec::new();
+        // How many braces are open, and the outermost.
+        let (mut depth, mut outermost) = (0_usize, None);
         while let Some(lexeme) = tokens.get(end) {
             match lexeme.token {
-                Token::OpenBrace => open.push(end),
-                Token::CloseBrace if open.is_empty() => break,
+                Token::OpenBrace => {
+                    outermost = outermost.or(Some(end));
+                    depth += 1;
+                }
+                Token::CloseBrace if depth == 0 => break,
                 Token::CloseBrace => {
-                    if open.len() == 1 && self.closes_the_block(start, end) {
+                    if depth == 1 && self.closes_the_block(start, end) {
                         break;
                     }
-                    open.pop();
-                    if open.is_empty() {
+                    depth -= 1;
+                    if depth == 0 {
                         return Run { start, end: end + 1, open: None };
                     }
                 }
@@ -76,7 +79,7 @@ impl Cutter<'_> {
             }
             end += 1;
         }
-        Run { start, end, open: open.first().copied() }
+        Run { start, end, open: outermost }
     }
 
     /// Whether this is the whole of `{initial}` behind `force G1`: a mistake, but no item.

@@ -96,12 +96,17 @@ fn refuted(asked: &mut Questions, constant: &[Constant]) -> IndexVec<TransitionI
         if refuted[t].is_some() {
             continue;
         }
+        let transition = &net.transitions[t];
+        let reads_steps = reads_steps(net, transition.condition);
+        if !reads_steps && transition.pre.len() + usize::from(transition.within.is_some()) < 2 {
+            continue;
+        }
         let needed = needed(net, t);
         let compared = &needed[..needed.len().min(COMPARED)];
         let mut pairs = compared.iter().enumerate().flat_map(|(i, a)| compared[i + 1..].iter().map(move |b| (*a, *b)));
         if let Some((a, b)) = pairs.find(|(a, b)| asked.analysis.never_together(*a, *b)) {
             refuted[t] = Some(Why::Apart(a, b));
-        } else if reads_steps(net, net.transitions[t].condition) {
+        } else if reads_steps {
             let before = &net.transitions[t].pre;
             let active: Vec<StepId> = before.iter().copied().take(COMPARED).collect();
             match witness::search(asked, &[net.transitions[t].condition], &active) {
@@ -122,8 +127,8 @@ fn needed(net: &Net, t: TransitionId) -> Vec<StepId> {
     let transition = &net.transitions[t];
     let mut needed = transition.pre.clone();
     needed.extend(transition.within);
-    let mut open = vec![transition.condition];
-    while let Some(e) = open.pop() {
+    let (mut first, mut open) = (Some(transition.condition), Vec::new());
+    while let Some(e) = first.take().or_else(|| open.pop()) {
         match net.exprs[e].kind {
             ExprKind::And(a, b) => open.extend([b, a]),
             // An on-delay alone is false as soon as its operand is (X5), and an edge asks for its operand now (X4).

@@ -11,9 +11,10 @@ use grafc_model::chart::{ExprId, ExprKind, GrafcetId, Mode, StepId, TransitionId
 use grafc_net::Net;
 use grafc_net::net::Forced;
 use rustc_hash::{FxHashMap, FxHashSet};
+use std::rc::Rc;
 
 /// Active steps of a grafcet, in order.
-pub(super) type Marking = Box<[StepId]>;
+pub(super) type Marking = Rc<[StepId]>;
 
 /// What a condition says of the steps of its own grafcet, and whether it asks for nothing but inputs and time besides.
 #[derive(Clone, Default)]
@@ -86,7 +87,7 @@ impl<'q, 'a> Region<'q, 'a> {
                 Forced::Steps(steps) => Some(steps.clone().into()),
                 Forced::Current => None,
             }));
-            starts.push(Box::new([]));
+            starts.push(Rc::default());
         }
         starts.sort();
         starts.dedup();
@@ -158,8 +159,8 @@ fn guard(net: &Net, t: TransitionId) -> Guard {
     let transition = &net.transitions[t];
     let own = |step: StepId| net.places[step].grafcet == transition.grafcet;
     let mut guard = Guard { is_free: true, ..Guard::default() };
-    let mut factors = vec![transition.condition];
-    while let Some(e) = factors.pop() {
+    let (mut first, mut factors) = (Some(transition.condition), Vec::new());
+    while let Some(e) = first.take().or_else(|| factors.pop()) {
         match net.exprs[e].kind {
             ExprKind::And(a, b) => factors.extend([b, a]),
             ExprKind::StepActive(step) if own(step) => guard.with.push(step),

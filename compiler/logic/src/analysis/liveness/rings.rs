@@ -347,8 +347,8 @@ fn is_of_inputs(net: &Net, condition: ExprId) -> bool {
 /// The inputs among the factors of a condition.
 fn add_factors(net: &Net, condition: ExprId, factors: &mut Vec<(VariableId, bool)>) {
     let input = |v: VariableId| net.variables[v].kind == VariableKind::Input;
-    let mut open = vec![condition];
-    while let Some(e) = open.pop() {
+    let (mut first, mut open) = (Some(condition), Vec::new());
+    while let Some(e) = first.take().or_else(|| open.pop()) {
         if let ExprKind::And(a, b) = net.exprs[e].kind {
             open.extend([b, a]);
         } else if let ExprKind::Variable(v) = net.exprs[e].kind {

@@ -110,7 +110,7 @@ fn never_at_once(region: &mut Region) -> Vec<TransitionId> {
         let marking = marking.clone();
         let enabled = region.enabled(&marking);
         cleared.extend(&enabled);
-        active.extend(&marking);
+        active.extend(marking.iter());
         if enabled.len() > AT_ONCE {
             return Vec::new();
         }
@@ -164,7 +164,10 @@ fn may_happen(region: &mut Region, dead: &[TransitionId]) -> (Vec<Reentry>, Opti
             let (situation, way) = (marking.to_vec(), way(&seen, at));
             dead_end = Some(DeadEnd { grafcet: region.grafcet, situation, way });
         }
-        for t in enabled.iter().copied().filter(|t| region.is_free(*t)).collect::<Vec<_>>() {
+        for t in enabled.iter().copied() {
+            if !region.is_free(t) {
+                continue;
+            }
             let cleared = region.with_implied(t, &enabled);
             let Some(rest) = left.checked_sub(1 + marking.len() + enabled.len()) else { return (reentries, dead_end) };
             left = rest;

@@ -24,9 +24,9 @@ pub(super) fn add(
     effect: Change,
     causes: &mut Causes,
 ) {
-    let mut open = vec![(condition, whole)];
+    let (mut first, mut open) = (Some((condition, whole)), Vec::new());
     let mut followed = 0;
-    while let Some((e, way)) = open.pop() {
+    while let Some((e, way)) = first.take().or_else(|| open.pop()) {
         followed += 1;
         if followed > LONGEST {
             causes.at_once(Change::Expr(condition, whole), effect);

@@ -265,9 +265,9 @@ impl Stable {
     /// What a condition says when it holds.
     fn read(&self, net: &Net, condition: ExprId) -> Said {
         let mut said = Said::default();
-        let mut open = vec![Claim { e: condition, asserted: true, since: false }];
+        let (mut first, mut open) = (Some(Claim { e: condition, asserted: true, since: false }), Vec::new());
         let mut looked_at = 0;
-        while let Some(claim) = open.pop().filter(|_| looked_at < LOOKED_AT) {
+        while let Some(claim) = first.take().or_else(|| open.pop()).filter(|_| looked_at < LOOKED_AT) {
             looked_at += 1;
             if let Some(class) = self.classes[claim.e] {
                 self.literal(class, claim.asserted, &mut said);
@@ -347,9 +347,9 @@ struct Claim {
 /// The inputs that a condition reads.
 fn inputs(net: &Net, condition: ExprId) -> Vec<VariableId> {
     let mut found = Vec::new();
-    let mut open = vec![condition];
+    let (mut first, mut open) = (Some(condition), Vec::new());
     let mut looked_at = 0;
-    while let Some(e) = open.pop().filter(|_| looked_at < LOOKED_AT) {
+    while let Some(e) = first.take().or_else(|| open.pop()).filter(|_| looked_at < LOOKED_AT) {
         looked_at += 1;
         match net.exprs[e].kind {
             ExprKind::Variable(v) if net.variables[v].kind == VariableKind::Input => found.push(v),
