@@ -62,8 +62,14 @@ impl Reserved {
 
     /// Whether a word, in upper case, is reserved.
     pub fn contains(&self, word: &str) -> bool {
-        if self.words.contains(word) || self.addresses.contains(word.trim_end_matches(|c: char| c.is_ascii_digit())) {
+        if self.words.contains(word) {
             return true;
+        }
+        if !self.addresses.is_empty() {
+            let letters = word.trim_end_matches(|c: char| c.is_ascii_digit());
+            if self.addresses.contains(letters) {
+                return true;
+            }
         }
         match word.split_once('_') {
             Some((head, tail)) => self.heads.contains(head) && tail.split('_').all(|part| self.tails.contains(part)),

@@ -25,7 +25,8 @@ pub(super) struct Locals {
 }
 
 impl Locals {
-    /// Finds all declarations of a function; what is shared with others is declared elsewhere.
+    /// Finds all declarations of a function; what is shared with others, which stands here in order, is declared
+    /// elsewhere.
     pub fn new(program: &Program, code: &[Code], shared: &[VarId]) -> Self {
         let mut finder = Finder {
             program,
@@ -34,7 +35,7 @@ impl Locals {
             read: FxHashMap::default(),
         };
         finder.code(ROOT, code);
-        shared.iter().for_each(|v| _ = finder.uses.remove(v));
+        finder.uses.retain(|v, _| shared.binary_search(v).is_err());
         finder.locals()
     }
 

@@ -30,6 +30,7 @@ impl<'p> Uses<'p> {
             seen: FxHashSet::default(),
         };
         uses.all(code);
+        uses.seen = FxHashSet::default();
         uses
     }
 

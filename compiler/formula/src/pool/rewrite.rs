@@ -1,23 +1,30 @@
 //! Formulas made of others: with parts replaced, or with what nobody needs left out.
 
-use super::{Candidate, Formula, FormulaId, Pool, VarId};
+use super::{Candidate, Formula, FormulaId, Pool, SHORT, VarId};
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 impl Pool {
     /// Every formula below `root`, operands before operators, `root` last.
     pub fn below(&self, root: FormulaId) -> Vec<FormulaId> {
-        if self.is_leaf(root) {
-            return vec![root];
+        let mut ids = vec![root];
+        let mut at = 0;
+        // Most formulas are short, and need no table.
+        while at < ids.len() && ids.len() + self.operands(ids[at]).size_hint().0 <= SHORT {
+            for operand in self.operands(ids[at]) {
+                if !ids.contains(&operand) {
+                    ids.push(operand);
+                }
+            }
+            at += 1;
         }
-        let mut seen = FxHashSet::default();
-        let mut stack = vec![root];
-        while let Some(id) = stack.pop() {
-            if seen.insert(id) {
-                stack.extend(self.operands(id));
+        if at < ids.len() {
+            let mut seen: FxHashSet<FormulaId> = ids.iter().copied().collect();
+            while let Some(id) = ids.get(at).copied() {
+                ids.extend(self.operands(id).filter(|operand| seen.insert(*operand)));
+                at += 1;
             }
         }
-        let mut ids: Vec<FormulaId> = seen.into_iter().collect();
         ids.sort_unstable();
         ids
     }

@@ -10,6 +10,7 @@ pub(crate) mod cover;
 mod delays;
 mod edges;
 mod factored;
+mod setters;
 pub(crate) mod situation;
 pub(crate) mod symbols;
 pub(crate) mod words;
@@ -20,11 +21,12 @@ use ecow::{EcoString, eco_format};
 use factored::factored;
 use grafc_formula::exclusion::EdgeOperand;
 use grafc_formula::{Formula, FormulaId, Pool, Type, Value};
-use grafc_model::chart::{DelayTime, ExprId, ExprKind, GrafcetId, MacroId, Mode, StepId, VariableId};
+use grafc_model::chart::{Continuous, DelayTime, ExprId, ExprKind, GrafcetId, MacroId, Mode, StepId, VariableId};
 use grafc_net::Net;
 use grafc_net::net::Grafcet;
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
+use setters::Setters;
 use situation::Situation;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -110,7 +112,7 @@ pub(crate) struct Lowering {
     /// The value of each delay after the last micro-step.
     delay_values: FxHashMap<ExprId, FormulaId>,
     /// The continuous actions of each wire.
-    continuous_of: FxHashMap<VariableId, Vec<usize>>,
+    setters: Setters,
     /// The number of the first order on each grafcet.
     first_order: IndexVec<GrafcetId, u32>,
     /// How often each designation is used.
@@ -145,10 +147,7 @@ impl Lowering {
     pub(crate) fn new(net: Arc<Net>, cover: Option<&Cover>, short: bool) -> Self {
         let (mut symbols, mut pool) = (Symbols::new(&net), Pool::default());
         let situation = Situation::new(&net, cover, short, &mut symbols, &mut pool);
-        let mut continuous_of: FxHashMap<VariableId, Vec<usize>> = FxHashMap::default();
-        for (index, action) in net.continuous.iter().enumerate() {
-            continuous_of.entry(action.target).or_default().push(index);
-        }
+        let setters = Setters::of(&net);
         let first = |sum: &mut u32, g: &Grafcet| Some(std::mem::replace(sum, *sum + g.orders.len() as u32));
         let first_order = net.grafcets.iter().scan(0, first).collect();
         let designations = words::designations(&net);
@@ -165,7 +164,7 @@ impl Lowering {
             edge_of: FxHashMap::default(),
             delay_of: FxHashMap::default(),
             delay_values: FxHashMap::default(),
-            continuous_of,
+            setters,
             first_order,
             designations,
             delay_words: FxHashSet::default(),
@@ -224,8 +223,7 @@ impl Lowering {
     fn needs(&self, cx: &Context, need: Need, out: &mut Vec<Need>) {
         match need {
             Need::Wire(v) => {
-                let actions = self.continuous_of.get(&v).map_or(&[][..], Vec::as_slice);
-                out.extend(actions.iter().filter_map(|a| self.net.continuous[*a].condition).map(Need::Expr));
+                out.extend(self.setters.on(v).filter_map(|a| self.net.continuous[a].condition).map(Need::Expr));
             }
             Need::Macro(m) => out.extend(self.net.macro_steps[m].inner.iter().map(|i| Need::Macro(*i))),
             Need::Grafcet(_) => {}
@@ -336,15 +334,12 @@ impl Lowering {
     /// A wire is true while one of its actions applies; the name itself carries the value (B4).
     fn build_wire(&mut self, cx: &mut Context, wire: VariableId) {
         let net = &*self.net.clone();
-        let mut terms = Vec::new();
-        for index in self.continuous_of.get(&wire).map_or(&[][..], Vec::as_slice).to_vec() {
-            let action = &net.continuous[index];
-            terms.push((self.active(action.step), action.condition.map(|condition| cx.exprs[&condition])));
-        }
+        let actions = || self.setters.on(wire).map(|index| &net.continuous[index]);
+        let term = |action: &Continuous| (self.active(action.step), action.condition.map(|c| cx.exprs[&c]));
+        let terms = actions().map(term).collect();
+        let of_states = actions().any(|action| self.situation.bit(action.step).is_none());
         let value = factored(&mut self.pool, terms);
         let target = self.symbols.declared(wire);
-        let in_state = |index: &usize| self.situation.bit(net.continuous[*index].step).is_none();
-        let of_states = self.continuous_of.get(&wire).is_some_and(|actions| actions.iter().any(in_state));
         let told = if of_states { Told::Steps } else { Told::Nothing };
         cx.statements.push(Statement::Assign { target, value, origin: self.wire_origin(wire), told });
         cx.wires.insert(wire);
@@ -357,9 +352,10 @@ impl Lowering {
 
     /// Where the value of a wire comes from: the one action on it, or all of them.
     pub(crate) fn wire_origin(&self, wire: VariableId) -> Origin {
-        match self.continuous_of.get(&wire).map_or(&[][..], Vec::as_slice) {
-            [only] => Origin::Action(ActionId::from(*only)),
-            _ => Origin::Actions(wire),
+        let mut actions = self.setters.on(wire);
+        match (actions.next(), actions.len()) {
+            (Some(only), 0) => Origin::Action(ActionId::from(only)),
+            (Some(_) | None, _) => Origin::Actions(wire),
         }
     }
 
