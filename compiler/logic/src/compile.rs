@@ -15,7 +15,7 @@ use crate::encode::task::Task;
 use crate::lower::Lowering;
 use crate::lower::cover::is_small;
 use crate::options::{Encoding, Options};
-use crate::scan::{Elements, Flag, Heading, Limit, Program, Repeat, Role};
+use crate::scan::{Elements, Flag, Heading, Limit, Program, Repeat, Role, Statement};
 use crate::tidy::{absorb, idle_delays, join, long_chains, once, sweep};
 use crate::warn::overlap;
 use grafc_diagnostics::Diagnostics;

@@ -104,7 +104,7 @@ pub fn simulate(
     let (stimuli, places): (Vec<_>, Vec<_>) = rows.into_iter().unzip();
     let mut lowering = grafc_logic::Options { profile: how.profile, ..grafc_logic::Options::default() };
     if how.bound_as_known
-        && let Some(net) = flatten(&chart, false, &mut Diagnostics::new())
+        && let Some(net) = flatten(chart.clone(), false, &mut Diagnostics::new())
     {
         lowering = bounded(&lowering, true, &Analysis::new(net));
     }
