@@ -16,6 +16,7 @@ mod format;
 pub mod habits;
 mod items;
 mod lexer;
+pub mod literal;
 mod numeral;
 mod pasted;
 mod repeated;

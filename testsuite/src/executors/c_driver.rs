@@ -103,6 +103,8 @@ fn literal(value: Value) -> String {
     match value {
         Value::Bool(b) => u8::from(b).to_string(),
         Value::Int(n) | Value::Time(n) => format!("{n}LL"),
+        Value::Real(x) if x.is_nan() => "__builtin_nan(\"\")".to_string(),
+        Value::Real(x) if x.is_infinite() => format!("{}__builtin_inf()", if x < 0.0 { "-" } else { "" }),
         Value::Real(x) => format!("{x:e}"),
     }
 }

@@ -5,8 +5,9 @@
 //! call to what the latest call before it showed.
 
 use super::columns::{FLAGS, RESTART, SITUATION, unknown};
-use super::read::parse_value;
+use super::situation;
 use super::table::{Reader, Record};
+use super::values::parse_value;
 use super::write::cell;
 use crate::chart::{Chart, StepId, Type, Value, Variable, VariableKind};
 use crate::reaction::{Response, Stimulus};
@@ -130,7 +131,7 @@ impl<'a> Comparison<'a> {
     fn situation(&mut self, text: &str, span: Span) -> BTreeSet<StepId> {
         let steps = &self.chart.steps;
         let mut found = BTreeSet::new();
-        for label in text.split_whitespace() {
+        for label in situation::labels(text) {
             match steps.iter_enumerated().find(|(_, step)| step.label == label) {
                 Some((id, _)) => {
                     found.insert(id);
@@ -235,11 +236,15 @@ impl<'a> Comparison<'a> {
     }
 }
 
-/// Reals agree to as many digits as tools print: six of a `real`, twelve of an `lreal`.
+/// Reals agree to as many digits as tools print: six of a `real`, twelve of an `lreal`. What is infinite or no number
+/// agrees with its like alone.
 fn agree(ty: Type, a: Value, b: Value) -> bool {
     let tolerance = if ty == Type::Real { 1e-6 } else { 1e-12 };
     match (a, b) {
-        (Value::Real(a), Value::Real(b)) => a == b || (a - b).abs() <= tolerance * a.abs().max(b.abs()),
+        (Value::Real(a), Value::Real(b)) if a.is_finite() && b.is_finite() => {
+            a == b || (a - b).abs() <= tolerance * a.abs().max(b.abs())
+        }
+        (Value::Real(a), Value::Real(b)) => a == b || a.is_nan() && b.is_nan(),
         (a, b) => a == b,
     }
 }

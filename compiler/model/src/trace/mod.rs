@@ -1,16 +1,18 @@
 //! Traces: what goes into a run and what comes out, as CSV.
 //!
 //! A stimulus trace has a header `t_ms,NAME,…` of inputs, then a row a call. Inputs that it does not name keep their
-//! initial value, an empty cell keeps the value of the row before. Booleans are `0`, `1`, `FALSE` or `TRUE`, times
-//! are in milliseconds. Where the column `restart` is true, the controller has restarted before the call. A result has the columns `t_ms`, the outputs, `situation` and `flags`.
-//! So has a recording of another tool, which is compared with what the chart does.
+//! initial value, an empty cell keeps the value of the row before. Booleans are `0`, `1`, `FALSE` or `TRUE`, numbers as
+//! in a chart, times also in milliseconds. Where the column `restart` is true, the controller has restarted before the
+//! call. A result has the columns `t_ms`, the outputs, `situation` and `flags`. So has a recording of another tool, which is compared with what the chart does.
 
 mod against;
 mod columns;
 mod read;
+mod situation;
 mod table;
 #[cfg(test)]
 mod tests;
+mod values;
 mod write;
 
 pub use against::compare_trace;

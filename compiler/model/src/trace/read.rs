@@ -2,6 +2,7 @@
 
 use super::columns::{RESTART, kind_of, unknown};
 use super::table::{Reader, Record};
+use super::values::parse_value;
 use crate::chart::{Chart, Type, Value, Variable, VariableKind};
 use crate::reaction::Stimulus;
 use crate::resolve::suggest::Suggestions;
@@ -116,38 +117,4 @@ enum Column {
     /// The input of this place among the inputs.
     Input(usize),
     Unknown,
-}
-
-/// The value of a cell, or what was expected.
-pub(super) fn parse_value(text: &str, ty: Type) -> Result<Value, String> {
-    let whole = |least: i64, greatest: i64| {
-        text.parse::<i64>()
-            .ok()
-            .filter(|number| (least..=greatest).contains(number))
-            .ok_or_else(|| format!("a whole number from {least} to {greatest}"))
-    };
-    let real = |single: bool| {
-        // Spreadsheets write the decimal sign of their country.
-        let number = text
-            .parse::<f64>()
-            .or_else(|_| text.replacen(',', ".", 1).parse())
-            .ok()
-            .map(|number| if single { f64::from(number as f32) } else { number });
-        number.filter(|number| number.is_finite()).map(Value::Real)
-    };
-    match ty {
-        // Spreadsheets write `TRUE` in the language of their user.
-        Type::Bool => match text.to_ascii_uppercase().as_str() {
-            "0" | "FALSE" | "FALSCH" | "FAUX" => Ok(Value::Bool(false)),
-            "1" | "TRUE" | "WAHR" | "VRAI" => Ok(Value::Bool(true)),
-            _ => Err("`0`, `1`, `FALSE` or `TRUE`".to_string()),
-        },
-        Type::Int => whole(i64::from(i16::MIN), i64::from(i16::MAX)).map(Value::Int),
-        Type::Dint => whole(i64::from(i32::MIN), i64::from(i32::MAX)).map(Value::Int),
-        Type::Uint => whole(0, i64::from(u16::MAX)).map(Value::Int),
-        Type::Udint => whole(0, i64::from(u32::MAX)).map(Value::Int),
-        Type::Real => real(true).ok_or_else(|| "a number that single precision can hold".to_string()),
-        Type::Lreal => real(false).ok_or_else(|| "a number that double precision can hold".to_string()),
-        Type::Time => text.parse().map(Value::Time).map_err(|_| "whole milliseconds".to_string()),
-    }
 }

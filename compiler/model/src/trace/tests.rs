@@ -126,7 +126,7 @@ fn places_are_right_behind_carriage_returns_and_quotes() {
 
 #[test]
 fn numbers_out_of_range_are_refused() {
-    for (column, cell) in [("x", "1e39"), ("x", "inf"), ("x", "nan"), ("d", "1.5"), ("d", "9223372036854775808")] {
+    for (column, cell) in [("x", "1e39"), ("x", "1e999"), ("n", "inf"), ("d", "1.5"), ("d", "9223372036854775808")] {
         let found = faults(&format!("t_ms,{column}\n0,{cell}\n"));
         assert_eq!(found, [fault("E0603", cell, &format!("`{cell}` is not a value of `{column}`"))]);
     }
@@ -151,6 +151,6 @@ fn results_are_written_in_order_of_declaration() {
     let stimuli = [row(0, false, 0, 0.0, 0), row(10, false, 0, 0.0, 0)];
     assert_eq!(
         write_trace(&chart(), &stimuli, &responses),
-        "t_ms,U,V,situation,flags\n0,0.1,0.1,\"1 with, comma\",\n10,0.1,0.1,,LIVELOCK FORCE_CONFLICT DIV0\n"
+        "t_ms,U,V,situation,flags\n0,0.1,0.1,\"1 `with, comma`\",\n10,0.1,0.1,,LIVELOCK FORCE_CONFLICT DIV0\n"
     );
 }

@@ -1,6 +1,7 @@
 //! A result trace.
 
 use super::columns::{FLAGS, RESTART, SITUATION, TIME, heading};
+use super::situation;
 use crate::chart::{Chart, Type, Value, VariableKind};
 use crate::reaction::{Response, Stimulus};
 use crate::simulate::Probe;
@@ -48,8 +49,7 @@ pub fn write_shown(chart: &Chart, stimuli: &[Stimulus], responses: &[Response], 
         row.extend(cells.by_ref().take(before.len()));
         row.extend(outputs().zip(&response.outputs).map(|(variable, &value)| cell(variable.ty, value)));
         row.extend(cells);
-        let labels: Vec<&str> = response.situation.iter().map(|&step| chart.steps[step].label.as_str()).collect();
-        row.push(labels.join(" "));
+        row.push(situation::cell(chart, &response.situation));
         row.push(response.flags.names().collect::<Vec<_>>().join(" "));
         write(row);
     }

@@ -179,6 +179,11 @@ fn literal(value: Value, ty: Type) -> String {
         (Value::Bool(b), _) => b.to_string(),
         (Value::Int(n), Type::Real | Type::Lreal) => format!("{n}.0"),
         (Value::Int(n) | Value::Time(n), _) => n.to_string(),
+        (Value::Real(x), ty) if !x.is_finite() => {
+            let (ty, name) =
+                (if ty == Type::Real { "f32" } else { "f64" }, if x.is_nan() { "NAN" } else { "INFINITY" });
+            format!("{}{ty}::{name}", if x < 0.0 { "-" } else { "" })
+        }
         (Value::Real(x), Type::Real) => format!("{:?}", x as f32),
         (Value::Real(x), _) => format!("{x:?}"),
     }
