@@ -177,7 +177,10 @@ pub enum Mode {
 }
 
 /// A value. `Bool`, the four integers as `Int`, both reals as `Real` (a `real` is rounded to single), `time` as `Time`.
-#[derive(Clone, Copy, PartialEq, Debug)]
+///
+/// Two are equal if one in the place of the other is no change. That is not what a chart asks with `=`: there a real that
+/// is no number differs from itself.
+#[derive(Clone, Copy, Debug)]
 pub enum Value {
     /// `bool`
     Bool(bool),
@@ -187,6 +190,17 @@ pub enum Value {
     Real(f64),
     /// `time`, in milliseconds
     Time(i64),
+}
+
+impl PartialEq for Value {
+    fn eq(&self, other: &Self) -> bool {
+        match (*self, *other) {
+            (Value::Bool(a), Value::Bool(b)) => a == b,
+            (Value::Int(a), Value::Int(b)) | (Value::Time(a), Value::Time(b)) => a == b,
+            (Value::Real(a), Value::Real(b)) => a == b || a.is_nan() && b.is_nan(),
+            (Value::Bool(_) | Value::Int(_) | Value::Real(_) | Value::Time(_), _) => false,
+        }
+    }
 }
 
 /// A step.

@@ -1,6 +1,6 @@
 //! R9-R14: reactions.
 
-use super::arithmetic::{convert, same};
+use super::arithmetic::convert;
 use super::plan::{Memory, Valued};
 use super::settle::{Conflict, Phase, settle};
 use super::stored::allocate;
@@ -37,7 +37,7 @@ impl<'a> Simulator<'a> {
         let inputs = self.set_inputs(&stimulus.inputs);
         // There is no input event at the initial reaction: what came before is taken to have been the same.
         let input_event = match &self.previous {
-            Some(previous) => previous.iter().zip(&inputs).any(|(&old, &new)| !same(old, new)),
+            Some(previous) => previous.iter().zip(&inputs).any(|(&old, &new)| old != new),
             None => {
                 self.start(t);
                 if let Some(observe) = &mut observe {

@@ -1,6 +1,5 @@
 //! R7: stored actions.
 
-use super::arithmetic::same;
 use super::context::Values;
 use super::{Activity, State};
 use crate::chart::{Chart, Event, Stored, TransitionId, Value, VariableId};
@@ -57,13 +56,13 @@ pub(super) fn allocate(triggered: &[&Stored], values: &Values, state: &mut State
     let mut conflict = false;
     for stored in triggered {
         let value = values.of(stored.value);
-        conflict |= new[stored.target].is_some_and(|earlier| !same(earlier, value));
+        conflict |= new[stored.target].is_some_and(|earlier| earlier != value);
         new[stored.target] = Some(value);
     }
     let mut changed = false;
     for (id, value) in new.into_iter_enumerated() {
         if let Some(value) = value {
-            changed |= !same(state.variables[id], value);
+            changed |= state.variables[id] != value;
             state.variables[id] = value;
         }
     }
