@@ -9,7 +9,7 @@ mod commands;
 mod map;
 mod meant;
 mod report;
-mod stream;
+pub mod stream;
 mod watch;
 mod waveform;
 

@@ -2,7 +2,7 @@
 
 use grafc::files::{self, Refusal, print, print_bytes};
 use std::ffi::OsString;
-use std::io::{self, Read};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf, is_separator};
 
 /// What a file name on the command line stands for.
@@ -17,6 +17,14 @@ pub enum Stream {
 impl From<OsString> for Stream {
     fn from(name: OsString) -> Self {
         if name == "-" { Stream::Standard } else { Stream::File(name.into()) }
+    }
+}
+
+/// Whether the parser of the command line could give its answer. If the reader went away, it has seen enough.
+pub fn answered(printed: io::Result<()>) -> Result<(), Refusal> {
+    match printed.and_then(|()| io::stdout().flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Refusal::to_write("<stdout>", error)),
+        Ok(()) | Err(_) => Ok(()),
     }
 }
 

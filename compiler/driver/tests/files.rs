@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{FAULTY, Folder, VALVE};
+use common::{FAULTY, Folder, Run, VALVE};
 
 #[test]
 fn what_cannot_be_read_is_named_with_its_reason() {
@@ -35,6 +35,46 @@ fn a_file_is_replaced_whole_and_nothing_is_left_beside_it() {
     folder.run(&["valve.gct", "--target", "st", "-o", "out.st"]).is_done();
     assert!(!folder.read("out.st").contains("old old"));
     assert_eq!(folder.names(), ["out.st", "valve.gct"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_to_what_is_not_there_yet_is_written_through() {
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    std::fs::create_dir(folder.path("there")).unwrap();
+    std::os::unix::fs::symlink("there/second", folder.path("first.st")).unwrap();
+    std::os::unix::fs::symlink("valve.st", folder.path("there/second")).unwrap();
+    folder.run(&["valve.gct", "-o", "first.st"]).is_done();
+    assert!(folder.read("there/valve.st").contains("FUNCTION_BLOCK Valve"));
+    for link in ["first.st", "there/second"] {
+        assert!(std::fs::symlink_metadata(folder.path(link)).unwrap().is_symlink(), "{link}");
+    }
+    std::os::unix::fs::symlink("circle.st", folder.path("circle.st")).unwrap();
+    folder.run(&["valve.gct", "-o", "circle.st"]).ends(3, "cannot write `circle.st`");
+}
+
+#[cfg(unix)]
+#[test]
+fn the_limit_on_the_size_of_files_leaves_nothing_behind() {
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    let command = assert_cmd::cargo::cargo_bin!("grafc");
+    let script = format!("ulimit -f 1; exec '{}' valve.gct -o valve.st", command.display());
+    let output = std::process::Command::new("sh").args(["-c", &script]).current_dir(folder.path(".")).output().unwrap();
+    Run::of(output).ends(3, "cannot write `valve.st`: file too large").ends(3, "help: raise the limit");
+    assert_eq!(folder.names(), ["valve.gct"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn help_that_cannot_be_written_is_a_failure() {
+    let folder = Folder::new(&[]);
+    let command = assert_cmd::cargo::cargo_bin!("grafc");
+    for arguments in [&["--help"][..], &["--version"], &["sim", "--help"]] {
+        let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+        let run =
+            std::process::Command::new(command).args(arguments).current_dir(folder.path(".")).stdout(full).output();
+        Run::of(run.unwrap()).ends(3, "cannot write `<stdout>`: no space left on device");
+    }
 }
 
 #[test]

@@ -73,6 +73,10 @@ pub fn read(file: FileId, text: &str, diagnostics: &mut Diagnostics) -> Option<D
         diagnostics.push(Diagnostic::new(Code::E0109, Span::new(file, 0, 0), message).help("split the chart"));
         return None;
     }
+    if let Some(at) = text.find(is_forbidden) {
+        diagnostics.push(forbidden(file, text, at));
+        return None;
+    }
     let mut builder = Builder { file, elements: IndexVec::new(), comments: Vec::new(), open: Vec::new(), diagnostics };
     match builder.run(text) {
         Ok(()) => Some(Document { elements: builder.elements, comments: builder.comments }),
@@ -156,6 +160,9 @@ impl Builder<'_> {
             }
             let value = attribute.normalized_value(XmlVersion::Implicit1_0);
             let value = value.map_err(|error| malformed(span, spell(&error)))?;
+            if let Some(c) = value.chars().find(|c| is_forbidden(*c)) {
+                return Err(malformed(span, format!("the attribute `{key}` holds {}", code_point(c))));
+            }
             attributes.push((key, value.into_owned()));
         }
         let id = self.elements.push(Element { name, attributes, parent, children: Vec::new(), span });
@@ -193,6 +200,20 @@ impl Builder<'_> {
         let length = text[at..].chars().next().map_or(0, char::len_utf8);
         Span::new(self.file, at, at + length)
     }
+}
+
+/// Whether a file in XML cannot hold a character, not even by a reference (XML 1.0, 2.2).
+fn is_forbidden(c: char) -> bool {
+    matches!(c, '\0'..='\u{1F}' | '\u{FFFE}' | '\u{FFFF}') && !matches!(c, '\t' | '\n' | '\r')
+}
+
+fn code_point(c: char) -> String {
+    format!("the character U+{:04X}, which XML does not have", u32::from(c))
+}
+
+fn forbidden(file: FileId, text: &str, at: usize) -> Diagnostic {
+    let c = text[at..].chars().next().unwrap_or_default();
+    malformed(Span::new(file, at, at + c.len_utf8()), format!("the file holds {}", code_point(c)))
 }
 
 fn malformed(span: Span, what: impl Into<String>) -> Diagnostic {
@@ -260,6 +281,18 @@ mod tests {
         assert_eq!(fault("<a><b x='1' y='2' x='3'/></a>"), (Code::E0701, 3));
         assert_eq!(fault("<a x='&boom;'/>"), (Code::E0701, 0));
         assert_eq!(fault("words"), (Code::E0701, 0));
+    }
+
+    #[test]
+    fn characters_that_xml_does_not_have_are_refused() {
+        assert_eq!(fault("<a>\0</a>"), (Code::E0701, 3));
+        assert_eq!(fault("<a x='1\u{1}2'/>"), (Code::E0701, 7));
+        assert_eq!(fault("<!-- \u{FFFE} --><a/>"), (Code::E0701, 5));
+        for reference in ["&#0;", "&#x1F;", "&#xFFFF;"] {
+            assert_eq!(fault(&format!("<a x='{reference}'/>")), (Code::E0701, 0), "{reference}");
+        }
+        let text = "<a x='&#9;&#xA;\t\u{7F}\u{85}'/>\r\n";
+        assert!(read(FileId::default(), text, &mut Diagnostics::new()).is_some());
     }
 
     #[test]

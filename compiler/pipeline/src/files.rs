@@ -91,8 +91,7 @@ pub fn print_bytes(bytes: &[u8]) -> Result<(), Refusal> {
 }
 
 fn stage_file(path: &Path, text: &[u8]) -> io::Result<(PathBuf, StagedText)> {
-    // Follow links, so that the file is replaced and not the link to it.
-    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    let path = behind_links(path);
     let existing = match fs::metadata(&path) {
         Ok(metadata) => Some(metadata),
         Err(error) if error.kind() == ErrorKind::NotFound => None,
@@ -125,6 +124,28 @@ fn stage_file(path: &Path, text: &[u8]) -> io::Result<(PathBuf, StagedText)> {
             Err(error)
         }
     }
+}
+
+/// What a path names in the end, so that a file is replaced and not the link to it, whether or not it is there yet.
+fn behind_links(path: &Path) -> PathBuf {
+    /// A path with more links is a circle for the system, too, which then says so.
+    const LINKS: u32 = 40;
+    if let Ok(file) = fs::canonicalize(path) {
+        return file;
+    }
+    let mut path = path.to_path_buf();
+    // What is behind `/dev/stdout` may be there and have no path.
+    if fs::metadata(&path).is_ok() {
+        return path;
+    }
+    for _ in 0..LINKS {
+        let Ok(target) = fs::read_link(&path) else { break };
+        path = match path.parent() {
+            Some(folder) => folder.join(target),
+            None => target,
+        };
+    }
+    path
 }
 
 /// A new file in a directory, that nobody can open who cannot open the one that it will replace.
@@ -238,6 +259,7 @@ impl Refusal {
             (ErrorKind::IsADirectory, _) => "name a file in it",
             (ErrorKind::AlreadyExists, _) => "choose another name; nothing that is there is overwritten",
             (ErrorKind::NotADirectory, _) => "check the path: a part of it is a file, not a directory",
+            (ErrorKind::FileTooLarge, _) => "raise the limit on the size of files, or choose another place",
             (ErrorKind::StorageFull | ErrorKind::QuotaExceeded, _) => "free some space, or choose another place",
             (ErrorKind::ReadOnlyFilesystem, _) => "choose another place",
             (_, "read") => "check that it is a file that can be read",
