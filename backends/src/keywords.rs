@@ -3,6 +3,7 @@
 //! Measured rather than only read: MATIEC, IronPLC and STruC++ refuse more than IEC 61131-3 reserves (the name of every
 //! standard function, what their C or C++ output means already), and a generated file should pass all of them.
 
+use crate::matiec;
 use rustc_hash::FxHashSet;
 
 /// Targets that share their reserved words.
@@ -29,6 +30,10 @@ pub struct Reserved {
     tails: FxHashSet<&'static str>,
     /// What makes an address together with a number: `M10`, `DB1`.
     addresses: FxHashSet<&'static str>,
+    /// What no name may have within it.
+    within: &'static [&'static str],
+    /// What cannot be the name of a program organisation unit.
+    units: FxHashSet<&'static str>,
 }
 
 impl Reserved {
@@ -49,15 +54,17 @@ impl Reserved {
     fn iec(more: &'static str) -> Self {
         Reserved {
             words: split(&[KEYWORDS, TYPES, FUNCTIONS, FUNCTION_BLOCKS, LATER_EDITIONS, DIALECTS, SCL, C_MACROS, more]),
-            heads: split(&[TYPES, FUNCTIONS, "BCD CTD CTU CTUD TO"]),
+            heads: split(&[TYPES, FUNCTIONS, OPERATORS, "BCD CTD CTU CTUD TO"]),
             tails: split(&[TYPES, "BCD TO TRUNC"]),
             addresses: FxHashSet::default(),
+            within: &matiec::ENDS,
+            units: split(&[matiec::PINS]),
         }
     }
 
     fn words(tables: &[&'static str]) -> Self {
         let none = FxHashSet::default;
-        Reserved { words: split(tables), heads: none(), tails: none(), addresses: none() }
+        Reserved { words: split(tables), heads: none(), tails: none(), addresses: none(), within: &[], units: none() }
     }
 
     /// Whether a word, in upper case, is reserved.
@@ -71,10 +78,27 @@ impl Reserved {
                 return true;
             }
         }
-        match word.split_once('_') {
-            Some((head, tail)) => self.heads.contains(head) && tail.split('_').all(|part| self.tails.contains(part)),
-            None => false,
+        // `DATE_AND_TIME_TO_DATE`: names of types have underscores, too.
+        let converts = |(from, to)| self.heads.contains(from) && self.tails.contains(to);
+        let extends = |(head, tail): (&str, &str)| {
+            self.heads.contains(head) && tail.split('_').all(|part| self.tails.contains(part))
+        };
+        word.split_once("_TO_").is_some_and(converts) || word.split_once('_').is_some_and(extends)
+    }
+
+    /// Whether a word, in upper case, cannot be the name of a program organisation unit.
+    pub fn contains_unit(&self, word: &str) -> bool {
+        self.units.contains(word)
+    }
+
+    /// Where a name has within it what no name may have, without regard to case: the place of the underscore that holds
+    /// it together.
+    pub fn joint_within(&self, name: &str) -> Option<usize> {
+        if self.within.is_empty() || !name.contains('_') {
+            return None;
         }
+        let upper = name.to_ascii_uppercase();
+        self.within.iter().filter_map(|word| Some(upper.find(word)? + word.find('_')?)).min()
     }
 }
 
@@ -90,6 +114,9 @@ const KEYWORDS: &str = "
     OF ON OR PROGRAM READ_ONLY READ_WRITE REPEAT RESOURCE RETAIN RETURN R_EDGE STEP STRUCT TASK THEN TO TRANSITION TRUE
     TYPE UNTIL VAR VAR_ACCESS VAR_CONFIG VAR_EXTERNAL VAR_GLOBAL VAR_INPUT VAR_IN_OUT VAR_OUTPUT VAR_TEMP WHILE WITH XOR
 ";
+
+/// Operators that are functions as well: `AND_BOOL`, `MOD_INT`.
+const OPERATORS: &str = "AND MOD NOT OR XOR";
 
 /// Operators of instruction lists, those that stand for an input of a function block included.
 const INSTRUCTIONS: &str = "
@@ -237,8 +264,19 @@ mod tests {
     #[test]
     fn forms() {
         let reserved = Reserved::of(Family::Iec);
-        for word in ["INT_TO_REAL", "TIME_TO_DINT", "TO_INT", "ADD_TIME", "MUX_INT_BOOL", "REAL_TRUNC_INT", "CTU_DINT"]
-        {
+        for word in [
+            "INT_TO_REAL",
+            "TIME_TO_DINT",
+            "TO_INT",
+            "ADD_TIME",
+            "MUX_INT_BOOL",
+            "REAL_TRUNC_INT",
+            "CTU_DINT",
+            "MOD_INT",
+            "AND_BOOL",
+            "DATE_AND_TIME_TO_DATE",
+            "DATE_AND_TIME_TO_TIME_OF_DAY",
+        ] {
             assert!(reserved.contains(word), "{word}");
         }
         for word in ["TIME_LEFT", "INT_TO_EXT", "X_TO_Y", "DATE_1", "ADD_TIME_2", "ADD_", "X1", ""] {

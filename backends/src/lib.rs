@@ -14,6 +14,7 @@ pub mod keywords;
 mod limits;
 mod lines;
 mod map;
+mod matiec;
 pub mod namer;
 mod output;
 pub mod plcopen;

@@ -38,14 +38,24 @@ impl Namer {
 
     /// A name as near to the wanted one as can be.
     pub fn name(&mut self, wanted: &str) -> EcoString {
+        self.name_that(wanted, |_, _| true)
+    }
+
+    /// A name for a program organisation unit.
+    pub fn unit(&mut self, wanted: &str) -> EcoString {
+        self.name_that(wanted, |reserved, name| !reserved.contains_unit(&name.to_ascii_uppercase()))
+    }
+
+    fn name_that(&mut self, wanted: &str, may_be: impl Fn(&Reserved, &str) -> bool) -> EcoString {
         let longest = self.family.longest();
-        let stem = identifier(wanted, longest);
-        if self.take(&stem) {
+        let stem = self.parted(identifier(wanted, longest));
+        if may_be(&self.reserved, &stem) && self.take(&stem) {
             return stem;
         }
         if identifier(wanted, usize::MAX).len() > longest {
             let mark = mark(wanted);
-            let marked = eco_format!("{}_{mark}", stem[..longest - 1 - mark.len()].trim_end_matches('_'));
+            let kept = stem.len().min(longest - 1 - mark.len());
+            let marked = eco_format!("{}_{mark}", stem[..kept].trim_end_matches('_'));
             if self.take(&marked) {
                 return marked;
             }
@@ -71,12 +81,22 @@ impl Namer {
         let mut names: Vec<EcoString> = wanted.into_iter().collect();
         self.taken.reserve(names.len());
         let longest = self.family.longest();
-        let mut stays = |name: &EcoString| is_identifier(name, longest) && self.take(name);
+        let mut stays = |name: &EcoString| {
+            is_identifier(name, longest) && self.reserved.joint_within(name).is_none() && self.take(name)
+        };
         let changed: Vec<usize> = (0..names.len()).filter(|place| !stays(&names[*place])).collect();
         for place in changed {
             names[place] = self.name(&names[place]);
         }
         names
+    }
+
+    /// A name without what no name may have within it: `bend_function` as `bendfunction`.
+    fn parted(&self, mut name: EcoString) -> EcoString {
+        while let Some(joint) = self.reserved.joint_within(&name) {
+            name = eco_format!("{}{}", &name[..joint], &name[joint + 1..]);
+        }
+        name
     }
 
     /// Takes an identifier if it is free.
@@ -131,6 +151,28 @@ mod tests {
                 "eof_1"
             ]
         );
+    }
+
+    #[test]
+    fn what_ends_a_unit_is_in_no_name() {
+        let wanted =
+            ["bend_function", "x_END_FUNCTION_BLOCK", "END_PROGRAM", "lend_program_end_action", "END_VAR", "end"];
+        let given = ["bendfunction", "x_ENDFUNCTION_BLOCK", "ENDPROGRAM", "lendprogram_endaction", "END_VAR_1", "end"];
+        assert_eq!(names(&wanted), given);
+        // What makes such a word only together with something of ours.
+        let mut namer = Namer::new(Family::Iec);
+        assert_eq!(namer.unit("Blend"), "Blend");
+        assert_eq!(namer.unit("Blend_program"), "Blendprogram");
+        assert_eq!(Namer::new(Family::RustValues).name("bend_function"), "bend_function");
+    }
+
+    #[test]
+    fn pins_of_the_library_are_no_units() {
+        let mut namer = Namer::new(Family::Iec);
+        for (wanted, given) in [("Cycle", "Cycle_1"), ("RUN", "RUN_1"), ("State", "State_1"), ("Runs", "Runs")] {
+            assert_eq!(namer.unit(wanted), given);
+        }
+        assert_eq!(namer.name("Cycle"), "Cycle");
     }
 
     #[test]

@@ -5,6 +5,7 @@ use crate::comment::clean;
 use crate::keywords::Family;
 use crate::namer::Namer;
 use ecow::{EcoString, eco_format};
+use grafc_logic::misleading_points;
 use grafc_logic::scan::{Preset, Program, Role, TimerId, VarId};
 use index_vec::IndexVec;
 
@@ -30,16 +31,16 @@ impl Names {
         let mut namer = Namer::new(family);
         let mut variables: IndexVec<VarId, EcoString> = program.variables.iter().map(|_| EcoString::new()).collect();
         name_rank(&mut namer, program, &mut variables, 0);
-        let block = namer.name(&program.name);
+        let block = namer.unit(&program.name);
         name_rank(&mut namer, program, &mut variables, 1);
         name_rank(&mut namer, program, &mut variables, 2);
         let timers = program.timers.iter().map(|timer| namer.name(&timer.name)).collect();
         Names {
             variables,
             timers,
-            program: namer.name(&format!("{block}_program")),
+            program: namer.unit(&format!("{block}_program")),
             instance: namer.name("chart"),
-            configuration: namer.name(&format!("{block}_configuration")),
+            configuration: namer.unit(&format!("{block}_configuration")),
             resource: namer.name("resource_1"),
             task: namer.name("cycle"),
             program_instance: namer.name("main"),
@@ -88,9 +89,23 @@ pub(crate) fn remark(original: &str, given: &str, comment: Option<&str>) -> Opti
     if original == given {
         return comment;
     }
+    // What looks like something else is told by its numbers.
+    let points = misleading_points(original).map(|points| format!(" ({points})")).unwrap_or_default();
     let original = clean(original);
     Some(match comment {
-        Some(comment) => clean(&format!("`{original}`: {comment}")),
-        None => format!("`{original}`"),
+        Some(comment) => clean(&format!("`{original}`{points}: {comment}")),
+        None => format!("`{original}`{points}"),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_that_misleads_has_its_code_points_beside_it() {
+        assert_eq!(remark("Tür", "Tuer", None).as_deref(), Some("`Tür`"));
+        assert_eq!(remark("p\u{430}ge", "page", None).as_deref(), Some("`p\u{430}ge` (U+0430)"));
+        assert_eq!(remark("pu\u{200B}mp", "pump", Some("cold")).as_deref(), Some("`pu mp` (U+200B): cold"));
+    }
 }

@@ -91,7 +91,8 @@ fn body(program: &Program, names: &mut Names, traced: bool) -> (Writer, Vec<Entr
     let mut out = Writer::new(&writer::IEC).traced(traced);
     if body.out.len() > LONG {
         out.comment("this label tells MATIEC that a long instruction list begins");
-        out.line(&format!("{}:", names.namer.name("no_end_action")));
+        // No name of the chart is the same: none has `end_action` within it.
+        out.line("no_end_action:");
         out.blank();
     }
     out.append(body.out);

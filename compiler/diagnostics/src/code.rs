@@ -141,6 +141,7 @@ codes! {
     W0423 "negated-off-delay" Warning;
     W0424 "ring-of-inputs" Warning;
     W0425 "allowance-without-effect" Warning;
+    W0426 "deceptive-name" Warning;
 
     E0503 "not-a-sequential-function-chart" Error;
     E0504 "no-double-precision" Error;

@@ -7,6 +7,8 @@
 pub mod chart;
 mod check;
 mod checks;
+#[cfg(feature = "names")]
+mod deceptive;
 pub mod dump;
 mod fixes;
 pub mod reaction;
@@ -17,3 +19,12 @@ pub mod trace;
 
 pub use check::{Checked, check, examine};
 pub use dump::dump;
+
+/// The code points of what misleads in a name, to be shown beside it; none without the feature `names`.
+pub fn misleading_points(name: &str) -> Option<String> {
+    #[cfg(feature = "names")]
+    let points = deceptive::code_points(name);
+    #[cfg(not(feature = "names"))]
+    let points = Option::<String>::None.filter(|_| name.is_ascii());
+    points
+}

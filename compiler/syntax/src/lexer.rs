@@ -79,6 +79,17 @@ pub(crate) fn lex(file: FileId, text: &str) -> Lexed {
                         Diagnostic::new(Code::E0104, span, "the name in backquotes is empty")
                             .help("write a name between the backquotes"),
                     );
+                } else if let Some((at, c)) = slice.char_indices().find(|(_, c)| c.is_control()) {
+                    let place = Span::new(file, range.start + at, range.start + at + c.len_utf8());
+                    let message = format!("the name holds the control character U+{:04X}", u32::from(c));
+                    let blank = if c == '\t' { " " } else { "" };
+                    let help = if blank.is_empty() { "leave it out" } else { "write a blank" };
+                    out.fault(
+                        span,
+                        Diagnostic::new(Code::E0104, place, message)
+                            .help(help)
+                            .fix(Fix::maybe(help).replace(place, blank)),
+                    );
                 }
                 Token::Name
             }

@@ -72,7 +72,7 @@ impl Repeated {
         });
         let waits = program.after.iter().any(|statement| matches!(statement, Statement::Divide(_)));
         Repeated {
-            block: names.namer.name(&format!("{}_rungs", names.block)),
+            block: names.namer.unit(&format!("{}_rungs", names.block)),
             instance: names.namer.name("rungs"),
             again,
             further: names.namer.name("further"),

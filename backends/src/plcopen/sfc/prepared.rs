@@ -64,7 +64,7 @@ impl Units {
             return Units { parts, drawn: None };
         }
         let instance = instance(&mut names);
-        let block = names.namer.name(&format!("{}_chart", names.block));
+        let block = names.namer.unit(&format!("{}_chart", names.block));
         let all = |ids: &[VarId]| -> Vec<EcoString> { ids.iter().map(|id| names.variables[*id].clone()).collect() };
         let [given, memory, shown] = [&sequence.given, &sequence.memory, &sequence.shown].map(|ids| all(ids));
         let timers: FxHashSet<&str> = names.timers.iter().map(EcoString::as_str).collect();

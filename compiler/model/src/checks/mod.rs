@@ -13,6 +13,8 @@ mod chart_without_steps;
 mod constant_out_of_range;
 mod cyclic_continuous_actions;
 mod cyclic_hierarchy;
+#[cfg(feature = "names")]
+mod deceptive_name;
 mod edge_in_continuous_action;
 mod edge_in_delay;
 mod edge_inside_edge;
@@ -103,4 +105,6 @@ pub const WARNINGS: &[Rule] = &[
     same_transition_twice::check,
     off_delay_of_active_step::check,
     negated_off_delay::check,
+    #[cfg(feature = "names")]
+    deceptive_name::check,
 ];

@@ -2,6 +2,7 @@
 
 use crate::programs::{call, on_path};
 use crate::tools::{Tool, or_skip};
+use std::collections::BTreeSet;
 use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -48,6 +49,27 @@ impl Tools {
         let mut command = Command::new(&self.iec2c);
         command.arg("-I").arg(&self.library).arg("-T").arg(folder).arg(folder.join("charts.st"));
         call(&mut command).map(|_| ())
+    }
+
+    /// Compiles `charts.st` in a folder to C as Beremiz does, which needs no order of program organisation units.
+    pub fn iec2c_in_any_order(&self, folder: &Path) -> Result<(), String> {
+        let mut command = Command::new(&self.iec2c);
+        command.args(["-f", "-l", "-p", "-I"]).arg(&self.library).arg("-T").arg(folder).arg(folder.join("charts.st"));
+        call(&mut command).map(|_| ())
+    }
+
+    /// The names that MATIEC's own library gives to functions, function blocks, and what belongs to these.
+    pub fn library_names(&self) -> Result<Vec<String>, String> {
+        let mut found = BTreeSet::new();
+        for file in std::fs::read_dir(&self.library).map_err(|error| error.to_string())?.flatten() {
+            let is_text = file.path().extension().is_some_and(|ending| ending == "txt");
+            if let Some(text) = is_text.then(|| std::fs::read_to_string(file.path()).ok()).flatten() {
+                let word = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
+                let names = text.split(word).filter(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()));
+                found.extend(names.map(str::to_ascii_uppercase));
+            }
+        }
+        Ok(found.into_iter().collect())
     }
 
     /// Builds `main` of `main.c` in a folder, which includes what `iec2c` wrote, with an option for the optimization.
