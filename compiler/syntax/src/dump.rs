@@ -1,7 +1,7 @@
 //! The syntax tree as text, to look at and to compare: one item a line, what belongs to it indented below.
 //!
 //! Expressions are written operator first, so that the tree shows; `( … )` and `[ … ]` of the author stay visible.
-//! Places are left out: a tree is compared by what it says, as by [`same`].
+//! Places are left out: a tree is compared by what it says, as by [`same`](crate::same).
 
 use crate::ast::*;
 use crate::spelling;

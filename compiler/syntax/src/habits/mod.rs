@@ -1,7 +1,7 @@
 //! Habits of other languages, and the cure for each.
 //!
 //! Who comes from Structured Text, from C, from a textbook or from another tongue writes what is right there. Where the
-//! grammar stops at such a thing, a row of [`TABLE`] says what it is called here, and mostly changes it. What shows in a
+//! grammar stops at such a thing, a row of `TABLE` says what it is called here, and mostly changes it. What shows in a
 //! single word or sign, whatever stands around it, is in [`words`] and in the lexer; what shows only when names are
 //! known, `N fill` or `x1`, is found where names are resolved.
 
