@@ -1,7 +1,10 @@
-//! Charts that say what they do, held against the simulator and against scan programs.
+//! Charts that say what they do, held against the simulator, scan programs and all executors.
 
 use crate::charts::{Case, check, spell, stimuli};
+use crate::executors::{Outcome, Task, all, is_here_or_skip};
 use crate::runs;
+use grafc_model::chart::Chart;
+use grafc_model::reaction::{Profile, Stimulus};
 use std::fmt::Write;
 
 /// Applies a check to every case.
@@ -38,6 +41,34 @@ pub fn programs_agree(case: &Case) -> Result<(), String> {
     for (way, options) in case.ways() {
         let run = runs::evaluate(&chart, &options, &stimuli)?;
         same(&case.expected, &spell(&chart, &stimuli, &run)).map_err(|fault| format!("{way}\n{fault}"))?;
+    }
+    Ok(())
+}
+
+/// One that knows several ways to run a chart takes all of them in so many turns.
+const TURNS: usize = 8;
+
+/// Whether the simulator does what a table says, and every executor that is here does so in each of its ways.
+///
+/// # Errors
+///
+/// The first that does something else, and what.
+pub fn all_agree(chart: &Chart, profile: Profile, stimuli: &[Stimulus], expected: &str) -> Result<(), String> {
+    let by_the_rules = runs::simulate(chart, profile, stimuli);
+    same(expected, &spell(chart, stimuli, &by_the_rules)).map_err(|fault| format!("the simulator:\n{fault}"))?;
+    let tasks: Vec<Task> = (0..TURNS).map(|turn| Task { chart, profile, stimuli, turn }).collect();
+    for executor in all().iter().filter(|executor| is_here_or_skip(executor.as_ref())) {
+        for outcome in executor.run(&tasks) {
+            match outcome {
+                Outcome::Ran(responses) if executor.difference(&by_the_rules, &responses).is_none() => {}
+                Outcome::Ran(responses) => {
+                    let actual = spell(chart, stimuli, &responses);
+                    return Err(format!("{}: expected\n{expected}actual\n{actual}", executor.name()));
+                }
+                Outcome::PassedOver(_) => {}
+                Outcome::Failed(fault) => return Err(format!("{}: {fault}", executor.name())),
+            }
+        }
     }
     Ok(())
 }

@@ -8,6 +8,7 @@ use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::controller::{instructions, ladder};
 use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::executors::{Outcome, Task, all, is_here_or_skip};
+use grafc_testsuite::expected::all_agree;
 use grafc_testsuite::random::{ChartKind, checked, profile, trace};
 use grafc_testsuite::runs::{compile, simulate};
 use grafc_testsuite::ways::exact;
@@ -111,27 +112,7 @@ fn a_reset_is_a_new_start_and_flags_are_lowered() {
     for (keeps, expected) in [(false, ANEW), (true, KEPT)] {
         let chart = hoist(keeps);
         let stimuli = stimuli("hoist", TRACE, &chart).expect("a trace without errors");
-        let by_the_rules = simulate(&chart, Profile::default(), &stimuli);
-        assert_eq!(spell(&chart, &stimuli, &by_the_rules), expected);
-        // One that knows several ways takes all of them.
-        let profile = Profile::default();
-        let tasks: Vec<Task> = (0..8).map(|turn| Task { chart: &chart, profile, stimuli: &stimuli, turn }).collect();
-        for executor in all() {
-            if !is_here_or_skip(executor.as_ref()) {
-                continue;
-            }
-            for outcome in executor.run(&tasks) {
-                match outcome {
-                    Outcome::Ran(responses) => {
-                        let differs = executor.difference(&by_the_rules, &responses).is_some();
-                        let actual = spell(&chart, &stimuli, &responses);
-                        assert!(!differs, "{}, {keeps}: expected\n{expected}actual\n{actual}", executor.name());
-                    }
-                    Outcome::PassedOver(_) => {}
-                    Outcome::Failed(fault) => panic!("{}: {fault}", executor.name()),
-                }
-            }
-        }
+        all_agree(&chart, Profile::default(), &stimuli, expected).unwrap_or_else(|fault| panic!("{keeps}: {fault}"));
     }
 }
 

@@ -4,10 +4,9 @@ use grafc_logic::{Analysis, Options};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{LivelockOutputs, Profile};
 use grafc_model::simulate::Simulator;
-use grafc_testsuite::charts::{check, spell, stimuli};
-use grafc_testsuite::executors::{Outcome, Task, all, is_here_or_skip};
+use grafc_testsuite::charts::{check, stimuli};
+use grafc_testsuite::expected::all_agree;
 use grafc_testsuite::random::{ChartKind, checked, trace};
-use grafc_testsuite::runs::simulate;
 
 const RING: &str = "\
 chart Ring
@@ -46,25 +45,7 @@ fn outputs_of_steps_do_what_was_chosen() {
     ] {
         let expected = table(rows);
         let profile = Profile { bound: Some(4), livelock_outputs, ..Profile::default() };
-        let by_the_rules = simulate(&chart, profile, &stimuli);
-        assert_eq!(spell(&chart, &stimuli, &by_the_rules), expected);
-        let tasks: Vec<Task> = (0..8).map(|turn| Task { chart: &chart, profile, stimuli: &stimuli, turn }).collect();
-        for executor in all() {
-            if !is_here_or_skip(executor.as_ref()) {
-                continue;
-            }
-            for outcome in executor.run(&tasks) {
-                match outcome {
-                    Outcome::Ran(responses) => {
-                        let differs = executor.difference(&by_the_rules, &responses).is_some();
-                        let actual = spell(&chart, &stimuli, &responses);
-                        assert!(!differs, "{}, {livelock_outputs:?}:\n{expected}{actual}", executor.name());
-                    }
-                    Outcome::PassedOver(_) => {}
-                    Outcome::Failed(fault) => panic!("{}: {fault}", executor.name()),
-                }
-            }
-        }
+        all_agree(&chart, profile, &stimuli, &expected).unwrap_or_else(|fault| panic!("{livelock_outputs:?}: {fault}"));
     }
 }
 
