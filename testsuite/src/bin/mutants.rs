@@ -15,7 +15,7 @@
 use clap::Parser;
 use grafc_testsuite::binary::root;
 use grafc_testsuite::executors;
-use grafc_testsuite::mutants::run::{passes, patience, suites};
+use grafc_testsuite::mutants::run::{Ended, ended, patience, suites};
 use grafc_testsuite::mutants::workspace::{Suite, TestProgram, build, copy};
 use grafc_testsuite::mutants::{Fault, Places, all, places};
 use std::path::PathBuf;
@@ -55,6 +55,8 @@ struct Bench {
 /// What came of a fault.
 enum Outcome {
     Noticed(Suite),
+    /// Noticed by the time that it took.
+    Endless(Suite),
     Unnoticed,
     /// Not noticed by what could be run; what the others lack.
     Undecided(String),
@@ -79,9 +81,13 @@ impl Bench {
             }
         }
         for (program, longest) in &mut bench.programs {
-            let taken = passes(program, None, Duration::MAX, &bench.log).map_err(|error| error.to_string())?;
             let name = program.suite.name();
-            let taken = taken.ok_or_else(|| format!("{name} fails without any fault: see {}", bench.log.display()))?;
+            let taken = match ended(program, None, Duration::MAX, &bench.log).map_err(|error| error.to_string())? {
+                Ended::Passed(taken) => taken,
+                Ended::Failed | Ended::Stopped => {
+                    return Err(format!("{name} fails without any fault: see {}", bench.log.display()));
+                }
+            };
             println!("{name} passes without any fault in {:.1} s", taken.as_secs_f32());
             *longest = patience(taken);
         }
@@ -98,8 +104,10 @@ impl Bench {
             let Some((program, longest)) = self.programs.iter().find(|(program, _)| program.suite == *suite) else {
                 continue;
             };
-            if passes(program, Some(fault), *longest, &self.log).map_err(|error| error.to_string())?.is_none() {
-                return Ok(Outcome::Noticed(*suite));
+            match ended(program, Some(fault), *longest, &self.log).map_err(|error| error.to_string())? {
+                Ended::Passed(_) => {}
+                Ended::Failed => return Ok(Outcome::Noticed(*suite)),
+                Ended::Stopped => return Ok(Outcome::Endless(*suite)),
             }
         }
         Ok(missing.map_or(Outcome::Unnoticed, Outcome::Undecided))
@@ -126,6 +134,7 @@ fn tried(options: &Options) -> Result<bool, String> {
     for fault in &faults {
         let said = match bench.outcome(fault)? {
             Outcome::Noticed(suite) => format!("noticed by {}", suite.name()),
+            Outcome::Endless(suite) => format!("noticed by {}, which found no end", suite.name()),
             Outcome::Unnoticed => {
                 unnoticed.push(format!("{} ({:?}): {}", fault.name, fault.at.part, fault.breaks));
                 "NOT NOTICED".to_owned()

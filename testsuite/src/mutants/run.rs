@@ -105,14 +105,19 @@ fn stop(child: &mut Child) -> io::Result<()> {
     Ok(())
 }
 
-/// Runs a test program with a fault, or with none; how long it took to pass, if it did and was not too long at it. What
-/// it prints goes into a file.
-pub fn passes(
-    test: &TestProgram,
-    fault: Option<&Fault>,
-    longest: Duration,
-    log: &Path,
-) -> io::Result<Option<Duration>> {
+/// How a test program ended.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Ended {
+    /// It passed, in this time.
+    Passed(Duration),
+    /// A test failed.
+    Failed,
+    /// It was stopped: a fault may make a loop endless. On a busy machine this tells less than a failure.
+    Stopped,
+}
+
+/// Runs a test program with a fault, or with none, for so long at most. What it prints goes into a file.
+pub fn ended(test: &TestProgram, fault: Option<&Fault>, longest: Duration, log: &Path) -> io::Result<Ended> {
     let log = File::create(log)?;
     let mut command = Command::new(&test.program);
     command.args(test.suite.only).current_dir(&test.folder).env_remove(VARIABLE).env("RUST_BACKTRACE", "0");
@@ -125,11 +130,11 @@ pub fn passes(
     let start = Instant::now();
     loop {
         if let Some(status) = child.try_wait()? {
-            return Ok(status.success().then(|| start.elapsed()));
+            return Ok(if status.success() { Ended::Passed(start.elapsed()) } else { Ended::Failed });
         }
         if start.elapsed() > longest {
             stop(&mut child)?;
-            return Ok(None);
+            return Ok(Ended::Stopped);
         }
         sleep(Duration::from_millis(50));
     }
