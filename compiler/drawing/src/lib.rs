@@ -27,4 +27,4 @@ mod wording;
 
 pub use picture::{Anchor, Group, Picture, Shape, Style};
 pub use sheets::{Options, Page, Refusal, draw};
-pub use svg::svg;
+pub use svg::{svg, svg_in_html};

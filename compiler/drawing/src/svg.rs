@@ -30,18 +30,33 @@ font-kerning:none;fill:#111;white-space:pre}\
 
 /// Writes a picture. On a page it is as large as the paper.
 pub fn svg(picture: &Picture, page: Option<Page>) -> String {
-    let Bounds { left, top, .. } = picture.bounds;
-    let (wide, high) = (picture.bounds.width(), picture.bounds.height());
     let size = match page.map(Page::millimetres) {
         Some((wide, high)) => format!("width=\"{wide}mm\" height=\"{high}mm\""),
-        None => format!("width=\"{wide}\" height=\"{high}\""),
+        None => format!("width=\"{}\" height=\"{}\"", picture.bounds.width(), picture.bounds.height()),
     };
+    write(
+        picture,
+        "xmlns=\"http://www.w3.org/2000/svg\" ",
+        &format!("{size} "),
+        "img",
+        &format!("<style>{SHEET}</style>\n"),
+    )
+}
+
+/// Writes a picture as a part of an HTML page: its parts have names of their own there, and the page gives the look.
+pub fn svg_in_html(picture: &Picture) -> String {
+    write(picture, "", "", "group", "")
+}
+
+fn write(picture: &Picture, namespace: &str, size: &str, role: &str, style: &str) -> String {
+    let Bounds { left, top, .. } = picture.bounds;
+    let (wide, high) = (picture.bounds.width(), picture.bounds.height());
     let mut out = String::new();
     let _ = write!(
         out,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"grafc\" {size} viewBox=\"{left} {top} {wide} {high}\" role=\"img\" \
+        "<svg {namespace}class=\"grafc\" {size}viewBox=\"{left} {top} {wide} {high}\" role=\"{role}\" \
          aria-labelledby=\"grafc-title grafc-description\">\n<title id=\"grafc-title\">{}</title>\n\
-         <desc id=\"grafc-description\">{}</desc>\n<style>{SHEET}</style>\n",
+         <desc id=\"grafc-description\">{}</desc>\n{style}",
         escaped(&picture.title),
         escaped(&picture.description)
     );

@@ -9,7 +9,7 @@ use crate::symbols::transition::{self, Transition};
 use crate::symbols::{Symbol, order};
 use crate::wording;
 use grafc_layout::Start;
-use grafc_model::chart::{Continuous, Event, MacroId, Node, Order, StepId, Stored, Tables, TransitionId};
+use grafc_model::chart::{Continuous, Event, MacroId, Node, Order, StepId, Stored, Tables, TransitionId, VariableId};
 use index_vec::{IndexVec, index_vec};
 use rustc_hash::FxHashMap;
 
@@ -47,12 +47,23 @@ enum Deed<'a> {
     Order(&'a Order),
 }
 
+impl Deed<'_> {
+    /// Where it is written.
+    fn start(self) -> u32 {
+        match self {
+            Deed::Continuous(action) => action.span.start,
+            Deed::Stored(action) => action.span.start,
+            Deed::Order(order) => order.span.start,
+        }
+    }
+}
+
 /// A chart, and what belongs to each element.
 pub(crate) struct Elements<'a> {
     pub chart: &'a Tables,
     is_active: IndexVec<StepId, bool>,
-    of_steps: IndexVec<StepId, Vec<Deed<'a>>>,
-    of_transitions: IndexVec<TransitionId, Vec<&'a Stored>>,
+    of_steps: IndexVec<StepId, Vec<(Deed<'a>, usize)>>,
+    of_transitions: IndexVec<TransitionId, Vec<(Deed<'a>, usize)>>,
     /// The transitions next to each step or macro-step.
     next_to: FxHashMap<Node, Vec<TransitionId>>,
 }
@@ -61,24 +72,28 @@ impl<'a> Elements<'a> {
     pub(crate) fn new(chart: &'a Tables, active: &[StepId]) -> Elements<'a> {
         let mut is_active = index_vec![false; chart.steps.len()];
         active.iter().for_each(|step| is_active[*step] = true);
-        let mut of_steps: IndexVec<StepId, Vec<Deed<'a>>> = index_vec![Vec::new(); chart.steps.len()];
-        let mut of_transitions = index_vec![Vec::new(); chart.transitions.len()];
-        chart.continuous.iter().for_each(|action| of_steps[action.step].push(Deed::Continuous(action)));
-        for action in &chart.stored {
-            match action.event {
-                Event::Event(step, _) | Event::Deactivation(step) | Event::Activation(step) => {
-                    of_steps[step].push(Deed::Stored(action));
-                }
-                Event::Clearing(transition) => of_transitions[transition].push(action),
+        let mut of_steps: IndexVec<StepId, Vec<(Deed<'a>, usize)>> = index_vec![Vec::new(); chart.steps.len()];
+        let mut of_transitions: IndexVec<TransitionId, Vec<(Deed<'a>, usize)>> =
+            index_vec![Vec::new(); chart.transitions.len()];
+        // Actions are counted through, whatever their kind, and so are orders.
+        let mut actions: Vec<Deed<'a>> = chart.continuous.iter().map(Deed::Continuous).collect();
+        actions.extend(chart.stored.iter().map(Deed::Stored));
+        actions.sort_by_key(|deed| deed.start());
+        let orders = chart.orders.iter().map(Deed::Order).enumerate();
+        for (number, deed) in actions.into_iter().enumerate().chain(orders) {
+            match deed {
+                Deed::Continuous(action) => of_steps[action.step].push((deed, number)),
+                Deed::Order(order) => of_steps[order.step].push((deed, number)),
+                Deed::Stored(action) => match action.event {
+                    Event::Event(step, _) | Event::Deactivation(step) | Event::Activation(step) => {
+                        of_steps[step].push((deed, number));
+                    }
+                    Event::Clearing(transition) => of_transitions[transition].push((deed, number)),
+                },
             }
         }
-        chart.orders.iter().for_each(|order| of_steps[order.step].push(Deed::Order(order)));
         for deeds in &mut of_steps {
-            deeds.sort_by_key(|deed| match deed {
-                Deed::Continuous(action) => action.span.start,
-                Deed::Stored(action) => action.span.start,
-                Deed::Order(order) => order.span.start,
-            });
+            deeds.sort_by_key(|(deed, _)| deed.start());
         }
         let mut next_to: FxHashMap<Node, Vec<TransitionId>> = FxHashMap::default();
         for (id, transition) in chart.transitions.iter_enumerated() {
@@ -204,7 +219,8 @@ impl<'a> Elements<'a> {
                     designation: about.designation.as_deref(),
                     comment: about.comment.as_deref(),
                     condition: wording::expression(self.chart, about.condition),
-                    blocks: self.of_transitions[id].iter().map(|action| self.block(Deed::Stored(action))).collect(),
+                    blocks: self.of_transitions[id].iter().map(|deed| self.block(*deed)).collect(),
+                    number: id.index() + 1,
                 })
             }
         }
@@ -222,14 +238,14 @@ impl<'a> Elements<'a> {
         of.any(|found| found == Some(id))
     }
 
-    fn block(&self, deed: Deed<'_>) -> Block {
+    fn block(&self, (deed, number): (Deed<'_>, usize)) -> Block {
         let stored = match deed {
-            Deed::Order(of) => return order::order(self.chart, of),
+            Deed::Order(of) => return order::order(self.chart, of, number),
             Deed::Continuous(action) => {
                 let text = vec![Token::plain(shown(&self.chart.variables[action.target].name))];
                 let condition = action.condition.map(|id| wording::expression(self.chart, id));
                 let owner = self.name(Element::Step(action.step));
-                return Block::action(text, When::While(condition), self.group("action", owner, action.target));
+                return Block::action(text, When::While(condition), self.group("action", owner, action.target, number));
             }
             Deed::Stored(stored) => stored,
         };
@@ -243,12 +259,12 @@ impl<'a> Elements<'a> {
             Event::Deactivation(step) => (When::Deactivation, Element::Step(step), "action on-deactivation"),
             Event::Clearing(transition) => (When::Clearing, Element::Transition(transition), "action on-clearing"),
         };
-        Block::action(text, when, self.group(class, self.name(owner), stored.target))
+        Block::action(text, when, self.group(class, self.name(owner), stored.target, number))
     }
 
-    fn group(&self, class: &str, owner: String, target: grafc_model::chart::VariableId) -> Group {
+    fn group(&self, class: &str, owner: String, target: VariableId, number: usize) -> Group {
         let variable = &self.chart.variables[target];
         let group = Group::new(class).of("data-owner", owner).of("data-variable", variable.name.to_string());
-        group.about(variable.comment.as_deref())
+        group.of("data-action", number.to_string()).about(variable.comment.as_deref())
     }
 }

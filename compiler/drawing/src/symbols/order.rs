@@ -6,7 +6,7 @@ use crate::picture::Group;
 use crate::rich::Token;
 use grafc_model::chart::{Order, Situation, Tables};
 
-pub(crate) fn order(chart: &Tables, order: &Order) -> Block {
+pub(crate) fn order(chart: &Tables, order: &Order, number: usize) -> Block {
     let grafcet = shown(&chart.grafcets[order.grafcet].name);
     let mut tokens = vec![Token::plain(format!("{grafcet}{{"))];
     match &order.situation {
@@ -23,5 +23,6 @@ pub(crate) fn order(chart: &Tables, order: &Order) -> Block {
     tokens.push(Token::plain("}"));
     let owner = chart.steps[order.step].label.to_string();
     let group = Group::new("order").of("data-owner", owner);
-    Block::order(tokens, group.of("data-forces", chart.grafcets[order.grafcet].name.to_string()))
+    let group = group.of("data-forces", chart.grafcets[order.grafcet].name.to_string());
+    Block::order(tokens, group.of("data-order", number.to_string()))
 }

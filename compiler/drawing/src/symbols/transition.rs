@@ -12,6 +12,8 @@ use grafc_layout::Size;
 pub(crate) struct Transition<'a> {
     /// What it is called for programs.
     pub name: String,
+    /// The how manieth of the chart it is, from 1.
+    pub number: usize,
     pub designation: Option<&'a str>,
     pub comment: Option<&'a str>,
     pub condition: Vec<Token>,
@@ -28,7 +30,8 @@ const MOST: i32 = 200;
 
 /// Draws a transition.
 pub(crate) fn transition(transition: Transition<'_>) -> Symbol {
-    let mut group = Group::new("transition").of("data-transition", transition.name).about(transition.comment);
+    let group = Group::new("transition").of("data-transition", transition.name);
+    let mut group = group.of("data-number", transition.number.to_string()).about(transition.comment);
     let middle = BAR / 2;
     group.shapes.push(Shape::rect(-HALF, 0, 2 * HALF, BAR, Style::Bar));
     let mut size = Size { left: HALF, right: HALF, above: 8, body: BAR, below: 8 };

@@ -1,0 +1,54 @@
+// What was done: a row a scan. Rows that follow each other at one distance and change no input take one entry.
+
+/** The rows of a run. Each entry is `{ t, every, count, changes }`: `count` rows, the first at `t`, which alone has changes. */
+export class Trace {
+  constructor() {
+    this.entries = [];
+    this.length = 0;
+  }
+
+  /** Adds a row; `changes` are pairs of the place of an input and its value. */
+  add(t, changes) {
+    const last = this.entries.at(-1);
+    this.length += 1;
+    if (last && changes.length === 0) {
+      const end = last.t + last.every * (last.count - 1);
+      if (last.count === 1 || t - end === last.every) {
+        if (last.count === 1) last.every = t - last.t;
+        last.count += 1;
+        return;
+      }
+    }
+    this.entries.push({ t, every: 0, count: 1, changes });
+  }
+
+  /** A place to which `cut` goes back. */
+  mark() {
+    return { entries: this.entries.length, count: this.entries.at(-1)?.count ?? 0, length: this.length };
+  }
+
+  /** Forgets what was added after a mark. */
+  cut(mark) {
+    this.entries.length = mark.entries;
+    const last = this.entries.at(-1);
+    if (last) {
+      last.count = mark.count;
+      if (last.count === 1) last.every = 0;
+    }
+    this.length = mark.length;
+  }
+
+  /** All rows in order: `{ t, changes }`. */
+  *rows() {
+    for (const { t, every, count, changes } of this.entries) {
+      yield { t, changes };
+      for (let row = 1; row < count; row++) yield { t: t + every * row, changes: [] };
+    }
+  }
+
+  /** The time of the last row; 0 without one. */
+  get end() {
+    const last = this.entries.at(-1);
+    return last ? last.t + last.every * (last.count - 1) : 0;
+  }
+}

@@ -1,0 +1,79 @@
+// The drawing alive: what is active, enabled, cleared, forced, frozen and acting is lit.
+
+import { gather, shape } from './dom.js';
+
+/** How long a clearing stays lit in a run, in milliseconds. */
+const AFTERGLOW = 350;
+
+/** One class of light, and the elements that bear it. */
+class Light {
+  constructor(name) {
+    this.name = name;
+    this.lit = new Set();
+  }
+
+  show(elements) {
+    for (const element of this.lit) if (!elements.has(element)) element.classList.remove(this.name);
+    for (const element of elements) if (!this.lit.has(element)) element.classList.add(this.name);
+    this.lit = elements;
+  }
+}
+
+/** The lights on a drawing. */
+export class View {
+  constructor(svg, model) {
+    this.svg = svg;
+    this.model = model;
+    this.steps = gather(svg, 'data-step');
+    this.actions = gather(svg, 'data-action');
+    this.orders = gather(svg, 'data-order');
+    this.grafcets = gather(svg, 'data-grafcet');
+    const numbers = gather(svg, 'data-number');
+    // By the name that the module gives them; what shares one is lit together.
+    this.transitions = new Map();
+    for (const [name, named] of model.byTransition) {
+      this.transitions.set(name, named.flatMap(({ index }) => numbers.get(String(index + 1)) ?? []));
+    }
+    const names = ['active', 'forced', 'enabled', 'satisfied', 'cleared', 'acting', 'in-force', 'frozen'];
+    this.lights = new Map(names.map((name) => [name, new Light(name)]));
+    this.glow = new Map();
+    for (const [step] of this.steps.values()) addDot(step);
+  }
+
+  /** Shows where the engine is. While it runs, a clearing glows for a moment, else as long as nothing happens. */
+  show(engine, isRunning, now) {
+    const { situation, enabled, observed } = engine;
+    const active = [...situation, ...this.model.activeMacros(situation)];
+    this.light('active', this.steps, active);
+    this.light('forced', this.steps, observed.forced ?? []);
+    this.light('enabled', this.transitions, enabled);
+    this.light('satisfied', this.transitions, observed.satisfied ?? []);
+    this.light('acting', this.actions, (observed.actions ?? []).map(String));
+    this.light('in-force', this.orders, (observed.orders ?? []).map(String));
+    this.light('frozen', this.grafcets, observed.frozen ?? []);
+    let cleared = engine.cleared;
+    if (isRunning) {
+      for (const name of engine.fresh) this.glow.set(name, now + AFTERGLOW);
+      for (const [name, until] of this.glow) if (until < now) this.glow.delete(name);
+      cleared = this.glow.keys();
+    } else {
+      this.glow.clear();
+    }
+    engine.fresh.clear();
+    this.light('cleared', this.transitions, cleared);
+  }
+
+  light(name, elements, keys) {
+    const found = new Set();
+    for (const key of keys) for (const element of elements.get(key) ?? []) found.add(element);
+    this.lights.get(name).show(found);
+  }
+}
+
+/** The dot of an active step, so that paper shows it, too. */
+function addDot(step) {
+  const label = step.querySelector(':scope > .label');
+  if (!label || step.querySelector(':scope > .dot')) return;
+  const dot = shape('circle', { class: 'fill dot', cx: label.getAttribute('x'), cy: Number(label.getAttribute('y')) + 6, r: 4 });
+  label.after(dot);
+}
