@@ -34,7 +34,7 @@ pub fn clean(text: &str) -> String {
 }
 
 /// Marks that reorder or hide text: what is read must be what is there.
-fn is_invisible(c: char) -> bool {
+pub(crate) fn is_invisible(c: char) -> bool {
     matches!(c, '\u{AD}' | '\u{61C}' | '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2060}'..='\u{206F}' | '\u{FEFF}')
 }
 

@@ -19,6 +19,8 @@ pub enum Family {
     RustValues,
     /// Types, variants and constants of Rust.
     RustTypes,
+    /// Classes and local variables of JavaScript.
+    JavaScript,
 }
 
 /// The reserved words of a family.
@@ -48,6 +50,7 @@ impl Reserved {
             },
             Family::RustValues => Reserved::words(&[RUST_KEYWORDS, RUST_VALUES]),
             Family::RustTypes => Reserved::words(&[RUST_KEYWORDS, RUST_TYPES]),
+            Family::JavaScript => Reserved::words(&[JS_KEYWORDS, JS_VALUES]),
         }
     }
 
@@ -284,3 +287,19 @@ mod tests {
         }
     }
 }
+
+/// ECMAScript 2024, strict mode and modules: keywords, words reserved for later, and what means something everywhere.
+const JS_KEYWORDS: &str = "
+    ARGUMENTS AS ASYNC AWAIT BREAK CASE CATCH CLASS CONST CONTINUE DEBUGGER DEFAULT DELETE DO ELSE ENUM EVAL EXPORT EXTENDS
+    FALSE FINALLY FOR FROM FUNCTION GET IF IMPLEMENTS IMPORT IN INFINITY INSTANCEOF INTERFACE LET META NAN NEW NULL OF
+    PACKAGE PRIVATE PROTECTED PUBLIC RETURN SET STATIC SUPER SWITCH TARGET THIS THROW TRUE TRY TYPEOF UNDEFINED VAR VOID
+    WHILE WITH YIELD
+";
+
+/// What a module uses and declares itself, and the types beside it.
+const JS_VALUES: &str = "
+    ACCEPTED ACTIONS ACTIVE ANY ARRAY BEGIN BIGINT BOOLEAN CHART CLOCK CONSTANTS DELAY DELAYS DINT END ERROR FLAGS FORCED
+    FRESH FROZEN FULL HASRUN INPUTS INT JSON KEPT M MATH MICROSTEP NEVER NOW NUMBER OBJECT ORDERS OUTPUTS PARTIAL PLAIN
+    PROGRAM PUT RANGEERROR RANGES REAL RECORD RESTORED RESTORING RUN SAVED SEAL SEEN SHOWN SITUATION STRING SYMBOL TIME
+    TRANSITIONS TYPEERROR UDINT UINT UNKNOWN VARIABLES
+";

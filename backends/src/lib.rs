@@ -10,6 +10,7 @@ mod formulas;
 mod iec;
 pub mod iec61131_10;
 pub mod il;
+pub mod js;
 pub mod keywords;
 mod limits;
 mod lines;

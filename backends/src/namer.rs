@@ -13,7 +13,9 @@ impl Family {
     fn longest(self) -> usize {
         match self {
             Family::StatementList => 24,
-            Family::Iec | Family::InstructionList | Family::RustValues | Family::RustTypes => MAX_LENGTH,
+            Family::Iec | Family::InstructionList | Family::RustValues | Family::RustTypes | Family::JavaScript => {
+                MAX_LENGTH
+            }
         }
     }
 }

@@ -1,12 +1,13 @@
 //! The targets, in one list.
 //!
 //! A target is a folder with a file `target.rs`, which holds what this list asks of it: `NAME`, `TITLE`, `EXTENSION`,
-//! `MAPPED` and `CHOICES`; `options` makes its options of what was chosen, `spelled` says them as a command line would, and `emit`
+//! `BESIDE`, `MAPPED` and `CHOICES`; `options` makes its options of what was chosen, `spelled` says them as a command line would, and `emit`
 //! writes.
 
 use crate::choice::{Choice, Chosen, Refusal};
 use crate::output::{Output, Source};
 use grafc_diagnostics::Diagnostics;
+use grafc_logic::scan::Observed;
 
 /// What is known of a target before anything is chosen.
 #[derive(Debug)]
@@ -17,6 +18,9 @@ pub struct About {
     pub title: &'static str,
     /// What the name of a file ends with, without the dot.
     pub extension: &'static str,
+    /// If it writes a second file: by what the name of its file ends with, what that of the other one beside it ends with;
+    /// the first is what is usual.
+    pub beside: &'static [(&'static str, &'static str)],
     /// Whether it can say which lines come from which element of the chart.
     pub mapped: bool,
     /// What it leaves to choose.
@@ -25,6 +29,18 @@ pub struct About {
 }
 
 impl About {
+    /// Whether the name of a file of its ends with this, in whatever case.
+    pub fn has_ending(&self, ending: &str) -> bool {
+        let mut all = std::iter::once(self.extension).chain(self.beside.iter().map(|(own, _)| *own));
+        all.any(|own| own.eq_ignore_ascii_case(ending))
+    }
+
+    /// What the name of the second file ends with, beside one that ends with this; none if there is no second file.
+    pub fn ending_beside(&self, ending: &str) -> Option<&'static str> {
+        let of = self.beside.iter().find(|(own, _)| own.eq_ignore_ascii_case(ending)).or(self.beside.first());
+        of.map(|(_, beside)| *beside)
+    }
+
     /// The target with what was chosen. Choices that it does not know are of no effect.
     ///
     /// # Errors
@@ -48,6 +64,7 @@ macro_rules! targets {
                 name: crate::$folder::target::NAME,
                 title: crate::$folder::target::TITLE,
                 extension: crate::$folder::target::EXTENSION,
+                beside: crate::$folder::target::BESIDE,
                 mapped: crate::$folder::target::MAPPED,
                 choices: crate::$folder::target::CHOICES,
                 make: |chosen| crate::$folder::target::options(chosen).map(Target::$Target),
@@ -111,14 +128,15 @@ impl Target {
             | Target::Scl(_)
             | Target::Tcpou(_)
             | Target::Iec61131_10(_)
-            | Target::Rust(_) => true,
+            | Target::Rust(_)
+            | Target::Js(_) => true,
         }
     }
 
     /// Whether its code saves the memory of a chart and gives it back.
     pub fn saves_memory(&self) -> bool {
         match self {
-            Target::Rust(_) => true,
+            Target::Rust(_) | Target::Js(_) => true,
             Target::St(_)
             | Target::Il(_)
             | Target::Awl(_)
@@ -126,6 +144,21 @@ impl Target {
             | Target::Scl(_)
             | Target::Tcpou(_)
             | Target::Iec61131_10(_) => false,
+        }
+    }
+
+    /// How much of its micro-steps its code shows.
+    pub fn shows(&self) -> Observed {
+        match self {
+            Target::Js(options) => options.shown(),
+            Target::Rust(_)
+            | Target::St(_)
+            | Target::Il(_)
+            | Target::Awl(_)
+            | Target::Plcopen(_)
+            | Target::Scl(_)
+            | Target::Tcpou(_)
+            | Target::Iec61131_10(_) => Observed::Nothing,
         }
     }
 }
@@ -147,6 +180,8 @@ targets! {
     Iec61131_10 => iec61131_10,
     /// Rust.
     Rust => rust,
+    /// JavaScript.
+    Js => js,
 }
 
 #[cfg(test)]

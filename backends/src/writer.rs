@@ -46,6 +46,9 @@ pub(crate) const STL: Comments = Comments { first: "// ", next: "// ", end: "" }
 /// Comments of Rust.
 pub(crate) const RUST: Comments = Comments { first: "// ", next: "// ", end: "" };
 
+/// Comments of JavaScript.
+pub(crate) const JS: Comments = Comments { first: "// ", next: "// ", end: "" };
+
 /// A growing text.
 pub(crate) struct Writer {
     out: String,

@@ -134,7 +134,7 @@ fn difference(a: &[String], b: &[String]) -> usize {
 fn most(target: &str) -> usize {
     match target {
         "st" | "scl" | "tcpou" => 30,
-        "iec61131-10" | "il" | "awl" | "rust" => 40,
+        "iec61131-10" | "il" | "awl" | "rust" | "js" => 40,
         _ => 45,
     }
 }

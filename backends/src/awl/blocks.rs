@@ -234,7 +234,7 @@ fn organization_block(out: &mut Writer, program: &Program, options: &Options, na
     for (id, variable) in program.variables.iter_enumerated() {
         let wired = match variable.role {
             Role::Input | Role::Output | Role::Flag(_) | Role::Internal => true,
-            Role::Constant | Role::Step | Role::State | Role::Memory | Role::Temporary => false,
+            Role::Constant | Role::Step | Role::State | Role::Memory | Role::Temporary | Role::Observed => false,
         };
         if let Some(address) =
             variable.address.as_deref().filter(|_| wired).and_then(|a| address(a, variable.ty, mnemonics))

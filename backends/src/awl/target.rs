@@ -10,6 +10,7 @@ use grafc_diagnostics::Diagnostics;
 pub(crate) const NAME: &str = "awl";
 pub(crate) const TITLE: &str = "Siemens STL (AWL), a source file for STEP 7: S7-300, S7-400";
 pub(crate) const EXTENSION: &str = "awl";
+pub(crate) const BESIDE: &[(&str, &str)] = &[];
 pub(crate) const MAPPED: bool = true;
 pub(crate) const CHOICES: &[&Choice] = &[&POU, &BLOCK_NUMBER, &MNEMONICS];
 

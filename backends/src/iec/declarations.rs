@@ -267,7 +267,9 @@ pub(super) fn entry(id: VarId, variable: &Variable, names: &Names) -> Entry {
         Role::Input | Role::Output | Role::Internal | Role::Constant | Role::Step | Role::State => {
             remark(&variable.name, name, variable.comment.as_deref())
         }
-        Role::Flag(_) | Role::Memory | Role::Temporary => remark(name, name, variable.comment.as_deref()),
+        Role::Flag(_) | Role::Memory | Role::Temporary | Role::Observed => {
+            remark(name, name, variable.comment.as_deref())
+        }
     };
     let shown = !is_zero(variable.initial) || variable.role == Role::Constant;
     Entry {

@@ -79,7 +79,7 @@ fn rank(role: Role) -> u8 {
     match role {
         Role::Input | Role::Output | Role::Internal | Role::Constant | Role::Step => 0,
         Role::Flag(_) => 1,
-        Role::State | Role::Memory | Role::Temporary => 2,
+        Role::State | Role::Memory | Role::Temporary | Role::Observed => 2,
     }
 }
 

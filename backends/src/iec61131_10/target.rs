@@ -8,6 +8,7 @@ use grafc_diagnostics::Diagnostics;
 pub(crate) const NAME: &str = "iec61131-10";
 pub(crate) const TITLE: &str = "The function block in the XML of IEC 61131-10";
 pub(crate) const EXTENSION: &str = "xml";
+pub(crate) const BESIDE: &[(&str, &str)] = &[];
 pub(crate) const MAPPED: bool = false;
 /// The form leaves no choice.
 pub(crate) const CHOICES: &[&Choice] = &[];

@@ -9,6 +9,7 @@ use grafc_diagnostics::Diagnostics;
 pub(crate) const NAME: &str = "il";
 pub(crate) const TITLE: &str = "IEC 61131-3 instruction list";
 pub(crate) const EXTENSION: &str = "il";
+pub(crate) const BESIDE: &[(&str, &str)] = &[];
 pub(crate) const MAPPED: bool = true;
 pub(crate) const CHOICES: &[&Choice] = &[&POU, &TASK_INTERVAL];
 

@@ -9,6 +9,7 @@ use grafc_diagnostics::Diagnostics;
 pub(crate) const NAME: &str = "plcopen";
 pub(crate) const TITLE: &str = "A PLCopen XML project: function block, program, configuration";
 pub(crate) const EXTENSION: &str = "xml";
+pub(crate) const BESIDE: &[(&str, &str)] = &[];
 pub(crate) const MAPPED: bool = false;
 pub(crate) const CHOICES: &[&Choice] = &[&TASK_INTERVAL, &DIALECT, &BODY];
 

@@ -47,7 +47,7 @@ impl<'p> Places<'p> {
             Role::Input => eco_format!("inputs.{name}"),
             Role::Output => eco_format!("self.outputs.{name}"),
             Role::Internal => eco_format!("self.variables.{name}"),
-            Role::Constant | Role::Temporary => name.clone(),
+            Role::Constant | Role::Temporary | Role::Observed => name.clone(),
             Role::Flag(flag) => eco_format!("self.flags.{}", flag_name(flag)),
             Role::Step => match self.packed.get(&id) {
                 Some(step) => eco_format!("self.is_active({})", self.names.steps[*step]),

@@ -8,6 +8,7 @@ use grafc_diagnostics::Diagnostics;
 pub(crate) const NAME: &str = "rust";
 pub(crate) const TITLE: &str = "A Rust module, without std and allocation";
 pub(crate) const EXTENSION: &str = "rs";
+pub(crate) const BESIDE: &[(&str, &str)] = &[];
 pub(crate) const MAPPED: bool = true;
 pub(crate) const CHOICES: &[&Choice] = &[&RUNTIME];
 

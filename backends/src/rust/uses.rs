@@ -114,7 +114,13 @@ impl<'p> Uses<'p> {
                 self.temporaries.insert(v);
             }
             Role::Step => self.needs.steps |= self.places.packed(v).is_some(),
-            Role::Output | Role::Internal | Role::Constant | Role::State | Role::Flag(_) | Role::Memory => {}
+            Role::Output
+            | Role::Internal
+            | Role::Constant
+            | Role::State
+            | Role::Flag(_)
+            | Role::Memory
+            | Role::Observed => {}
         }
     }
 }

@@ -8,6 +8,7 @@ use grafc_diagnostics::Diagnostics;
 pub(crate) const NAME: &str = "scl";
 pub(crate) const TITLE: &str = "Siemens SCL, a source file for TIA Portal";
 pub(crate) const EXTENSION: &str = "scl";
+pub(crate) const BESIDE: &[(&str, &str)] = &[];
 pub(crate) const MAPPED: bool = true;
 /// The form leaves no choice.
 pub(crate) const CHOICES: &[&Choice] = &[];

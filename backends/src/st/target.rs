@@ -9,6 +9,7 @@ use grafc_diagnostics::Diagnostics;
 pub(crate) const NAME: &str = "st";
 pub(crate) const TITLE: &str = "IEC 61131-3 Structured Text";
 pub(crate) const EXTENSION: &str = "st";
+pub(crate) const BESIDE: &[(&str, &str)] = &[];
 pub(crate) const MAPPED: bool = true;
 pub(crate) const CHOICES: &[&Choice] = &[&POU, &TASK_INTERVAL];
 

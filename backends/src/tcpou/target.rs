@@ -8,6 +8,7 @@ use grafc_diagnostics::Diagnostics;
 pub(crate) const NAME: &str = "tcpou";
 pub(crate) const TITLE: &str = "A TwinCAT 3 program organisation unit";
 pub(crate) const EXTENSION: &str = "TcPOU";
+pub(crate) const BESIDE: &[(&str, &str)] = &[];
 pub(crate) const MAPPED: bool = false;
 /// The form leaves no choice.
 pub(crate) const CHOICES: &[&Choice] = &[];

@@ -9,13 +9,14 @@ use crate::encode::first_call::first_call;
 use crate::encode::heading::heading;
 use crate::encode::input_event::InputEvent;
 use crate::encode::livelock;
+use crate::encode::observe::{Overriding, Watch};
 use crate::encode::outputs;
 use crate::encode::restoring::restoring;
 use crate::encode::task::Task;
 use crate::lower::Lowering;
 use crate::lower::cover::is_small;
 use crate::options::{Encoding, Options};
-use crate::scan::{Elements, Flag, Heading, Limit, Program, Repeat, Role, Statement};
+use crate::scan::{Elements, Flag, Heading, Limit, Observed, Program, Repeat, Role, Statement};
 use crate::tidy::{absorb, idle_delays, join, long_chains, once, sweep};
 use crate::warn::overlap;
 use grafc_diagnostics::Diagnostics;
@@ -26,24 +27,40 @@ use grafc_net::Net;
 /// The scan program of a flat net under one encoding, and a warning where that encoding does not do exactly what the
 /// rules say. What is proved is used up; keep a copy to compile again.
 pub fn compile(analysis: Analysis, options: &Options) -> (Program, Diagnostics) {
-    make(analysis, options, false)
+    make(analysis, options, Extras::default())
 }
 
 /// The same with what gives saved memory back, for a target that saves it.
 pub fn compile_saved(analysis: Analysis, options: &Options) -> (Program, Diagnostics) {
-    make(analysis, options, true)
+    make(analysis, options, Extras { saved: true, observed: Observed::Nothing })
 }
 
-fn make(analysis: Analysis, options: &Options, saved: bool) -> (Program, Diagnostics) {
+/// The same with what gives saved memory back, and with what is shown of micro-steps.
+///
+/// Where a micro-step more would find nothing to do, it is done all the same: who looks on sees each of R9.
+pub fn compile_observed(analysis: Analysis, options: &Options, observed: Observed) -> (Program, Diagnostics) {
+    make(analysis, options, Extras { saved: true, observed })
+}
+
+/// What a target asks for beside a call.
+#[derive(Clone, Copy, Default)]
+struct Extras {
+    /// What gives saved memory back.
+    saved: bool,
+    /// What is shown.
+    observed: Observed,
+}
+
+fn make(analysis: Analysis, options: &Options, extras: Extras) -> (Program, Diagnostics) {
     let mut diagnostics = Diagnostics::new();
     let is_small = is_small(analysis.net());
     // When this is done, the net is gone: what follows asks the program alone.
     let controls = analysis.net().controls;
-    let (mut program, held) = assemble(analysis, options, saved, &mut diagnostics);
+    let (mut program, held) = assemble(analysis, options, extras, &mut diagnostics);
     if options.simplify {
         absorb::absorb(&mut program);
-        // A small chart calls all of them, which takes fewer lines.
-        if !is_small {
+        // A small chart calls all of them, which takes fewer lines; and who looks on sees all of them.
+        if !is_small && extras.observed == Observed::Nothing {
             idle_delays::rest(&mut program);
         }
         once::once(&mut program);
@@ -61,7 +78,7 @@ fn make(analysis: Analysis, options: &Options, saved: bool) -> (Program, Diagnos
 fn assemble(
     analysis: Analysis,
     options: &Options,
-    saved: bool,
+    extras: Extras,
     diagnostics: &mut Diagnostics,
 ) -> (Program, Vec<Statement>) {
     // Where steps overlap, those of a component are active together for one micro-step: what is proved does not hold.
@@ -86,6 +103,8 @@ fn assemble(
     }
     let components = if proofs { components } else { Components::none(&net) };
     let Conditions { mut lowering, mut cx, mut of_transition, of_event } = conditions;
+    let mut watch = Watch::new(extras.observed);
+    let as_in_chart = watch.is_some().then(|| of_transition.clone());
     if proofs {
         absorb::restrict(&mut lowering, &components, &mut of_transition);
         // In `switch` a condition is only looked at while its step is active; a shared one would be always.
@@ -94,7 +113,8 @@ fn assemble(
             cx.statements.extend(shared);
         }
     }
-    let repeat = evolution.repeats(options.profile).then(|| {
+    let is_seen = watch.is_some() && options.profile.evolution == Evolution::Stable;
+    let repeat = (is_seen || evolution.repeats(options.profile)).then(|| {
         let again = lowering.symbols.fresh(Role::Temporary, "again", Type::Bool, None);
         let limit = (!evolution.ends).then(|| {
             let wide_enough = if evolution.bound <= i16::MAX as u32 { Type::Int } else { Type::Dint };
@@ -117,29 +137,47 @@ fn assemble(
         followers: followers.as_ref(),
         again: repeat.map(|r| r.again),
     };
+    if let (Some(watch), Some(conditions)) = (&mut watch, &as_in_chart) {
+        micro_step.extend(watch.before(&mut lowering, &task, conditions, &mut input_event));
+    }
     micro_step.extend(encode::micro_step(&mut lowering, &mut cx, &task, &mut input_event));
     // Timers of durations are known only now that every moment that reads them has been lowered.
     let mut after = Vec::new();
     after.extend(outputs::statements(&mut lowering, followers.as_ref()));
     let mut held = Vec::new();
-    if let Some(again) = repeat.map(|r| r.again).filter(|_| livelock::may_override(options.profile, evolution.ends)) {
+    let overriding = repeat.map(|r| r.again).filter(|_| livelock::may_override(options.profile, evolution.ends));
+    if let Some(watch) = &mut watch {
+        let outputs = options.profile.livelock_outputs;
+        after.extend(watch.with_outputs(&mut lowering, overriding.map(|again| Overriding { outputs, again })));
+    }
+    if let Some(again) = overriding {
         let (kept, overriding) = livelock::statements(&mut lowering, options.profile, again);
         held = kept;
         after.extend(overriding);
+    }
+    if let Some(watch) = &mut watch {
+        micro_step.extend(watch.after_micro_step(&mut lowering, options.profile));
     }
     micro_step.extend(lowering.call_step_timers());
     if repeat.is_some() {
         micro_step.extend(input_event.over(&mut lowering));
     }
 
-    let (first, started) = first_call(&mut lowering, options.profile, followers.as_ref(), &input_event);
+    let (mut first, started) = first_call(&mut lowering, options.profile, followers.as_ref(), &input_event);
+    if let Some(watch) = &watch
+        && let (Some(at_start), Some(Statement::If { branches, .. })) =
+            (watch.at_start(&mut lowering), first.last_mut())
+    {
+        branches.iter_mut().for_each(|(_, body)| body.push(at_start.clone()));
+    }
     let mut before = lowering.call_step_timers();
     before.extend(input_event.found(&mut lowering));
 
-    let restoring = saved.then(|| {
+    let restoring = extras.saved.then(|| {
         // Steps that overlap are active together, whatever excludes each other by the rules.
         let cover = Some(&cover).filter(|_| !overlaps);
-        restoring(&mut lowering, started, [&first, &before, &micro_step, &after], cover)
+        let seen = watch.as_mut().map(|watch| watch.restored(&mut lowering)).unwrap_or_default();
+        restoring(&mut lowering, started, [&first, &before, &micro_step, &after], cover, seen)
     });
 
     let mut elements = Elements::of(&net);
@@ -149,8 +187,10 @@ fn assemble(
     let most = match repeat {
         None => 1,
         Some(Repeat { limit: Some(limit), .. }) => limit.bound,
-        Some(Repeat { limit: None, .. }) => evolution.longest,
+        // One that is there only to be seen finds nothing to do.
+        Some(Repeat { limit: None, .. }) => evolution.longest.max(if evolution.once { 2 } else { 1 }),
     };
+    let observing = watch.map(|watch| watch.finish(&lowering));
     let program = Program {
         name: net.name.to_string(),
         comment: net.comment.clone(),
@@ -168,6 +208,7 @@ fn assemble(
         most,
         after,
         restoring,
+        observing,
     };
     (program, held)
 }

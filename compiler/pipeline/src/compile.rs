@@ -15,7 +15,7 @@ use crate::options::{Options, Product};
 use crate::stages::{Last, check as resolve, flatten, net_after, parse, warn};
 use grafc_backends::{Output, Source, Target};
 use grafc_diagnostics::{Diagnostics, FileId};
-use grafc_logic::scan::WorstCase;
+use grafc_logic::scan::{Observed, WorstCase};
 use grafc_logic::{Analysis, Options as Lowering, scan};
 use grafc_model::chart::Chart;
 
@@ -109,7 +109,11 @@ fn emit(target: &Target, last: &mut Last) -> Result<Output, Diagnostics> {
     if !target.writes_statements() {
         return target.emit(last);
     }
-    let program = if target.saves_memory() { last.saved_program()? } else { last.program()? };
+    let program = match (target.shows(), target.saves_memory()) {
+        (Observed::Nothing, false) => last.program()?,
+        (Observed::Nothing, true) => last.saved_program()?,
+        (observed, _) => last.observed_program(observed)?,
+    };
     let WorstCase { micro_steps, statements } = program.worst_case();
     let mut target = target.clone();
     let plural = if micro_steps == 1 { "" } else { "s" };

@@ -2,7 +2,7 @@
 
 use grafc_backends::Source;
 use grafc_diagnostics::{Allowances, Code, Diagnostic, Diagnostics, FileId, Span};
-use grafc_logic::scan::Program;
+use grafc_logic::scan::{Observed, Program};
 use grafc_logic::sequence::Sequence;
 use grafc_logic::{Analysis, Options};
 use grafc_model::chart::Chart;
@@ -102,6 +102,10 @@ impl Source for Last<'_> {
 
     fn saved_program(&mut self) -> Result<&Program, Diagnostics> {
         self.lowered(grafc_logic::compile_saved)
+    }
+
+    fn observed_program(&mut self, observed: Observed) -> Result<&Program, Diagnostics> {
+        self.lowered(|analysis, options| grafc_logic::compile_observed(analysis, options, observed))
     }
 
     fn sequence(&mut self) -> Result<&Sequence, Diagnostics> {

@@ -108,7 +108,8 @@ pub(crate) fn flags(program: &Program) -> impl Iterator<Item = (VarId, Flag)> {
         | Role::Step
         | Role::State
         | Role::Memory
-        | Role::Temporary => None,
+        | Role::Temporary
+        | Role::Observed => None,
     })
 }
 

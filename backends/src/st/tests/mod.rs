@@ -35,6 +35,7 @@ impl Build {
             most: 1,
             after: Vec::new(),
             restoring: None,
+            observing: None,
         };
         Build { program }
     }

@@ -21,6 +21,7 @@ mod in_order;
 pub(crate) mod input_event;
 pub(crate) mod livelock;
 mod next_activity;
+pub(crate) mod observe;
 pub(crate) mod outputs;
 mod r_trigger;
 pub(crate) mod restoring;

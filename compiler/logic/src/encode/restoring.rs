@@ -7,12 +7,14 @@ use crate::scan::{Exclusive, Heading, Restoring, Statement, VarId};
 use grafc_model::chart::Mode;
 use rustc_hash::FxHashSet;
 
-/// Those wires that a call writes as well, each from the situation alone: one that follows a state in a call, too.
+/// Those wires that a call writes as well, each from the situation alone: one that follows a state in a call, too; then what
+/// is `seen` of the situation.
 pub(crate) fn restoring(
     lowering: &mut Lowering,
     started: Option<VarId>,
     calls: [&[Statement]; 4],
     cover: Option<&Cover>,
+    seen: Vec<Statement>,
 ) -> Restoring {
     let net = &*lowering.net.clone();
     let written = written(calls);
@@ -27,6 +29,7 @@ pub(crate) fn restoring(
     lowering.kept_wires = kept;
     let mut statements = Vec::new();
     heading(&mut statements, Heading::Outputs, cx.statements);
+    statements.extend(seen);
     if let Some(started) = started.filter(|_| !statements.is_empty()) {
         // Before the first call nothing is active, whatever a state says.
         let when = lowering.symbols.read(&mut lowering.pool, started);

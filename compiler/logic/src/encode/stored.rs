@@ -63,7 +63,7 @@ pub(crate) fn actions(
 }
 
 /// What to read for each variable where all edges are taken as false.
-fn without_edges(
+pub(super) fn without_edges(
     lowering: &mut Lowering,
     wanted: bool,
     statements: &mut Vec<Statement>,
@@ -88,7 +88,7 @@ fn without_edges(
 
 /// When an action on event is done: its step is active, the expression true, and either an edge made it true or an
 /// input has just changed (R7, kind E). Also says whether the second way is possible.
-fn event(
+pub(super) fn event(
     lowering: &mut Lowering,
     (step, origin): (StepId, Origin),
     expr: FormulaId,

@@ -5,11 +5,24 @@
 
 use super::words::duration_word;
 use super::{Context, Lowering, Moment};
-use crate::scan::{Origin, Preset, Role, Statement, Timer, TimerId};
+use crate::scan::{Origin, Preset, Role, Statement, Timer, TimerId, VarId};
 use crate::spell::in_signs;
 use ecow::{EcoString, eco_format};
 use grafc_formula::{FormulaId, Type, Value};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, StepId};
+
+/// A delay that has been lowered, by one of its timers.
+#[derive(Clone, Debug)]
+pub(crate) struct LoweredDelay {
+    /// The delay in the chart.
+    pub(crate) expr: ExprId,
+    /// What it is part of.
+    pub(crate) origin: Origin,
+    /// What measures it.
+    pub(crate) timer: TimerId,
+    /// Of an off-delay, what it holds.
+    pub(crate) held: Option<VarId>,
+}
 
 impl Lowering {
     /// Brings the timers of step durations up to date with the situation.
@@ -64,6 +77,7 @@ impl Lowering {
         let raised = if on.ms > 0 {
             let timer = self.timer(format!("on_{base}"), on, comment.clone());
             cx.statements.push(Statement::CallTimer { timer, input, origin: cx.origin });
+            self.delays.push(LoweredDelay { expr: e, origin: cx.origin, timer, held: None });
             self.pool.timer_done(timer)
         } else {
             input
@@ -71,6 +85,7 @@ impl Lowering {
         if off.ms > 0 {
             let held = self.symbols.fresh(Role::Memory, eco_format!("held_{base}"), Type::Bool, comment.clone());
             let timer = self.timer(format!("off_{base}"), off, comment.clone());
+            self.delays.push(LoweredDelay { expr: e, origin: cx.origin, timer, held: Some(held) });
             let low = self.pool.not(raised);
             cx.statements.push(Statement::CallTimer { timer, input: low, origin: cx.origin });
             let (still, over) = (self.symbols.read(&mut self.pool, held), self.pool.timer_done(timer));

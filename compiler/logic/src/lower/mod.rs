@@ -17,6 +17,7 @@ pub(crate) mod words;
 
 use crate::scan::{ActionId, OrderId, Origin, Role, Statement, Timer, TimerId, Told, VarId};
 use cover::Cover;
+pub(crate) use delays::LoweredDelay;
 use ecow::{EcoString, eco_format};
 use factored::factored;
 use grafc_formula::exclusion::EdgeOperand;
@@ -111,6 +112,8 @@ pub(crate) struct Lowering {
     delay_of: FxHashMap<(FormulaId, DelayTime, DelayTime), FormulaId>,
     /// The value of each delay after the last micro-step.
     delay_values: FxHashMap<ExprId, FormulaId>,
+    /// The delays that have been lowered.
+    pub(crate) delays: Vec<LoweredDelay>,
     /// The continuous actions of each wire.
     setters: Setters,
     /// The number of the first order on each grafcet.
@@ -164,6 +167,7 @@ impl Lowering {
             edge_of: FxHashMap::default(),
             delay_of: FxHashMap::default(),
             delay_values: FxHashMap::default(),
+            delays: Vec::new(),
             setters,
             first_order,
             designations,

@@ -23,6 +23,7 @@ pub(crate) fn empty() -> Program {
         most: 1,
         after: Vec::new(),
         restoring: None,
+        observing: None,
     }
 }
 

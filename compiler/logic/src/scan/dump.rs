@@ -79,6 +79,7 @@ impl<'p> Dump<'p> {
             Role::Flag(_) => "flag",
             Role::Memory => "memory",
             Role::Temporary => "temporary",
+            Role::Observed => "observed",
         };
         let address = variable.address.as_ref().map(|address| format!(" at {address:?}")).unwrap_or_default();
         let initial = if variable.initial == zero(variable.ty) && variable.role != Role::Constant {

@@ -230,7 +230,7 @@ impl Program {
     pub fn origins(&self) -> Origins {
         let declared = |(id, variable): (VarId, &Variable)| match variable.role {
             Role::Input | Role::Output | Role::Internal | Role::Constant => Origin::declaration(id),
-            Role::Step | Role::State | Role::Flag(_) | Role::Memory | Role::Temporary => Origin::Chart,
+            Role::Step | Role::State | Role::Flag(_) | Role::Memory | Role::Temporary | Role::Observed => Origin::Chart,
         };
         let mut variables: IndexVec<VarId, Origin> = self.variables.iter_enumerated().map(declared).collect();
         let mut timers: IndexVec<TimerId, Origin> = self.timers.iter().map(|_| Origin::Chart).collect();
@@ -356,7 +356,10 @@ impl Program {
             | Heading::TimersOfTheStepBefore
             | Heading::TimersOfTheActiveStep
             | Heading::Outputs
-            | Heading::OutputsAfterLivelock => words.into(),
+            | Heading::OutputsAfterLivelock
+            | Heading::WhatIsSeenOfTransitions
+            | Heading::WhatIsSeenOfTheSituation
+            | Heading::WhatIsSeenOfActions => words.into(),
         }
     }
 

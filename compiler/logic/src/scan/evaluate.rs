@@ -129,7 +129,8 @@ impl<'p> Evaluator<'p> {
                 | Role::Step
                 | Role::State
                 | Role::Memory
-                | Role::Temporary => {}
+                | Role::Temporary
+                | Role::Observed => {}
             }
         }
         flags

@@ -233,5 +233,6 @@ fn role(role: Role) -> (u64, u64) {
         Role::Flag(Flag::Div0) => (6, 3),
         Role::Memory => (7, 0),
         Role::Temporary => (8, 0),
+        Role::Observed => (9, 0),
     }
 }

@@ -12,6 +12,7 @@
 //! | `words` | what a statement is called where it needs a label |
 //! | `division` | which divisors a division looks at first, and what comes out then |
 //! | `restoring` | what gives saved memory back |
+//! | `observing` | what is shown of micro-steps |
 //! | `fingerprint` | a number that tells programs apart |
 //! | `facts` | sections, loops over all statements, what is read of timers, which state a variable takes its values from |
 //! | `verify` | the check of the invariants |
@@ -38,6 +39,7 @@ pub mod evaluate;
 mod facts;
 mod fingerprint;
 mod measure;
+mod observing;
 mod origin;
 mod restoring;
 mod statement;
@@ -56,6 +58,7 @@ pub use fingerprint::Fingerprint;
 pub use grafc_formula::{TimerId, VarId};
 pub use grafc_model::chart::{GrafcetId, StepId, TransitionId, VariableId};
 pub use measure::{Measure, measure};
+pub use observing::{Observed, Observing, SeenDelay, SeenTransition};
 pub use origin::{ActionId, Heading, OrderId, Origin, Part, Told};
 pub use restoring::{Exclusive, Restoring};
 pub use statement::{Arm, Statement, is_empty, origin_of, origin_of_end};
@@ -102,6 +105,8 @@ pub struct Program {
     pub after: Vec<Statement>,
     /// What gives saved memory back, for a target that saves it.
     pub restoring: Option<Restoring>,
+    /// What it shows of its micro-steps, for a target that lets somebody look on.
+    pub observing: Option<Observing>,
 }
 
 /// The stability loop (R9).

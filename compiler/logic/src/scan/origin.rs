@@ -108,6 +108,12 @@ pub enum Heading {
     Outputs,
     /// What outputs do in a call that was cut off.
     OutputsAfterLivelock,
+    /// What is shown of transitions.
+    WhatIsSeenOfTransitions,
+    /// What is shown of grafcets, steps and orders.
+    WhatIsSeenOfTheSituation,
+    /// What is shown of actions.
+    WhatIsSeenOfActions,
     /// A part that is about one of several grafcets.
     Of(Part, GrafcetId),
 }
@@ -162,6 +168,9 @@ impl Heading {
             Heading::TimersOfTheActiveStep => "timers of the active step",
             Heading::Outputs => "outputs",
             Heading::OutputsAfterLivelock => "outputs where no stable situation was found",
+            Heading::WhatIsSeenOfTransitions => "what is seen of transitions",
+            Heading::WhatIsSeenOfTheSituation => "what is seen of grafcets, steps and orders",
+            Heading::WhatIsSeenOfActions => "what is seen of actions",
         }
     }
 }

@@ -95,6 +95,8 @@ pub enum Role {
     Memory,
     /// A value that lives within one call.
     Temporary,
+    /// What is shown of the last micro-step to somebody who looks on; the program reads it for nothing else.
+    Observed,
 }
 
 /// The run-time flags.
@@ -116,7 +118,7 @@ impl Role {
     pub fn is_kept(self) -> bool {
         match self {
             Role::Output | Role::Internal | Role::Step | Role::State | Role::Flag(_) | Role::Memory => true,
-            Role::Input | Role::Constant | Role::Temporary => false,
+            Role::Input | Role::Constant | Role::Temporary | Role::Observed => false,
         }
     }
 }
@@ -170,7 +172,13 @@ impl Variable {
         match self.role {
             Role::Output | Role::Flag(_) => true,
             Role::Internal => self.address.is_some(),
-            Role::Input | Role::Constant | Role::Step | Role::State | Role::Memory | Role::Temporary => false,
+            Role::Input
+            | Role::Constant
+            | Role::Step
+            | Role::State
+            | Role::Memory
+            | Role::Temporary
+            | Role::Observed => false,
         }
     }
 }

@@ -317,6 +317,9 @@ fn renumber(program: &mut Program, dead: &IndexVec<VarId, bool>) {
         }
     }
     program.started = program.started.map(|v| new[v]);
+    if let Some(observing) = &mut program.observing {
+        observing.each_variable(|v| *v = new[*v]);
+    }
     for step in &mut program.steps {
         if let Held::Bit(v) = &mut step.held {
             *v = new[*v];

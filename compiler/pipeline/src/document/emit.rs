@@ -1,9 +1,9 @@
 //! What targets make of a document.
 
-use super::Document;
+use super::{Document, Form};
 use grafc_backends::{Output, Source, Target};
 use grafc_diagnostics::Diagnostics;
-use grafc_logic::scan::Program;
+use grafc_logic::scan::{Observed, Program};
 use grafc_logic::sequence::Sequence;
 
 impl Document {
@@ -31,8 +31,8 @@ struct Stages<'d> {
 }
 
 impl<'d> Stages<'d> {
-    fn lowered(&self, saved: bool) -> Result<&'d Program, Diagnostics> {
-        match self.document.lowered(saved) {
+    fn lowered(&self, form: Form) -> Result<&'d Program, Diagnostics> {
+        match self.document.lowered(form) {
             Some((program, diagnostics)) if !diagnostics.has_errors() => Ok(program),
             Some((_, diagnostics)) => Err(diagnostics.clone()),
             None => Err(self.document.diagnostics().clone()),
@@ -42,11 +42,19 @@ impl<'d> Stages<'d> {
 
 impl Source for Stages<'_> {
     fn program(&mut self) -> Result<&Program, Diagnostics> {
-        self.lowered(false)
+        self.lowered(Form::Plain)
     }
 
     fn saved_program(&mut self) -> Result<&Program, Diagnostics> {
-        self.lowered(true)
+        self.lowered(Form::Saved)
+    }
+
+    fn observed_program(&mut self, observed: Observed) -> Result<&Program, Diagnostics> {
+        self.lowered(match observed {
+            Observed::Nothing => Form::Saved,
+            Observed::Transitions => Form::Seen,
+            Observed::All => Form::SeenWhole,
+        })
     }
 
     fn sequence(&mut self) -> Result<&Sequence, Diagnostics> {

@@ -18,7 +18,7 @@ mod tests;
 use crate::compile::bounded;
 use crate::stages::flatten;
 use grafc_diagnostics::{Diagnostics, Edit, FileId, Misfit, SourceFile, SourceMap, Span, apply};
-use grafc_logic::scan::Program;
+use grafc_logic::scan::{Observed, Program};
 use grafc_logic::sequence::{Sequence, sequence};
 use grafc_logic::{Analysis, Options};
 use grafc_model::Checked;
@@ -66,10 +66,22 @@ struct OfNet {
 /// What depends on the options as well.
 #[derive(Default)]
 struct OfOptions {
-    program: OnceLock<Option<(Program, Diagnostics)>>,
-    /// With what gives saved memory back.
-    saved_program: OnceLock<Option<(Program, Diagnostics)>>,
+    /// By form.
+    programs: [OnceLock<Option<(Program, Diagnostics)>>; 4],
     sequence: OnceLock<Option<Result<Sequence, Diagnostics>>>,
+}
+
+/// What a program is made with beside a call.
+#[derive(Clone, Copy)]
+enum Form {
+    /// Nothing.
+    Plain,
+    /// With what gives saved memory back.
+    Saved,
+    /// And what is shown of transitions.
+    Seen,
+    /// And all that can be shown.
+    SeenWhole,
 }
 
 impl Document {
@@ -268,24 +280,26 @@ impl Document {
 
     /// The scan program under the options, if there is a chart.
     pub fn program(&self) -> Option<&Program> {
-        let (program, diagnostics) = self.lowered(false)?;
+        let (program, diagnostics) = self.lowered(Form::Plain)?;
         Some(program).filter(|_| !diagnostics.has_errors())
     }
 
     /// What the chosen encoding has to say: that it does not do exactly what the rules say, where that can be seen.
     pub fn program_diagnostics(&self) -> Option<&Diagnostics> {
-        self.lowered(false).map(|(_, diagnostics)| diagnostics)
+        self.lowered(Form::Plain).map(|(_, diagnostics)| diagnostics)
     }
 
-    fn lowered(&self, saved: bool) -> Option<&(Program, Diagnostics)> {
-        let of_options = &self.of_options;
-        let place = if saved { &of_options.saved_program } else { &of_options.program };
-        let lowered = place.get_or_init(|| {
+    fn lowered(&self, form: Form) -> Option<&(Program, Diagnostics)> {
+        let lowered = self.of_options.programs[form as usize].get_or_init(|| {
             let analysis = self.analysis()?.clone();
             #[cfg(test)]
             self.runs.count("program");
-            let compile = if saved { grafc_logic::compile_saved } else { grafc_logic::compile };
-            let (program, mut diagnostics) = compile(analysis, &self.options);
+            let (program, mut diagnostics) = match form {
+                Form::Plain => grafc_logic::compile(analysis, &self.options),
+                Form::Saved => grafc_logic::compile_saved(analysis, &self.options),
+                Form::Seen => grafc_logic::compile_observed(analysis, &self.options, Observed::Transitions),
+                Form::SeenWhole => grafc_logic::compile_observed(analysis, &self.options, Observed::All),
+            };
             self.tables().allowances.apply(&mut diagnostics);
             Some((program, diagnostics))
         });

@@ -111,7 +111,8 @@ fn ladder_names(program: &Program) -> IndexVec<VarId, EcoString> {
                 | Role::Constant
                 | Role::Flag(_)
                 | Role::Memory
-                | Role::Temporary => {}
+                | Role::Temporary
+                | Role::Observed => {}
             }
         }
     }

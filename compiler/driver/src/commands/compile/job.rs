@@ -16,6 +16,8 @@ pub struct Job<'a> {
     pub product: Product,
     /// Where that goes.
     pub output: Stream,
+    /// Where what the target writes beside it goes, if it writes two files.
+    pub beside: Option<Stream>,
     /// Where the map goes, if one is asked for.
     pub map: Option<Stream>,
     /// Folders that are made if they are not there.
@@ -23,7 +25,7 @@ pub struct Job<'a> {
 }
 
 impl Job<'_> {
-    /// Puts the text and its map into their places: both or neither.
+    /// Puts the text, what stands beside it and its map into their places: all or none.
     pub fn write(&self, made: &Output, encoding: Encoding, sources: &SourceMap) -> Result<(), Refusal> {
         for folder in &self.folders {
             files::make_folder(folder)?;
@@ -36,6 +38,7 @@ impl Job<'_> {
             (stream, map::json(map, &about, sources))
         });
         let mut texts = vec![(&self.output, made.text.as_str())];
+        texts.extend(self.beside.as_ref().zip(made.beside.as_deref()));
         texts.extend(map.as_ref().map(|(stream, text)| (*stream, text.as_str())));
         Stream::write_all(&texts)
     }

@@ -43,10 +43,18 @@ pub fn jobs<'a>(args: &'a Arguments, lowering: &grafc_logic::Options) -> Result<
         };
         let output = place(args.output.as_ref(), &asked.ending())?.unwrap_or(Stream::Standard);
         let map = place(args.map.as_ref(), "map.json")?;
-        jobs.push(Job { chart, product: product(args, &asked, chart, lowering)?, output, map, folders });
+        let beside = beside(&asked, &output);
+        jobs.push(Job { chart, product: product(args, &asked, chart, lowering)?, output, beside, map, folders });
     }
     refuse_collisions(&jobs)?;
     Ok(jobs)
+}
+
+/// The file beside the output, if the target writes two and the output is a file.
+fn beside(asked: &Asked, output: &Stream) -> Option<Stream> {
+    let (Asked::Target(about), Stream::File(path)) = (asked, output) else { return None };
+    let ending = about.ending_beside(&path.extension().unwrap_or_default().to_string_lossy())?;
+    Some(Stream::File(path.with_extension(ending)))
 }
 
 /// Several charts, and one file for what is made of them.
@@ -113,7 +121,7 @@ fn by_ending(args: &Arguments) -> Result<&'static About, Failure> {
                     to look for faults alone there is `grafc check`";
         return Err(Failure::WrongUse(what, help.to_string()));
     };
-    let mut writers = Target::ALL.iter().filter(|about| about.extension.eq_ignore_ascii_case(&ending));
+    let mut writers = Target::ALL.iter().filter(|about| about.has_ending(&ending));
     match (writers.next(), writers.next()) {
         (Some(about), None) => Ok(about),
         (Some(first), Some(second)) => {
@@ -191,12 +199,17 @@ fn refuse_collisions(jobs: &[Job]) -> Result<(), Failure> {
     let mut taken: HashMap<PathBuf, &Job> = HashMap::new();
     for job in jobs {
         if let Some(map) = &job.map
-            && map.is_same_stream(&job.output)
+            && (map.is_same_stream(&job.output) || job.beside.as_ref().is_some_and(|beside| map.is_same_stream(beside)))
         {
             let what = "the map and the code would be written to one place".to_string();
             return Err(Failure::WrongUse(what, "choose another file with `--map` or `-o`".to_string()));
         }
-        for (stream, what, option) in [(Some(&job.output), "output", "-o"), (job.map.as_ref(), "map", "--map")] {
+        let places = [
+            (Some(&job.output), "output", "-o"),
+            (job.beside.as_ref(), "file beside the output", "-o"),
+            (job.map.as_ref(), "map", "--map"),
+        ];
+        for (stream, what, option) in places {
             let Some(Stream::File(path)) = stream else { continue };
             if identity(path).is_some_and(|identity| charts.contains(&identity)) {
                 let what = format!("the {what} would overwrite `{}`", path.display());

@@ -1,0 +1,241 @@
+//! Where each variable lies: in one of the groups of what a chart keeps, or in a local variable of a part of the scan.
+
+use super::names::Names;
+use super::text::member;
+use ecow::{EcoString, eco_format};
+use grafc_formula::{Formula, FormulaId};
+use grafc_logic::scan::{Division, Flag, Observing, Origins, Program, Role, Statement, TimerId, VarId};
+use index_vec::IndexVec;
+use rustc_hash::FxHashMap;
+
+/// The parts of a scan, each a function: once before the micro-steps, a micro-step, once after them; and what gives
+/// memory back.
+pub(super) const PARTS: usize = 4;
+
+/// How the variables of one program are read and written.
+pub(super) struct Places<'p> {
+    pub program: &'p Program,
+    pub names: &'p Names,
+    /// Where variables come from, if somebody asks.
+    pub origins: Option<Origins>,
+    read: IndexVec<VarId, EcoString>,
+    /// What is done with each temporary.
+    temporaries: FxHashMap<VarId, Uses>,
+    /// What is shown, by variable: the list and the place in it.
+    shown: FxHashMap<VarId, (&'static str, usize)>,
+}
+
+/// What is done with a temporary.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Uses {
+    /// In which parts.
+    parts: [bool; PARTS],
+    /// How often it is written.
+    written: u32,
+    /// Whether it is written inside of another statement.
+    within: bool,
+}
+
+impl Uses {
+    /// Whether its value goes from one part to another.
+    pub fn crosses(self) -> bool {
+        self.parts.iter().filter(|part| **part).count() > 1
+    }
+
+    /// Whether it is written once, in every run of its part.
+    pub fn is_constant(self) -> bool {
+        self.written == 1 && !self.within
+    }
+}
+
+impl<'p> Places<'p> {
+    /// Finds all places.
+    pub fn new(program: &'p Program, names: &'p Names) -> Self {
+        let shown = program.observing.as_ref().map(shown).unwrap_or_default();
+        let mut places =
+            Places { program, names, origins: None, read: IndexVec::new(), temporaries: temporaries(program), shown };
+        for id in program.variables.indices() {
+            let text = places.spell(id);
+            places.read.push(text);
+        }
+        places
+    }
+
+    fn spell(&self, id: VarId) -> EcoString {
+        let name = &self.names.variables[id];
+        match self.program.variables[id].role {
+            Role::Input => member("inputs", name),
+            Role::Output => member("outputs", name),
+            Role::Internal => member("variables", name),
+            Role::Constant => member("constants", name),
+            Role::Flag(flag) => eco_format!("flags.{}", flag_name(flag)),
+            Role::Step | Role::State | Role::Memory => member("m", name),
+            Role::Temporary if self.is_kept(id) => member("m", name),
+            Role::Temporary => self.names.locals[id].clone(),
+            Role::Observed => match self.shown.get(&id) {
+                Some((list, place)) => eco_format!("seen.{list}[{place}]"),
+                None => member("seen", name),
+            },
+        }
+    }
+
+    /// A variable as an operand.
+    pub fn read(&self, id: VarId) -> &EcoString {
+        &self.read[id]
+    }
+
+    /// What is done with a variable that is local to a part.
+    pub fn local(&self, id: VarId) -> Option<Uses> {
+        let uses = self.temporaries.get(&id).copied()?;
+        (!uses.crosses()).then_some(uses)
+    }
+
+    /// Whether something of ours is part of the memory: what is kept from scan to scan, and what goes from one part of a
+    /// scan to another.
+    pub fn is_kept(&self, id: VarId) -> bool {
+        match self.program.variables[id].role {
+            Role::Step | Role::State | Role::Memory => true,
+            Role::Temporary => self.temporaries.get(&id).is_some_and(|uses| uses.crosses()),
+            Role::Input | Role::Output | Role::Internal | Role::Constant | Role::Flag(_) | Role::Observed => false,
+        }
+    }
+
+    /// Whether a variable is shown and stands in no list.
+    pub fn is_shown_alone(&self, id: VarId) -> bool {
+        self.program.variables[id].role == Role::Observed && !self.shown.contains_key(&id)
+    }
+
+    /// A timer.
+    pub fn timer(&self, timer: TimerId) -> EcoString {
+        member("delays", &self.names.timers[timer])
+    }
+
+    /// The local variables of a part that are not constants of it, in order.
+    pub fn declared(&self, part: usize) -> Vec<VarId> {
+        let is = |v: &VarId| self.local(*v).is_some_and(|uses| uses.parts[part] && !uses.is_constant());
+        let mut declared: Vec<VarId> = self.temporaries.keys().copied().filter(is).collect();
+        declared.sort_unstable();
+        declared
+    }
+}
+
+/// The statements of each part, in the order of [`PARTS`].
+pub(super) fn parts(program: &Program) -> [Vec<&[Statement]>; PARTS] {
+    let restoring = program.restoring.as_ref().map_or(&[][..], |restoring| &restoring.statements);
+    [vec![&program.first, &program.before], vec![&program.micro_step], vec![&program.after], vec![restoring]]
+}
+
+/// Which lists the variables of the role `Observed` stand in.
+fn shown(observing: &Observing) -> FxHashMap<VarId, (&'static str, usize)> {
+    let mut shown = FxHashMap::default();
+    for (place, seen) in observing.transitions.iter().enumerate() {
+        shown.insert(seen.enabled, ("enabled", place));
+        shown.insert(seen.cleared, ("cleared", place));
+        shown.extend(seen.satisfied.map(|v| (v, ("satisfied", place))));
+    }
+    let mut list = |name: &'static str, variables: &mut dyn Iterator<Item = VarId>| {
+        shown.extend(variables.enumerate().map(|(place, v)| (v, (name, place))));
+    };
+    list("frozen", &mut observing.frozen.iter().map(|(_, v)| *v));
+    list("forced", &mut observing.forced.iter().map(|(_, v)| *v));
+    list("orders", &mut observing.orders.iter().map(|(_, v)| *v));
+    list("actions", &mut observing.actions.iter().map(|(_, v)| *v));
+    shown
+}
+
+/// What is done with temporaries.
+fn temporaries(program: &Program) -> FxHashMap<VarId, Uses> {
+    let mut walk = Walk { program, part: 0, uses: FxHashMap::default(), seen: vec![PARTS; program.pool.len()] };
+    for (part, sections) in parts(program).into_iter().enumerate() {
+        walk.part = part;
+        sections.into_iter().for_each(|section| walk.block(section, false));
+    }
+    if let Some(repeat) = program.repeat {
+        (walk.part) = 1;
+        walk.touch(repeat.again);
+        if let Some(limit) = repeat.limit {
+            walk.touch(limit.count);
+            walk.part = 0;
+            walk.touch(limit.count);
+        }
+    }
+    walk.uses
+}
+
+struct Walk<'p> {
+    program: &'p Program,
+    part: usize,
+    uses: FxHashMap<VarId, Uses>,
+    /// The part in which each formula was met last.
+    seen: Vec<usize>,
+}
+
+impl Walk<'_> {
+    fn touch(&mut self, v: VarId) {
+        if self.program.variables[v].role == Role::Temporary {
+            self.uses.entry(v).or_default().parts[self.part] = true;
+        }
+    }
+
+    fn write(&mut self, v: VarId, within: bool) {
+        self.touch(v);
+        if let Some(uses) = self.uses.get_mut(&v) {
+            uses.written += 1;
+            uses.within |= within;
+        }
+    }
+
+    fn formula(&mut self, root: FormulaId) {
+        let mut open = vec![root];
+        while let Some(id) = open.pop() {
+            if std::mem::replace(&mut self.seen[id.index()], self.part) == self.part {
+                continue;
+            }
+            if let Formula::Variable(v) = self.program.pool.get(id) {
+                self.touch(*v);
+            }
+            open.extend(self.program.pool.operands(id));
+        }
+    }
+
+    /// Statements nest no deeper than lowering nests them.
+    fn block(&mut self, statements: &[Statement], within: bool) {
+        for statement in statements {
+            match statement {
+                Statement::Heading(_) => {}
+                Statement::Assign { target, value, .. } => {
+                    self.write(*target, within);
+                    self.formula(*value);
+                }
+                Statement::Divide(Division { target, dividend, divisor, .. }) => {
+                    // Under a guard.
+                    self.write(*target, true);
+                    self.formula(*dividend);
+                    self.formula(*divisor);
+                }
+                Statement::CallTimer { input, .. } => self.formula(*input),
+                Statement::Case { of, arms } => {
+                    self.touch(*of);
+                    arms.iter().for_each(|arm| self.block(&arm.body, true));
+                }
+                Statement::If { branches, otherwise } => {
+                    for (when, body) in branches {
+                        self.formula(*when);
+                        self.block(body, true);
+                    }
+                    self.block(otherwise, true);
+                }
+            }
+        }
+    }
+}
+
+/// The property of a flag.
+pub(super) fn flag_name(flag: Flag) -> &'static str {
+    match flag {
+        Flag::Livelock => "livelock",
+        Flag::AllocConflict => "alloc_conflict",
+        Flag::ForceConflict => "force_conflict",
+        Flag::Div0 => "div0",
+    }
+}

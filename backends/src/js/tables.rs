@@ -1,0 +1,138 @@
+//! What never changes: constants, names of transitions, types of inputs, and what a page has to know beside.
+
+use super::Options;
+use super::expressions::{literal, preset};
+use super::memory::{about, type_name};
+use super::places::Places;
+use super::text::{key, quoted};
+use crate::writer::Writer;
+use ecow::{EcoString, eco_format};
+use grafc_logic::scan::{Origin, Program, Role, SeenDelay, TransitionId};
+
+/// Writes them.
+pub(super) fn write(out: &mut Writer, program: &Program, places: &Places, options: &Options) {
+    constants(out, program, options.observed);
+    let inputs: Vec<EcoString> =
+        program.of_role(Role::Input).map(|(_, v)| eco_format!("{}: \"{}\"", key(&v.name), type_name(v.ty))).collect();
+    out.blank();
+    object(out, "const INPUTS =", &inputs);
+    let Some(observing) = &program.observing else { return };
+    let transitions: Vec<EcoString> =
+        observing.transitions.iter().map(|seen| quoted(&designation(program, seen.transition))).collect();
+    out.comment("the transitions: their designations, or their numbers in order of declaration");
+    list(out, "const TRANSITIONS =", &transitions);
+    if !options.observed {
+        return;
+    }
+    let grafcets: Vec<EcoString> =
+        observing.frozen.iter().map(|(g, _)| quoted(&program.elements.grafcets[*g].name)).collect();
+    let steps: Vec<EcoString> = observing.forced.iter().map(|(s, _)| quoted(program.label(*s))).collect();
+    let numbers = |list: &[(usize, _)]| list.iter().map(|(k, _)| eco_format!("{k}")).collect::<Vec<_>>();
+    out.comment("what can be frozen or forced; orders and actions, numbered as the chart declares them");
+    list(out, "const FROZEN =", &grafcets);
+    list(out, "const FORCED =", &steps);
+    list(out, "const ORDERS =", &numbers(&observing.orders));
+    list(out, "const ACTIONS =", &numbers(&observing.actions));
+    let delays: Vec<EcoString> = observing.delays.iter().map(|seen| delay(program, places, seen)).collect();
+    lines(out, "const DELAYS =", &delays);
+}
+
+fn constants(out: &mut Writer, program: &Program, shown: bool) {
+    let is_empty = program.of_role(Role::Constant).next().is_none();
+    if is_empty && !shown {
+        return;
+    }
+    out.blank();
+    if is_empty {
+        return out.line("const constants = {};");
+    }
+    out.open("const constants = {");
+    for (id, variable) in program.of_role(Role::Constant) {
+        let outer = out.origin(Origin::declaration(id));
+        let line = format!("{}: {},", key(&variable.name), literal(variable.initial, variable.ty));
+        let remark = about(program, id);
+        out.start();
+        out.text(&line);
+        if !remark.is_empty() {
+            let length = out.indent() + line.chars().count();
+            out.trailing_comment(length, length, &remark);
+        }
+        out.end();
+        out.origin(outer);
+    }
+    out.close("};");
+}
+
+/// A transition as a drawing designates it: by its designation, or by its number.
+pub(super) fn designation(program: &Program, t: TransitionId) -> EcoString {
+    let designation = program.elements.transitions[t].designation.clone();
+    designation.unwrap_or_else(|| eco_format!("#{}", t.index() + 1))
+}
+
+/// A delay as a page shows it.
+fn delay(program: &Program, places: &Places, seen: &SeenDelay) -> EcoString {
+    let (of, owner) = match seen.origin {
+        Origin::Transition(t) => ("transition", designation(program, t)),
+        Origin::Step(s) => ("step", program.label(s).into()),
+        Origin::Action(_) => ("action", eco_format!("{}", seen.action.unwrap_or_default())),
+        Origin::Chart | Origin::Actions(_) | Origin::Order(_) | Origin::Orders(_) | Origin::Declaration(_) => {
+            ("chart", program.name.as_str().into())
+        }
+    };
+    let total = preset(places, seen.total);
+    let name = &places.names.timers[seen.timer];
+    let held = match seen.held {
+        Some(v) => eco_format!(", held: {}", quoted(&places.names.variables[v])),
+        None => EcoString::new(),
+    };
+    eco_format!(
+        "{{ of: \"{of}\", owner: {}, text: {}, total: {total}, delay: {}{held} }}",
+        quoted(&owner),
+        quoted(&seen.text),
+        quoted(name)
+    )
+}
+
+/// An object with a property a line.
+fn object(out: &mut Writer, head: &str, items: &[EcoString]) {
+    enclosed(out, head, items, ["{ ", " }", "{", "}"]);
+}
+
+/// A list, as many items on a line as there is room for.
+pub(super) fn list(out: &mut Writer, head: &str, items: &[EcoString]) {
+    let flat = items.join(", ");
+    if out.indent() + head.len() + flat.len() + 4 <= out.width() {
+        return out.line(&format!("{head} [{flat}];"));
+    }
+    out.open(&format!("{head} ["));
+    let mut line = String::new();
+    for item in items {
+        if !line.is_empty() && out.indent() + line.chars().count() + item.chars().count() + 2 > out.width() {
+            out.line(&std::mem::take(&mut line));
+        }
+        line.push_str(if line.is_empty() { "" } else { " " });
+        line.push_str(item);
+        line.push(',');
+    }
+    out.line(&line);
+    out.close("];");
+}
+
+/// A list with an item a line.
+fn lines(out: &mut Writer, head: &str, items: &[EcoString]) {
+    enclosed(out, head, items, ["[", "]", "[", "]"]);
+}
+
+fn enclosed(out: &mut Writer, head: &str, items: &[EcoString], brackets: [&str; 4]) {
+    let [open, close, above, below] = brackets;
+    let flat = items.join(", ");
+    if items.is_empty() {
+        return out.line(&format!("{head} {above}{below};"));
+    }
+    if out.indent() + head.len() + flat.len() + 6 <= out.width() {
+        return out.line(&format!("{head} {open}{flat}{close};"));
+    }
+    out.open(&format!("{head} {above}"));
+    items.iter().for_each(|item| out.line(&format!("{item},")));
+    out.close(&format!("{below};"));
+}
