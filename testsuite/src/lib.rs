@@ -17,7 +17,7 @@ pub mod expected;
 pub mod fuzzing;
 pub mod markdown;
 pub mod mutants;
-mod named_trace;
+pub mod named_trace;
 pub mod net_steps;
 pub mod plants;
 pub mod plcopen_lint;

@@ -1,7 +1,7 @@
 //! What can be asked of grafc.
 
 use crate::choices;
-use crate::commands::{check, compile, completions, draw, explain, fmt, import, man, new, sim, stats};
+use crate::commands::{check, compile, completions, draw, explain, fmt, import, man, new, page, sim, stats};
 use crate::meant;
 use crate::stream::Stream;
 use clap::error::ErrorKind;
@@ -73,6 +73,8 @@ pub enum Command {
     Sim(sim::Arguments),
     /// Draw a chart by the symbols of the standard, as SVG, PDF or PNG
     Draw(draw::Arguments),
+    /// Make a page of a chart on which it runs: one HTML file that needs nothing else
+    Page(page::Arguments),
     /// Measure what a chart takes in each encoding
     Stats(stats::Arguments),
     /// Bring charts into the canonical format

@@ -38,6 +38,7 @@ pub fn run(command_line: CommandLine) -> Exit {
         Some(Command::New(args)) => commands::new::run(args),
         Some(Command::Stats(args)) => commands::stats::run(args),
         Some(Command::Draw(args)) => commands::draw::run(args),
+        Some(Command::Page(args)) => commands::page::run(args),
         Some(Command::Fmt(args)) => commands::fmt::run(args),
         Some(Command::Import(args)) => commands::import::run(args),
         Some(Command::Explain(args)) => commands::explain::run(args),

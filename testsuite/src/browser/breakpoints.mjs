@@ -26,7 +26,7 @@ export default async function play(page) {
   assert.ok((await lit(page)).includes('4'));
   // A step: from the list, and removed there.
   await page.selectOption('#breakpoint-add', { label: 'step 6' });
-  await page.locator('#breakpoints button').first().click();
+  await page.locator('#breakpoints li', { hasText: '(3)' }).locator('button').click();
   assert.equal(await page.locator('#breakpoints li').count(), 1);
   await control(page, 'jump');
   await scan(page, { S1: 1, S0: 0 });

@@ -14,7 +14,7 @@ export default async function play(page, job) {
   }));
   await page.fill('[data-setting="period"]', '1');
   await page.press('[data-setting="period"]', 'Tab');
-  for (const button of await page.locator('[data-input][aria-pressed="false"]').all()) await button.evaluate((one) => one.click());
+  await page.evaluate(() => document.querySelectorAll('[data-input][aria-pressed]').forEach((button) => button.click()));
   await control(page, 'run');
   await page.waitForTimeout(job.ms);
   const { frames, scans, since, now } = await page.evaluate(() => window.grafc.stats());

@@ -9,6 +9,7 @@ pub mod fmt;
 pub mod import;
 pub mod man;
 pub mod new;
+pub mod page;
 pub mod sim;
 pub mod stats;
 

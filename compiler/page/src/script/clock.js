@@ -63,8 +63,9 @@ export class Clock {
     }
     this.stats.frames += 1;
     this.stats.scans += this.engine.scans - before;
+    if (!this.isRunning) return;
     this.tell('changed');
-    if (this.isRunning) requestAnimationFrame((next) => this.frame(next));
+    requestAnimationFrame((next) => this.frame(next));
   }
 
   /** One scan of a run; whether it may go on. */

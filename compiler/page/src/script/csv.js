@@ -18,12 +18,13 @@ export function quoted(text) {
 
 /** The trace as CSV: all inputs in the first row, then what changes. */
 export function written(trace, inputs) {
-  const lines = [['t_ms', ...inputs.map((input) => column(input.name))].join(',')];
+  const restarts = trace.hasRestart;
+  const lines = [['t_ms', ...(restarts ? ['restart'] : []), ...inputs.map((input) => column(input.name))].join(',')];
   let isFirst = true;
-  for (const { t, changes } of trace.rows()) {
+  for (const { t, changes, restart } of trace.rows()) {
     const cells = inputs.map((input) => (isFirst ? cell(input.initial, input.type) : ''));
     for (const [place, value] of changes) cells[place] = cell(value, inputs[place].type);
-    lines.push([t, ...cells].join(','));
+    lines.push([t, ...(restarts ? [restart ? '1' : ''] : []), ...cells].join(','));
     isFirst = false;
   }
   return `${lines.join('\n')}\n`;
@@ -93,6 +94,7 @@ export function read(text, inputs) {
     if (row.length !== places.length) refuse('trace-cells', { line });
     const changes = [];
     let t = before;
+    let restart = false;
     row.forEach((text, at) => {
       const place = places[at];
       if (place === 'time') {
@@ -101,7 +103,8 @@ export function read(text, inputs) {
       } else if (text.trim() === '') {
         return;
       } else if (place === 'restart') {
-        if (parsed(text, 'bool') !== false) refuse('trace-restart', { line });
+        restart = parsed(text, 'bool');
+        if (restart === undefined) refuse('trace-value', { line, name: 'restart' });
       } else {
         const value = parsed(text, inputs[place].type);
         if (value === undefined) refuse('trace-value', { line, name: inputs[place].name });
@@ -109,7 +112,7 @@ export function read(text, inputs) {
         values[place] = value;
       }
     });
-    trace.add(t, changes);
+    trace.add(t, changes, restart);
     before = t;
   });
   return trace;

@@ -3,6 +3,7 @@
 import { Trace } from './trace.js';
 import { History } from './history.js';
 import { same } from './values.js';
+import { restarted } from './result.js';
 
 /** So many ways back are kept. */
 const MOST_UNDO = 500;
@@ -31,10 +32,12 @@ export class Engine {
     for (const [place, value] of first) this.pending[place] = value;
     this.given = NOTHING;
     this.isBegun = false;
+    this.isRestarting = false;
     this.situation = [];
     this.enabled = [];
     this.cleared = new Set();
-    this.fresh = new Set();
+    this.acted = new Set();
+    this.fresh = { cleared: new Set(), acted: new Set() };
     this.ring = null;
     this.seen = null;
     this.scans = 0;
@@ -42,10 +45,15 @@ export class Engine {
 
   /** The initial reaction. */
   initial(t = 0) {
-    this.given = Object.create(null);
-    this.model.inputs.forEach((input, place) => (this.given[input.name] = this.pending[place]));
+    this.isRestarting = false;
+    this.giveAll();
     this.begin(t);
     this.finish();
+  }
+
+  giveAll() {
+    this.given = Object.create(null);
+    this.model.inputs.forEach((input, place) => (this.given[input.name] = this.pending[place]));
   }
 
   /** What an input is from the next scan on. */
@@ -65,6 +73,13 @@ export class Engine {
   /** Begins a scan: time and inputs are taken, and the trace gets a row. */
   begin(t) {
     const changes = [];
+    const restart = this.isRestarting;
+    this.isRestarting = false;
+    if (restart) {
+      this.module = restarted(this.module, this.Chart);
+      this.situation = [];
+      this.giveAll();
+    }
     this.pending.forEach((value, place) => {
       if (!this.waits(place)) return;
       changes.push([place, value]);
@@ -73,9 +88,10 @@ export class Engine {
       this.latched[place] = value;
     });
     this.time = t;
-    this.trace.add(t, changes);
+    this.trace.add(t, changes, restart);
     this.isBegun = true;
     this.cleared = new Set();
+    this.acted = new Set();
     this.path = [];
     this.flagged = this.module.flags.livelock;
   }
@@ -88,12 +104,19 @@ export class Engine {
     this.enabled = result.enabled;
     for (const name of result.cleared) {
       this.cleared.add(name);
-      this.fresh.add(name);
+      this.fresh.cleared.add(name);
     }
     const before = this.situation;
     const now = this.module.situation;
     const isSame = before.length === now.length && before.every((label, place) => label === now[place]);
     if (!isSame) this.situation = now;
+    // What is stored is done in one micro-step: it is remembered for who looks later.
+    if (!result.stable || !isSame) {
+      for (const action of this.observed.actions ?? []) {
+        this.acted.add(action);
+        this.fresh.acted.add(action);
+      }
+    }
     if (this.path.length < MOST_PATH) this.path.push(this.situation);
     if (result.stable) this.end();
     return this.met(result.cleared, before);
@@ -168,13 +191,14 @@ export class Engine {
       pending: [...this.pending],
       latched: [...this.latched],
       cleared: new Set(this.cleared),
+      acted: new Set(this.acted),
       ...this.parts(),
     });
   }
 
   parts() {
-    const { module, trace, history, time, isBegun, situation, enabled, ring, path, flagged, given, scans } = this;
-    return { module, trace, history, time, isBegun, situation, enabled, ring, path, flagged, given, scans };
+    const { module, trace, history, time, isBegun, isRestarting, situation, enabled, ring, path, flagged, given, scans } = this;
+    return { module, trace, history, time, isBegun, isRestarting, situation, enabled, ring, path, flagged, given, scans };
   }
 
   /** Goes back to where `remember` was called last. */
@@ -186,7 +210,7 @@ export class Engine {
     this.module.restore(saved, this.time);
     this.trace.cut(traceMark);
     this.history.cut(historyMark);
-    this.fresh = new Set();
+    this.fresh = { cleared: new Set(), acted: new Set() };
     return true;
   }
 }

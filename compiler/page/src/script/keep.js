@@ -74,7 +74,8 @@ function again(engine, rows) {
   engine.breaks = { steps: new Set(), transitions: new Set() };
   engine.start();
   let isFirst = true;
-  for (const { t, changes } of rows.rows()) {
+  for (const { t, changes, restart } of rows.rows()) {
+    engine.isRestarting = restart;
     for (const [place, value] of changes) engine.set(place, value);
     if (isFirst) engine.initial(t);
     else engine.scan(t);

@@ -49,6 +49,7 @@ const timing = new TimingPanel(engine, settings);
 function change(place, value) {
   clock.takeOver();
   engine.set(place, value);
+  inputs.show();
   draw();
 }
 

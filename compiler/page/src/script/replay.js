@@ -14,7 +14,8 @@ export class Replay {
 
   /** Gives the next row's inputs to an engine, and says its time. */
   take(engine) {
-    const { t, changes } = this.next.value;
+    const { t, changes, restart } = this.next.value;
+    engine.isRestarting = restart;
     for (const [place, value] of changes) engine.set(place, value);
     this.next = this.rows.next();
     return t;

@@ -10,23 +10,30 @@ export function raised(flags) {
   return FLAGS.filter(([key]) => flags[key]).map(([, name]) => name);
 }
 
+/** A chart after a restart of the controller: a new one, with what it retains if it retains something. */
+export function restarted(chart, Chart) {
+  if (!chart.restart) return new Chart();
+  chart.restart();
+  return chart;
+}
+
 /** Runs a trace through a new chart, and calls back after each row with the chart and its inputs. */
 export function run(Chart, model, trace, each) {
-  const chart = new Chart();
+  let chart = new Chart();
   const values = model.inputs.map((input) => input.initial);
   let isFirst = true;
-  for (const { t, changes } of trace.rows()) {
+  for (const { t, changes, restart } of trace.rows()) {
     const given = Object.create(null);
-    if (isFirst) model.inputs.forEach((input) => (given[input.name] = input.initial));
+    if (restart && !isFirst) chart = restarted(chart, Chart);
+    if (restart || isFirst) model.inputs.forEach((input, place) => (given[input.name] = values[place]));
     isFirst = false;
     for (const [place, value] of changes) {
       values[place] = value;
       given[model.inputs[place].name] = value;
     }
     chart.scan(given, t);
-    each(t, chart, values);
+    each(t, chart, values, restart);
   }
-  return chart;
 }
 
 /** Labels as a table has them: parted by blanks, one that holds a blank in backquotes. */

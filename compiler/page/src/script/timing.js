@@ -50,7 +50,7 @@ function axis(context, { width, height, from, to, left, x, colours }) {
     context.fillStyle = colours.hair;
     context.fillRect(Math.round(x(t)), AXIS, 1, height);
     context.fillStyle = colours.soft;
-    if (x(t) > left + 20) context.fillText(duration(t), x(t), AXIS / 2);
+    if (x(t) > left + 20 && x(t) < width - 24) context.fillText(duration(t), x(t), AXIS / 2);
   }
 }
 

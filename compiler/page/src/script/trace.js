@@ -1,17 +1,17 @@
 // What was done: a row a scan. Rows that follow each other at one distance and change no input take one entry.
 
-/** The rows of a run. Each entry is `{ t, every, count, changes }`: `count` rows, the first at `t`, which alone has changes. */
+/** The rows of a run. Each entry is `{ t, every, count, changes, restart }`: `count` rows, the first at `t`, which alone has changes. */
 export class Trace {
   constructor() {
     this.entries = [];
     this.length = 0;
   }
 
-  /** Adds a row; `changes` are pairs of the place of an input and its value. */
-  add(t, changes) {
+  /** Adds a row; `changes` are pairs of the place of an input and its value; `restart` says that the controller restarts before. */
+  add(t, changes, restart = false) {
     const last = this.entries.at(-1);
     this.length += 1;
-    if (last && changes.length === 0) {
+    if (last && changes.length === 0 && !restart) {
       const end = last.t + last.every * (last.count - 1);
       if (last.count === 1 || t - end === last.every) {
         if (last.count === 1) last.every = t - last.t;
@@ -19,7 +19,7 @@ export class Trace {
         return;
       }
     }
-    this.entries.push({ t, every: 0, count: 1, changes });
+    this.entries.push({ t, every: 0, count: 1, changes, restart });
   }
 
   /** A place to which `cut` goes back. */
@@ -38,11 +38,16 @@ export class Trace {
     this.length = mark.length;
   }
 
-  /** All rows in order: `{ t, changes }`. */
+  /** Whether the controller restarts in it. */
+  get hasRestart() {
+    return this.entries.some((entry) => entry.restart);
+  }
+
+  /** All rows in order: `{ t, changes, restart }`. */
   *rows() {
-    for (const { t, every, count, changes } of this.entries) {
-      yield { t, changes };
-      for (let row = 1; row < count; row++) yield { t: t + every * row, changes: [] };
+    for (const { t, every, count, changes, restart } of this.entries) {
+      yield { t, changes, restart };
+      for (let row = 1; row < count; row++) yield { t: t + every * row, changes: [], restart: false };
     }
   }
 

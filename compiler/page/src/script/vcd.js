@@ -29,16 +29,17 @@ export function dump(Chart, model, trace) {
     scope(grafcet.name, own.map((step) => [`X${step.label}`, 'bool', (chart, inputs, active) => active.has(step.label)]));
   }
   scope('flags', ['LIVELOCK', 'ALLOC_CONFLICT', 'FORCE_CONFLICT', 'DIV0'].map((flag) => [flag, 'bool', (chart, inputs, active, flags) => flags.includes(flag)]));
+  if (trace.hasRestart) scope('controller', [['restart', 'bool', (chart, inputs, active, flags, restart) => restart]]);
   lines.push('$upscope $end', '$enddefinitions $end');
   let time = null;
-  run(Chart, model, trace, (t, chart, inputs) => {
+  run(Chart, model, trace, (t, chart, inputs, restart) => {
     const isFirst = time === null;
     if (time !== t) lines.push(`#${t}`);
     time = t;
     if (isFirst) lines.push('$dumpvars');
     const [active, flags] = [new Set(chart.situation), raised(chart.flags)];
     for (const signal of signals) {
-      const value = signal.look(chart, inputs, active, flags);
+      const value = signal.look(chart, inputs, active, flags, restart);
       if (signal.before !== undefined && same(signal.before, value)) continue;
       signal.before = value;
       lines.push(change(signal, value));

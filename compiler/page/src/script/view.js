@@ -36,8 +36,11 @@ export class View {
     }
     const names = ['active', 'forced', 'enabled', 'satisfied', 'cleared', 'acting', 'in-force', 'frozen'];
     this.lights = new Map(names.map((name) => [name, new Light(name)]));
-    this.glow = new Map();
+    this.glows = { cleared: new Map(), acted: new Map() };
+    const isStored = (group) => group.matches('.on-activation, .on-deactivation, .on-event, .on-clearing');
+    this.stored = new Set([...this.actions].filter(([, groups]) => groups.some(isStored)).map(([number]) => number));
     for (const [step] of this.steps.values()) addDot(step);
+    for (const frames of this.grafcets.values()) frames.forEach(addFrost);
   }
 
   /** Shows where the engine is. While it runs, a clearing glows for a moment, else as long as nothing happens. */
@@ -48,19 +51,24 @@ export class View {
     this.light('forced', this.steps, observed.forced ?? []);
     this.light('enabled', this.transitions, enabled);
     this.light('satisfied', this.transitions, observed.satisfied ?? []);
-    this.light('acting', this.actions, (observed.actions ?? []).map(String));
     this.light('in-force', this.orders, (observed.orders ?? []).map(String));
     this.light('frozen', this.grafcets, observed.frozen ?? []);
-    let cleared = engine.cleared;
+    this.light('cleared', this.transitions, this.lately('cleared', engine, isRunning, now));
+    const acted = [...this.lately('acted', engine, isRunning, now)].map(String).filter((number) => this.stored.has(number));
+    this.light('acting', this.actions, [...(observed.actions ?? []).map(String), ...acted]);
+  }
+
+  /** What happened in the last scan; in a run, what happened a moment ago. */
+  lately(what, engine, isRunning, now) {
+    const [glow, fresh] = [this.glows[what], engine.fresh[what]];
     if (isRunning) {
-      for (const name of engine.fresh) this.glow.set(name, now + AFTERGLOW);
-      for (const [name, until] of this.glow) if (until < now) this.glow.delete(name);
-      cleared = this.glow.keys();
+      for (const key of fresh) glow.set(key, now + AFTERGLOW);
+      for (const [key, until] of glow) if (until < now) glow.delete(key);
     } else {
-      this.glow.clear();
+      glow.clear();
     }
-    engine.fresh.clear();
-    this.light('cleared', this.transitions, cleared);
+    fresh.clear();
+    return isRunning ? glow.keys() : engine[what];
   }
 
   light(name, elements, keys) {
@@ -76,4 +84,10 @@ function addDot(step) {
   if (!label || step.querySelector(':scope > .dot')) return;
   const dot = shape('circle', { class: 'fill dot', cx: label.getAttribute('x'), cy: Number(label.getAttribute('y')) + 6, r: 4 });
   label.after(dot);
+}
+
+/** What lies under a grafcet that is frozen, also where it has no frame. */
+function addFrost(frame) {
+  const { x, y, width, height } = frame.getBBox();
+  frame.prepend(shape('rect', { class: 'frozen-mark', x: x - 8, y: y - 8, width: width + 16, height: height + 16, rx: 6 }));
 }
