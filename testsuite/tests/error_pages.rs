@@ -14,7 +14,7 @@ const WITHOUT_EXAMPLE: &[(Code, &str)] = &[
     (Code::E0109, "the text would have to be longer than 4 GiB"),
     (Code::E0110, "a page is UTF-8 itself; `bytes_that_are_not_utf8` runs the binary instead"),
     (Code::E0506, "the chart would have to be longer than a page"),
-    (Code::E0606, "a million calls take their time"),
+    (Code::E0606, "it takes an option of `grafc sim`"),
     (Code::E0901, "no text is known to give it, else it would be corrected"),
 ];
 

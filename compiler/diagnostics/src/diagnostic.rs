@@ -101,6 +101,7 @@ pub struct Allowed {
 pub struct Diagnostics {
     list: Vec<Diagnostic>,
     allowed: Vec<(Diagnostic, Allowed)>,
+    left_out: usize,
 }
 
 impl Diagnostics {
@@ -118,6 +119,17 @@ impl Diagnostics {
     pub fn append(&mut self, mut other: Diagnostics) {
         self.list.append(&mut other.list);
         self.allowed.append(&mut other.allowed);
+        self.left_out += other.left_out;
+    }
+
+    /// Says that there are more errors, too many to be told.
+    pub fn leave_out(&mut self, errors: usize) {
+        self.left_out += errors;
+    }
+
+    /// So many errors were counted, and not told.
+    pub fn left_out(&self) -> usize {
+        self.left_out
     }
 
     /// Keeps the messages of which it is true.

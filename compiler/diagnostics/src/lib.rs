@@ -6,6 +6,7 @@
 mod allow;
 mod code;
 mod diagnostic;
+mod extract;
 mod fix;
 mod lines;
 mod policy;
@@ -15,6 +16,7 @@ mod source;
 pub use allow::{Allowance, Allowances, Scope};
 pub use code::{Code, Severity};
 pub use diagnostic::{Allowed, Diagnostic, Diagnostics, Label};
+pub use extract::Extract;
 pub use fix::{Applicability, Edit, Fix, Misfit, apply};
 pub use lines::{EditorPosition, Position, Unit};
 pub use policy::Policy;

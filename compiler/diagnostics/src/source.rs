@@ -1,5 +1,6 @@
 //! Source texts and places in them.
 
+use crate::extract::Extract;
 use crate::lines::{EditorPosition, Lines, Position, Unit, ceiling, floor};
 use std::fmt;
 use std::ops::Range;
@@ -65,25 +66,37 @@ impl fmt::Debug for Span {
 pub struct SourceFile {
     /// What messages call the text: a path as the user gave it, or `<stdin>`.
     pub name: String,
-    /// The text.
+    /// The text, or what is at hand of it.
     pub text: String,
     /// Made when a line is asked for.
     lines: OnceLock<Lines>,
+    /// Where what is at hand lies in the whole, if it is not all of it.
+    pieces: Extract,
 }
 
 impl SourceFile {
     /// A text and its name.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
-        SourceFile { name: name.into(), text: text.into(), lines: OnceLock::new() }
+        SourceFile { name: name.into(), text: text.into(), lines: OnceLock::new(), pieces: Extract::default() }
     }
 
     fn lines(&self) -> &Lines {
         self.lines.get_or_init(|| Lines::new(&self.text))
     }
 
-    /// Line and column of a byte, as messages count them.
+    /// Line and column of a byte, as messages count them; and the byte, as the whole text has it.
     pub fn position(&self, byte: usize) -> Position {
-        self.lines().position(&self.text, byte)
+        let position = self.lines().position(&self.text, byte);
+        let line = self.line_number(position.line - 1);
+        Position { line, byte: self.pieces.offset(position.byte), ..position }
+    }
+
+    /// What messages call a line of the text at hand; lines count from 0, their numbers from 1.
+    pub fn line_number(&self, line: usize) -> usize {
+        match self.pieces.around(self.lines().line(&self.text, line).start) {
+            Some(piece) => piece.line + (line - self.line_of(piece.at)),
+            None => line + 1,
+        }
     }
 
     /// Line and column of a byte, as editors count them.
@@ -135,6 +148,13 @@ impl SourceMap {
         let id = FileId(self.files.len() as u32);
         self.files.push(SourceFile::new(name, text));
         id
+    }
+
+    /// Says what is at hand of a text that was added as an empty one: the spans in it are those of the extract.
+    pub fn show(&mut self, id: FileId, extract: Extract) {
+        let file = &mut self.files[id.0 as usize];
+        let (text, pieces) = extract.into_parts();
+        *file = SourceFile { pieces, ..SourceFile::new(std::mem::take(&mut file.name), text) };
     }
 
     /// The text of an id that [`SourceMap::add`] returned.

@@ -8,8 +8,12 @@ pub mod command_line;
 mod commands;
 mod map;
 mod meant;
+mod progress;
 mod report;
+mod results;
+pub mod signals;
 pub mod stream;
+mod traces;
 mod watch;
 mod waveform;
 

@@ -1,9 +1,8 @@
 //! The `grafc` binary; everything is in the library.
 
-mod signals;
-
 use grafc_cli::Exit;
 use grafc_cli::command_line::CommandLine;
+use grafc_cli::signals;
 use grafc_cli::stream::answered;
 use std::io::Write;
 use std::process::ExitCode;

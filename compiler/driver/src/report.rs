@@ -28,6 +28,13 @@ pub struct Messages {
     pub quiet: bool,
 }
 
+impl Messages {
+    /// Whether somebody reads them who wants to hear more than errors.
+    pub fn is_for_people(self) -> bool {
+        self.format == Format::Human && !self.quiet
+    }
+}
+
 /// Why a command could not do its work.
 #[derive(Debug)]
 pub enum Failure {
@@ -83,6 +90,17 @@ impl Report {
     pub fn load(&mut self, stream: &Stream) -> Result<Option<FileId>, Refusal> {
         let added = grafc::add(&mut self.sources, stream.input_name(), stream.read()?);
         Ok(added.map_err(|diagnostic| self.diagnostics.push(diagnostic)).ok())
+    }
+
+    /// A text that is read as it comes, and not kept.
+    pub fn name(&mut self, stream: &Stream) -> FileId {
+        self.sources.add(stream.input_name(), "")
+    }
+
+    /// Whether one of the texts has an error, or a warning that is taken for one.
+    pub fn is_refused(&mut self) -> bool {
+        self.policy.apply(&mut self.diagnostics);
+        self.has_errors()
     }
 
     /// Whether one of the texts has an error.

@@ -2,6 +2,7 @@
 
 use grafc::files::{self, Refusal, print, print_bytes};
 use std::ffi::OsString;
+use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf, is_separator};
 
@@ -105,6 +106,18 @@ impl Stream {
                     Ok(_) => Ok(bytes),
                     Err(error) => Err(Refusal::to_read(self.input_name(), error)),
                 }
+            }
+        }
+    }
+
+    /// What is there, as it comes; and how much it is, if that is known.
+    pub fn open(&self) -> Result<(Box<dyn Read>, Option<u64>), Refusal> {
+        match self {
+            Stream::Standard => Ok((Box::new(io::stdin()), None)),
+            Stream::File(path) => {
+                let file = File::open(path).map_err(|error| Refusal::to_read(self.input_name(), error))?;
+                let length = file.metadata().ok().filter(|metadata| metadata.is_file()).map(|metadata| metadata.len());
+                Ok((Box::new(file), length))
             }
         }
     }

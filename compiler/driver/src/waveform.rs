@@ -1,17 +1,19 @@
-//! A run as a value change dump, for viewers of waveforms: real times, and a scope a grafcet.
+//! A run as a value change dump, for viewers of waveforms: real times, and a scope a grafcet. It is written as the run
+//! goes on.
 
 use grafc::Simulation;
 use grafc_model::chart::{Chart, GrafcetId, Type, Value, VariableKind};
-use grafc_model::simulate::Probe;
-use std::io;
+use grafc_model::simulate::{Call, Probe};
+use std::io::{self, Write};
 use vcd::{IdCode, SimulationCommand, TimescaleUnit, VarType, Writer};
 
-/// The text of a dump of all that was looked at, and of the outputs and flags.
-pub fn draw(simulation: &Simulation) -> String {
-    let mut out = Vec::new();
-    // Writing to memory does not fail.
-    let _ = write(simulation, &mut Writer::new(&mut out));
-    String::from_utf8_lossy(&out).into_owned()
+/// A dump of all that is looked at, and of the outputs and flags.
+pub struct Waveform<W: Write> {
+    out: Writer<W>,
+    lines: Vec<(IdCode, Line, Type)>,
+    /// What was drawn last of each.
+    before: Vec<Option<Value>>,
+    time: Option<i64>,
 }
 
 /// Something that is drawn.
@@ -29,60 +31,68 @@ enum Line {
 
 const FLAGS: [&str; 4] = ["LIVELOCK", "ALLOC_CONFLICT", "FORCE_CONFLICT", "DIV0"];
 
-fn write(simulation: &Simulation, out: &mut Writer<&mut Vec<u8>>) -> io::Result<()> {
-    let chart = &simulation.chart;
-    out.timescale(1, TimescaleUnit::MS)?;
-    out.add_module(&word(&chart.name))?;
-    let mut lines: Vec<(IdCode, Line, Type)> = Vec::new();
-    let of_kind = |wanted: VariableKind| {
-        let probes = simulation.probes.iter().enumerate();
-        probes.filter(move |(_, probe)| matches!(probe, Probe::Variable(id) if chart.variables[*id].kind == wanted))
-    };
-    scope(out, "inputs", of_kind(VariableKind::Input).map(|(n, p)| probe(chart, n, *p)), &mut lines)?;
-    let outputs = chart.variables.iter().filter(|variable| variable.kind == VariableKind::Output);
-    let outputs = outputs.enumerate().map(|(n, v)| (Line::Output(n), v.name.to_string(), v.ty));
-    scope(out, "outputs", outputs, &mut lines)?;
-    let internal = of_kind(VariableKind::Internal).chain(of_kind(VariableKind::Constant));
-    scope(out, "variables", internal.map(|(n, p)| probe(chart, n, *p)), &mut lines)?;
-    for (id, grafcet) in chart.grafcets.iter_enumerated() {
-        let own = simulation.probes.iter().enumerate().filter(|(_, probe)| grafcet_of(chart, **probe) == Some(id));
-        scope(out, &grafcet.name, own.map(|(n, p)| probe(chart, n, *p)), &mut lines)?;
-    }
-    let flags = FLAGS.map(|flag| (Line::Flag(flag), flag.to_string(), Type::Bool));
-    scope(out, "flags", flags.into_iter(), &mut lines)?;
-    if simulation.record.stimuli.iter().any(|stimulus| stimulus.restart) {
-        scope(out, "controller", [(Line::Restart, "restart".into(), Type::Bool)].into_iter(), &mut lines)?;
-    }
-    out.upscope()?;
-    out.enddefinitions()?;
-
-    let mut before: Vec<Option<Value>> = vec![None; lines.len()];
-    let mut time = None;
-    for call in 0..simulation.record.stimuli.len() {
-        let first = time.is_none();
-        let now = simulation.record.stimuli[call].t_ms;
-        if time.replace(now) != Some(now) {
-            out.timestamp(u64::try_from(now).unwrap_or_default())?;
-        }
-        if first {
-            out.begin(SimulationCommand::Dumpvars)?;
-        }
-        for ((id, line, ty), before) in lines.iter().zip(&mut before) {
-            let value = value(simulation, call, *line);
-            if before.replace(value) != Some(value) {
-                change(out, *id, *ty, value)?;
+impl<W: Write> Waveform<W> {
+    /// Begins a dump, of runs that may or may not have restarts.
+    pub fn new(simulation: &Simulation, restarts: bool, out: W) -> io::Result<Self> {
+        let (chart, mut out) = (&simulation.chart, Writer::new(out));
+        out.timescale(1, TimescaleUnit::MS)?;
+        out.add_module(&word(&chart.name))?;
+        let mut lines: Vec<(IdCode, Line, Type)> = Vec::new();
+        let of_kind = |wanted: VariableKind| {
+            let probes = simulation.probes.iter().enumerate();
+            probes.filter(move |(_, probe)| matches!(probe, Probe::Variable(id) if chart.variables[*id].kind == wanted))
+        };
+        scope(&mut out, "inputs", of_kind(VariableKind::Input).map(|(n, p)| probe(chart, n, *p)), &mut lines)?;
+        let outputs = chart.variables.iter().filter(|variable| variable.kind == VariableKind::Output);
+        let outputs = outputs.enumerate().map(|(n, v)| (Line::Output(n), v.name.to_string(), v.ty));
+        scope(&mut out, "outputs", outputs, &mut lines)?;
+        let internal = of_kind(VariableKind::Internal).chain(of_kind(VariableKind::Constant));
+        scope(&mut out, "variables", internal.map(|(n, p)| probe(chart, n, *p)), &mut lines)?;
+        // What belongs to a grafcet, in order of the grafcets: each probe is looked at once.
+        let mut of_grafcets = vec![Vec::new(); chart.grafcets.len()];
+        for (n, p) in simulation.probes.iter().enumerate() {
+            if let Some(id) = grafcet_of(chart, *p) {
+                of_grafcets[id.index()].push((n, *p));
             }
         }
-        if first {
-            out.end()?;
+        for (grafcet, own) in chart.grafcets.iter().zip(of_grafcets) {
+            let own = own.into_iter().map(|(n, p)| probe(chart, n, p));
+            scope(&mut out, &grafcet.name, own, &mut lines)?;
         }
+        let flags = FLAGS.map(|flag| (Line::Flag(flag), flag.to_string(), Type::Bool));
+        scope(&mut out, "flags", flags.into_iter(), &mut lines)?;
+        if restarts {
+            let restart = [(Line::Restart, "restart".into(), Type::Bool)];
+            scope(&mut out, "controller", restart.into_iter(), &mut lines)?;
+        }
+        out.upscope()?;
+        out.enddefinitions()?;
+        let before = vec![None; lines.len()];
+        Ok(Waveform { out, lines, before, time: None })
     }
-    Ok(())
+
+    /// Draws what a call has changed.
+    pub fn called(&mut self, call: Call) -> io::Result<()> {
+        let (first, now) = (self.time.is_none(), call.stimulus.t_ms);
+        if self.time.replace(now) != Some(now) {
+            self.out.timestamp(u64::try_from(now).unwrap_or_default())?;
+        }
+        if first {
+            self.out.begin(SimulationCommand::Dumpvars)?;
+        }
+        for ((id, line, ty), before) in self.lines.iter().zip(&mut self.before) {
+            let value = value(call, *line);
+            if before.replace(value) != Some(value) {
+                change(&mut self.out, *id, *ty, value)?;
+            }
+        }
+        if first { self.out.end() } else { Ok(()) }
+    }
 }
 
 /// Declares what a scope holds; nothing if that is nothing.
-fn scope(
-    out: &mut Writer<&mut Vec<u8>>,
+fn scope<W: Write>(
+    out: &mut Writer<W>,
     name: &str,
     within: impl Iterator<Item = (Line, String, Type)>,
     lines: &mut Vec<(IdCode, Line, Type)>,
@@ -119,17 +129,16 @@ fn grafcet_of(chart: &Chart, probe: Probe) -> Option<GrafcetId> {
     }
 }
 
-fn value(simulation: &Simulation, call: usize, line: Line) -> Value {
-    let (record, response) = (&simulation.record, &simulation.record.responses[call]);
+fn value(call: Call, line: Line) -> Value {
     match line {
-        Line::Probe(place) => record.looks[call][place],
-        Line::Output(place) => response.outputs[place],
-        Line::Flag(name) => Value::Bool(response.flags.names().any(|raised| raised == name)),
-        Line::Restart => Value::Bool(record.stimuli[call].restart),
+        Line::Probe(place) => call.looks[place],
+        Line::Output(place) => call.response.outputs[place],
+        Line::Flag(name) => Value::Bool(call.response.flags.names().any(|raised| raised == name)),
+        Line::Restart => Value::Bool(call.stimulus.restart),
     }
 }
 
-fn change(out: &mut Writer<&mut Vec<u8>>, id: IdCode, ty: Type, value: Value) -> io::Result<()> {
+fn change<W: Write>(out: &mut Writer<W>, id: IdCode, ty: Type, value: Value) -> io::Result<()> {
     let width = match ty {
         Type::Int | Type::Uint => 16,
         Type::Bool | Type::Dint | Type::Udint | Type::Real | Type::Lreal => 32,

@@ -47,11 +47,12 @@ impl Excerpt {
         let mut previous: Option<usize> = None;
         for line in lines_of(file, &places) {
             if let Some(previous) = previous {
-                match line - previous {
+                let (from, to) = (file.line_number(previous), file.line_number(line));
+                match to.saturating_sub(from) {
                     0 | 1 => {}
-                    // codespan shows a single line between two others.
-                    2 => excerpt.push_line(file, previous + 1, &[], &mut shown),
-                    _ => excerpt.push_gap(previous + 2),
+                    // codespan shows a single line between two others, if it is at hand.
+                    2 if line - previous == 2 => excerpt.push_line(file, previous + 1, &[], &mut shown),
+                    _ => excerpt.push_gap(from + 1),
                 }
             }
             let range = file.line(line);
@@ -96,7 +97,7 @@ impl Excerpt {
         if end_of_last < range.end {
             self.text.push('…');
         }
-        self.lines.push(Line { number: line + 1, range: start..self.text.len() + 1 });
+        self.lines.push(Line { number: file.line_number(line), range: start..self.text.len() + 1 });
         self.text.push('\n');
     }
 

@@ -19,7 +19,7 @@ pub use human::human;
 pub use json::json;
 #[cfg(feature = "json")]
 pub use sarif::sarif;
-pub use summary::summary;
+pub use summary::{grouped, summary};
 
 #[cfg(doc)]
 use crate::{Diagnostics, SourceMap};

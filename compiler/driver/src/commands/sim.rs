@@ -4,11 +4,16 @@ use super::{refuse_output_over_input, refuse_second_standard_input};
 use crate::Exit;
 use crate::arguments::{ControlArguments, MessageArguments, ProfileArguments};
 use crate::report::{Failure, Report};
+use crate::results::{Form, Written};
+use crate::signals::Interrupt;
 use crate::stream::Stream;
-use crate::waveform;
+use crate::traces::Watched;
 use clap::Args;
-use grafc::files::print;
+use grafc::files::{Refusal, print};
+use grafc::{Ended, Simulation, Text};
 use grafc_model::simulate::Calls;
+use grafc_model::trace::Kept;
+use std::io::{self, ErrorKind};
 
 const AFTER_HELP: &str = "\
 Example:
@@ -64,48 +69,84 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         refuse_output_over_input(output, inputs())?;
     }
 
-    let drawn =
-        matches!(&output, Some(Stream::File(path)) if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("vcd")));
+    let form = match &output {
+        Some(Stream::File(path)) if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("vcd")) => Form::Waveform,
+        Some(Stream::File(_) | Stream::Standard) | None => Form::Table,
+    };
     let mut report = Report::new(args.messages.policy()?);
-    let chart = report.load(&args.chart)?;
-    let trace = report.load(&args.trace)?;
-    let against = args.against.as_ref().map(|stream| report.load(stream)).transpose()?;
-    let mut made = None;
-    if let (Some(chart), Some(trace)) = (chart, trace)
-        && against != Some(None)
-    {
-        let text = |file| (file, report.sources.file(file).text.as_str());
-        let against = against.flatten().map(text);
-        let calls = match args.scan {
-            Some(Period(period)) => Calls::Every(period),
-            None if args.events => Calls::Events,
-            None => Calls::Rows,
-        };
-        // A drawing is of everything.
-        let show = if drawn { [ALL.map(String::from).to_vec(), args.show].concat() } else { args.show };
-        let controls = args.controls.names();
-        let (profile, bound_as_known) = (args.profile.profile(), args.profile.bound_as_known());
-        let how = grafc::Run { profile, bound_as_known, controls: Some(&controls), calls, show: &show };
-        let name = args.chart.chart_name();
-        let (simulation, diagnostics) = grafc::simulate(text(chart), &name, text(trace), against, how);
-        report.diagnostics.append(diagnostics);
-        made = simulation.map_err(|grafc::NotShown { word, near }| {
-            let all = "there are `inputs`, `vars`, `steps`, and names as in conditions: of variables, `X5`, `T5`";
-            let help = near.map_or(all.to_owned(), |near| format!("did you mean `{near}`?"));
-            Failure::WrongUse(format!("`--show {word}`: the chart has nothing of this name"), help)
-        })?;
-    }
     let messages = args.messages.messages();
-    let exit = report.tell(messages);
-    if let Some(made) = made.filter(|_| !report.has_errors()) {
-        match &output {
-            Some(output) if drawn => output.write(&waveform::draw(&made))?,
-            Some(output) => output.write(&made.csv())?,
-            None if messages.quiet => {}
-            None => print(&format!("{} rows agree\n", made.compared.unwrap_or_default()))?,
+    let chart = report.load(&args.chart)?;
+    let (trace, length) = args.trace.open()?;
+    let recorded = args.against.as_ref().map(|stream| stream.open()).transpose()?;
+    let Some(chart) = chart else { return Ok(report.tell(messages)) };
+    let calls = match args.scan {
+        Some(Period(period)) => Calls::Every(period),
+        None if args.events => Calls::Events,
+        None => Calls::Rows,
+    };
+    // A drawing is of everything.
+    let show = match form {
+        Form::Waveform => [ALL.map(String::from).to_vec(), args.show].concat(),
+        Form::Table => args.show,
+    };
+    let controls = args.controls.names();
+    let (profile, bound_as_known) = (args.profile.profile(), args.profile.bound_as_known());
+    let how = grafc::Run { profile, bound_as_known, controls: Some(&controls), calls, show: &show };
+    let text = (chart, report.sources.file(chart).text.as_str());
+    let (simulation, diagnostics) = Simulation::new(text, &args.chart.chart_name(), how);
+    report.diagnostics.append(diagnostics);
+    let simulation = simulation.map_err(|grafc::NotShown { word, near }| {
+        let all = "there are `inputs`, `vars`, `steps`, and names as in conditions: of variables, `X5`, `T5`";
+        let help = near.map_or(all.to_owned(), |near| format!("did you mean `{near}`?"));
+        Failure::WrongUse(format!("`--show {word}`: the chart has nothing of this name"), help)
+    })?;
+    let Some(simulation) = simulation.filter(|_| !report.is_refused()) else { return Ok(report.tell(messages)) };
+
+    let is_seen = output != Some(Stream::Standard) || !io::IsTerminal::is_terminal(&io::stdout());
+    let is_wanted = is_seen && messages.is_for_people();
+    let mut trace_bytes = Watched::new(trace, is_wanted.then_some(length));
+    let interrupt = matches!(output, Some(Stream::File(_))).then(Interrupt::awaited);
+    let mut results = Written::new(&simulation, form, output.as_ref(), trace_bytes.is_live(), interrupt.as_ref())?;
+    let trace = Text { file: report.name(&args.trace), bytes: &mut trace_bytes, kept: Kept::Rows };
+    let mut recorded = recorded.map(|(bytes, _)| bytes);
+    let recorded_file = args.against.as_ref().map(|stream| report.name(stream));
+    let recorded = recorded_file.zip(recorded.as_mut());
+    let recorded = recorded.map(|(file, bytes)| Text { file, bytes, kept: Kept::Rows });
+    let outcome = simulation.run(trace, recorded, &report.policy, &mut results);
+    drop(trace_bytes);
+    let outcome = match outcome {
+        Ok(outcome) => outcome,
+        Err(_) if interrupt.as_ref().is_some_and(Interrupt::has_come) => {
+            drop(results);
+            interrupt.iter().for_each(Interrupt::give_way);
+            return Ok(Exit::FilesRefused);
         }
+        // If it was closed early, the reader has seen enough.
+        Err(Ended::Results(error)) if error.kind() == ErrorKind::BrokenPipe => return Ok(report.tell(messages)),
+        Err(ended) => return Err(refusal(ended, &args.trace, args.against.as_ref(), output.as_ref()).into()),
+    };
+    report.diagnostics.append(outcome.diagnostics);
+    for (file, extract) in outcome.extracts {
+        report.sources.show(file, extract);
+    }
+    let is_refused = report.is_refused();
+    // What was written before the first error stands before what is said of that.
+    results.end(!is_refused)?;
+    let exit = report.tell(messages);
+    if output.is_none() && !is_refused && !messages.quiet {
+        print(&format!("{} rows agree\n", outcome.compared.unwrap_or_default()))?;
     }
     Ok(exit)
+}
+
+/// What could not be read or written.
+fn refusal(ended: Ended, trace: &Stream, against: Option<&Stream>, output: Option<&Stream>) -> Refusal {
+    let name = |stream: Option<&Stream>, of: fn(&Stream) -> String| stream.map(of).unwrap_or_default();
+    match ended {
+        Ended::Trace(error) => Refusal::to_read(trace.input_name(), error),
+        Ended::Recording(error) => Refusal::to_read(name(against, Stream::input_name), error),
+        Ended::Results(error) => Refusal::to_write(name(output, Stream::output_name), error),
+    }
 }
 
 /// What a drawing shows in any case.

@@ -16,9 +16,11 @@ pub(super) struct Values {
 }
 
 impl Values {
+    /// Literals have their values; others are evaluated before they are read.
     pub fn new(chart: &Chart) -> Self {
+        let literal = |kind: &ExprKind| if let ExprKind::Literal(value) = kind { *value } else { Value::Bool(false) };
         Values {
-            exprs: chart.exprs.iter().map(|_| Value::Bool(false)).collect(),
+            exprs: chart.exprs.iter().map(|expr| literal(&expr.kind)).collect(),
             wires: chart.variables.iter().map(|_| false).collect(),
         }
     }
@@ -62,12 +64,13 @@ pub(super) fn evaluate(
     t: i64,
     values: &mut Values,
 ) -> DividedByZero {
+    let (of_macro_steps, of_grafcets) = plan.reads;
     let context = Context {
         chart,
         plan,
         active: &state.active,
-        macro_steps: active_macro_steps(chart, &state.active),
-        grafcets: active_grafcets(chart, &state.active),
+        macro_steps: if of_macro_steps { active_macro_steps(chart, &state.active) } else { IndexVec::new() },
+        grafcets: if of_grafcets { active_grafcets(chart, &state.active) } else { IndexVec::new() },
         variables: &state.variables,
         since: &state.since,
         t,

@@ -41,7 +41,7 @@ use index_vec::IndexVec;
 use orders::Orders;
 use plan::Plan;
 pub use probe::Probe;
-pub use run::{Calls, MOST_CALLS, Record, run};
+pub use run::{Call, Calls, MOST_CALLS, Onlooker, Run};
 
 /// Whether each step is active.
 pub type Activity = IndexVec<StepId, bool>;
@@ -79,6 +79,8 @@ pub struct Simulator<'a> {
     cleared: IndexVec<TransitionId, bool>,
     /// Values of the latest context; those that a context reads it has written before.
     values: Values,
+    /// The same with all edges replaced by 0.
+    level_values: Values,
 }
 
 impl State {
@@ -119,6 +121,7 @@ impl<'a> Simulator<'a> {
             shown: Vec::new(),
             cleared: chart.transitions.iter().map(|_| false).collect(),
             values: Values::new(chart),
+            level_values: Values::new(chart),
         }
     }
 

@@ -77,6 +77,9 @@ impl Orders {
     /// For each grafcet whether it is frozen: by an order on it, or because its enclosing step's grafcet is.
     pub fn frozen(&self, chart: &Chart, active: &Activity) -> IndexVec<GrafcetId, bool> {
         let mut frozen: IndexVec<GrafcetId, bool> = chart.grafcets.iter().map(|_| false).collect();
+        if chart.orders.is_empty() {
+            return frozen;
+        }
         for &grafcet in &chart.hierarchy {
             frozen[grafcet] = self.in_force(grafcet, active).is_some()
                 || chart.grafcets[grafcet].enclosing_step.is_some_and(|step| frozen[chart.steps[step].grafcet]);

@@ -4,12 +4,16 @@
 //! name adds an edge, from the name to the conditions of its continuous actions, wherever these stand. Delays lie in
 //! edges and never the other way round, and conditions of continuous actions hold no edge, so one order serves: inner
 //! delays, outer delays, operands of edges, everything else.
+//!
+//! Literals are evaluated once for all. What hangs on inputs alone is so at the first context of a reaction, for inputs
+//! do not change within one (R9).
 
 use crate::chart::{Chart, Event, ExprId, ExprKind, Mode, VariableId, VariableKind};
 use index_vec::IndexVec;
+use rustc_hash::FxHashSet;
 
 /// Something that has a value in a context.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Valued {
     /// An expression.
     Expr(ExprId),
@@ -43,6 +47,8 @@ pub(super) struct Plan {
     /// In every context: transition-conditions, event expressions, the wires that right sides read, and all edges and
     /// delays of the chart.
     pub context: Vec<Valued>,
+    /// Those of them that may change from one context of a reaction to the next.
+    pub moving: Vec<Valued>,
     /// Event expressions with their edges replaced by 0 (R7).
     pub levels: Vec<Valued>,
     /// Continuously assigned outputs (R11).
@@ -55,7 +61,9 @@ pub(super) struct Plan {
     pub clocks: Vec<(ExprId, ExprId)>,
     /// What these sides need.
     pub clock_nodes: Vec<Valued>,
-    /// All nodes of the chart.
+    /// Whether an expression reads the activity of a macro-step, and of a grafcet.
+    pub reads: (bool, bool),
+    /// All nodes of the chart but literals.
     all: Vec<Valued>,
     /// The set of `context`.
     in_context: Marks,
@@ -82,7 +90,7 @@ impl Plan {
         roots.extend(chart.continuous.iter().filter_map(|action| action.condition).map(Valued::Expr));
         roots.extend(chart.stored.iter().map(|stored| Valued::Expr(stored.value)));
         roots.extend(outputs.iter().copied());
-        let all = operands_first(chart, &actions, &roots);
+        let all = everything(chart, &actions, &roots);
 
         // Reading has no side effects (X6): whether a wire is evaluated, and a division in it raises DIV0, does not hang
         // on whether the action that reads it is done.
@@ -134,14 +142,23 @@ impl Plan {
                 timed[id] = below || matches!(kind, ExprKind::StepTime(_));
             }
         }
+        let reads = |wanted: fn(&ExprKind) -> bool| {
+            all.iter().any(|node| matches!(*node, Valued::Expr(id) if wanted(&chart.exprs[id].kind)))
+        };
+        let reads =
+            (reads(|k| matches!(k, ExprKind::MacroActive(_))), reads(|k| matches!(k, ExprKind::GrafcetActive(_))));
         let sides = clocks.iter().flat_map(|&(a, b)| [Valued::Expr(a), Valued::Expr(b)]).collect();
         let clock_nodes = reach(chart, &actions, sides, Memory::Hold);
 
         let in_context = reach(chart, &actions, context, Memory::Update);
         let levels = reach(chart, &actions, events, Memory::Hold);
         let outputs = reach(chart, &actions, outputs, Memory::Hold);
+        let context = in_context.select(&all);
+        let moving = moving(chart, &context);
         Plan {
-            context: in_context.select(&all),
+            context,
+            moving,
+            reads,
             levels: levels.select(&all),
             outputs: outputs.select(&all),
             clock_nodes: clock_nodes.select(&all),
@@ -154,12 +171,12 @@ impl Plan {
         }
     }
 
-    /// What the right sides need beyond what the context has evaluated.
+    /// What the right sides need beyond what the context has evaluated. What they need of that needs nothing beyond it.
     pub fn beyond_context(&self, chart: &Chart, values: impl Iterator<Item = ExprId>) -> Vec<Valued> {
-        let marks = reach(chart, &self.actions, values.map(Valued::Expr).collect(), Memory::Hold);
-        let mut nodes = marks.select(&self.all);
-        nodes.retain(|&node| !self.in_context.has(node));
-        nodes
+        let roots: Vec<Valued> = values.map(Valued::Expr).collect();
+        let mut entered = FxHashSet::default();
+        let enter = |node| !self.in_context.has(node) && entered.insert(node);
+        operands_first(chart, &self.actions, &roots, Memory::Hold, enter)
     }
 
     /// What continuously assigned names need, and these.
@@ -168,7 +185,7 @@ impl Plan {
             return wires;
         }
         // A name that nothing reads and that is no output is in no other list.
-        let all = operands_first(chart, &self.actions, &wires);
+        let all = everything(chart, &self.actions, &wires);
         reach(chart, &self.actions, wires, Memory::Hold).select(&all)
     }
 
@@ -227,23 +244,72 @@ fn reach(chart: &Chart, actions: &IndexVec<VariableId, Vec<usize>>, roots: Vec<V
     marks
 }
 
-/// Everything that the roots reach, operands first. A cycle of continuous actions, which a checked chart has not, is
-/// cut where it is met.
-fn operands_first(chart: &Chart, actions: &IndexVec<VariableId, Vec<usize>>, roots: &[Valued]) -> Vec<Valued> {
+/// The nodes of a list, operands first, that do not hang on inputs alone.
+fn moving(chart: &Chart, nodes: &[Valued]) -> Vec<Valued> {
+    let mut is_moving = Marks::none(chart);
+    for &node in nodes {
+        let moves = match node {
+            Valued::Wire(_) => true,
+            Valued::Expr(id) => match chart.exprs[id].kind {
+                ExprKind::Literal(_) => false,
+                ExprKind::Variable(variable) => match chart.variables[variable].mode {
+                    Mode::Given => false,
+                    Mode::Wire | Mode::Stored => true,
+                },
+                ExprKind::StepActive(_)
+                | ExprKind::StepTime(_)
+                | ExprKind::MacroActive(_)
+                | ExprKind::GrafcetActive(_)
+                | ExprKind::Rise(_)
+                | ExprKind::Fall(_)
+                | ExprKind::Delay { .. } => true,
+                ExprKind::Not(_)
+                | ExprKind::And(..)
+                | ExprKind::Or(..)
+                | ExprKind::Xor(..)
+                | ExprKind::Compare(..)
+                | ExprKind::Arithmetic(..)
+                | ExprKind::Negate(_)
+                | ExprKind::Widen(_) => chart.exprs[id].kind.operands().any(|id| is_moving.has(Valued::Expr(id))),
+            },
+        };
+        if moves {
+            is_moving.add(node);
+        }
+    }
+    is_moving.select(nodes)
+}
+
+/// Everything that the roots reach but literals, operands first.
+fn everything(chart: &Chart, actions: &IndexVec<VariableId, Vec<usize>>, roots: &[Valued]) -> Vec<Valued> {
+    let mut entered = Marks::none(chart);
+    let mut nodes = operands_first(chart, actions, roots, Memory::Update, |node| entered.add(node));
+    nodes.retain(|node| !matches!(*node, Valued::Expr(id) if matches!(chart.exprs[id].kind, ExprKind::Literal(_))));
+    nodes
+}
+
+/// What the roots reach in an evaluation of this kind, operands first; `enter` says once of each node whether it is to be
+/// entered. A cycle of continuous actions, which a checked chart has not, is cut where it is met.
+fn operands_first(
+    chart: &Chart,
+    actions: &IndexVec<VariableId, Vec<usize>>,
+    roots: &[Valued],
+    memory: Memory,
+    mut enter: impl FnMut(Valued) -> bool,
+) -> Vec<Valued> {
     enum Visit {
         Enter(Valued),
         Leave(Valued),
     }
     let mut order = Vec::new();
-    let mut entered = Marks::none(chart);
     let mut todo: Vec<Visit> = roots.iter().rev().map(|&node| Visit::Enter(node)).collect();
     let mut found = Vec::new();
     while let Some(visit) = todo.pop() {
         match visit {
             Visit::Enter(node) => {
-                if entered.add(node) {
+                if enter(node) {
                     todo.push(Visit::Leave(node));
-                    operands(chart, actions, node, Memory::Update, &mut found);
+                    operands(chart, actions, node, memory, &mut found);
                     todo.extend(found.drain(..).rev().map(Visit::Enter));
                 }
             }

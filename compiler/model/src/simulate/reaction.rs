@@ -51,7 +51,7 @@ impl<'a> Simulator<'a> {
             Evolution::Stable => self.evolve(t, input_event, observe),
             // R14: exactly one micro-step a call.
             Evolution::Scan => {
-                self.micro_step(t, input_event);
+                self.micro_step(t, true, input_event);
                 if let Some(observe) = &mut observe {
                     observe(self);
                 }
@@ -96,7 +96,7 @@ impl<'a> Simulator<'a> {
         let mut marks: [Option<(u32, State)>; 2] = [None, None];
         let (mut done, mut left) = (0, bound);
         loop {
-            let changed = self.micro_step(t, input_event && done == 0);
+            let changed = self.micro_step(t, done == 0, input_event && done == 0);
             if let Some(observe) = &mut observe {
                 observe(self);
             }

@@ -1,4 +1,4 @@
-//! A whole run over the rows of a trace, with calls between them.
+//! A whole run over the rows of a trace, one after the other, with calls between them.
 
 use super::{Probe, Simulator};
 use crate::chart::{Chart, Value};
@@ -16,107 +16,171 @@ pub enum Calls {
     Events,
 }
 
-/// So many calls of one run are kept.
-pub const MOST_CALLS: usize = 1_000_000;
+/// So many calls between the rows there are in one run. It is far more than anybody reads, and not without end: of two
+/// rows, one may have a time of many years by mistake.
+pub const MOST_CALLS: u64 = 100_000_000;
 
-/// What a run was.
-#[derive(Debug, Default)]
-pub struct Record {
-    /// The calls.
-    pub stimuli: Vec<Stimulus>,
-    /// What came of each.
-    pub responses: Vec<Response>,
-    /// What was looked at after each.
-    pub looks: Vec<Vec<Value>>,
-    /// Where the first delay ended that no call saw, and changed something: the row behind it, and the time.
-    pub unseen: Option<(usize, i64)>,
-    /// The row before which there were more calls than are kept, and the run ended.
-    pub cut: Option<usize>,
+/// So many delays may end unseen and change nothing; what comes behind is not looked at.
+const PATIENCE: u32 = 1_000_000;
+
+/// One call, and what came of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Call<'a> {
+    /// What it was given.
+    pub stimulus: &'a Stimulus,
+    /// What it gave back.
+    pub response: &'a Response,
+    /// What was looked at after it.
+    pub looks: &'a [Value],
 }
 
-/// Runs a chart over the rows of a trace.
-pub fn run(chart: &Chart, profile: Profile, rows: &[Stimulus], calls: Calls, probes: &[Probe]) -> Record {
-    let mut run = Run { simulator: Simulator::new(chart, profile), probes, record: Record::default() };
-    let mut exact: Option<Simulator> = None;
-    for (index, row) in rows.iter().enumerate() {
-        run.call(row.clone());
-        let response = &run.record.responses[run.record.responses.len() - 1];
-        if let Some(other) = &mut exact {
-            let seen = other.react(row);
-            // From here on the run is another one.
-            if run.record.unseen.is_none() && seen != *response {
-                run.record.unseen = Some((index, row.t_ms));
-            }
-        }
-        let Some(next) = rows.get(index + 1).map(|next| next.t_ms) else { break };
-        let between = |t_ms| Stimulus { t_ms, restart: false, inputs: row.inputs.clone() };
-        match calls {
-            Calls::Rows => {
-                if run.record.unseen.is_none() {
-                    run.record.unseen = run.unseen(&mut exact, row, next).map(|at| (index + 1, at));
-                }
-                if run.record.unseen.is_some() {
-                    exact = None;
-                }
-            }
-            Calls::Every(period) => {
-                let start = rows[0].t_ms;
-                let mut at = start + ((row.t_ms - start) / period + 1) * period;
-                while at < next && run.is_short(index + 1) {
-                    run.call(between(at));
-                    at += period;
-                }
-            }
-            Calls::Events => {
-                let mut now = row.t_ms;
-                while let Some(at) = run.simulator.next_event(now, next).filter(|_| run.is_short(index + 1)) {
-                    run.call(between(at));
-                    now = at;
-                }
-            }
-        }
-        if run.record.cut.is_some() {
-            break;
-        }
-    }
-    run.record
+/// What looks on while a chart is run, and may end that.
+pub trait Onlooker {
+    /// Why a run is ended.
+    type End;
+
+    /// The chart was called.
+    ///
+    /// # Errors
+    /// Ends the run.
+    fn called(&mut self, call: Call) -> Result<(), Self::End>;
+
+    /// Before the row at hand, a delay ended at this time that no call saw, and changed something. That is told once.
+    ///
+    /// # Errors
+    /// Ends the run.
+    fn unseen(&mut self, t_ms: i64) -> Result<(), Self::End>;
+
+    /// Before the row at hand there are more calls than there can be, and the run ends.
+    fn too_many(&mut self) -> Self::End;
 }
 
-struct Run<'a> {
+/// A chart that is called at the rows of a trace, and between them.
+pub struct Run<'a> {
     simulator: Simulator<'a>,
+    calls: Calls,
     probes: &'a [Probe],
-    record: Record,
+    /// The row before.
+    before: Option<Stimulus>,
+    /// The time of the first row.
+    start: i64,
+    /// What the latest call came to.
+    shown: Option<Response>,
+    /// The chart called where delays end as well, from the first such instant on; before that it is the same.
+    exact: Option<Simulator<'a>>,
+    /// Whether it was told that a delay ended unseen: from there on the run is another one.
+    is_told: bool,
+    /// So many calls there may still be between rows.
+    left: u64,
+    /// So many ends of delays are still looked at that no call sees.
+    patience: u32,
 }
 
 impl<'a> Run<'a> {
-    fn call(&mut self, stimulus: Stimulus) {
-        self.record.responses.push(self.simulator.react(&stimulus));
-        if !self.probes.is_empty() {
-            self.record.looks.push(self.simulator.look(self.probes, stimulus.t_ms));
+    /// A run that is to begin.
+    pub fn new(chart: &'a Chart, profile: Profile, calls: Calls, probes: &'a [Probe]) -> Self {
+        Run {
+            simulator: Simulator::new(chart, profile),
+            calls,
+            probes,
+            before: None,
+            start: 0,
+            shown: None,
+            exact: None,
+            is_told: false,
+            left: MOST_CALLS,
+            patience: PATIENCE,
         }
-        self.record.stimuli.push(stimulus);
     }
 
-    /// Whether there may be another call before a row.
-    fn is_short(&mut self, row: usize) -> bool {
-        if self.record.stimuli.len() >= MOST_CALLS {
-            self.record.cut = Some(row);
+    /// Calls the chart up to the next row, and at it.
+    ///
+    /// # Errors
+    /// The onlooker ended the run.
+    pub fn row<O: Onlooker>(&mut self, row: Stimulus, onlooker: &mut O) -> Result<(), O::End> {
+        match self.before.take() {
+            Some(before) => self.between(&before, row.t_ms, onlooker)?,
+            None => self.start = row.t_ms,
         }
-        self.record.cut.is_none()
+        let response = self.simulator.react(&row);
+        if let Some(other) = &mut self.exact
+            && other.react(&row) != response
+        {
+            self.tell(row.t_ms, onlooker)?;
+        }
+        self.show(&row, response, onlooker)?;
+        self.before = Some(row);
+        Ok(())
     }
 
-    /// Where a delay ends between a row and the next one and changes something at once. `exact` is the chart called there,
-    /// too, from the first such delay on; before that it is the same.
-    fn unseen(&self, exact: &mut Option<Simulator<'a>>, row: &Stimulus, next: i64) -> Option<i64> {
+    fn between<O: Onlooker>(&mut self, before: &Stimulus, next: i64, onlooker: &mut O) -> Result<(), O::End> {
+        let at = |t_ms| Stimulus { t_ms, restart: false, inputs: before.inputs.clone() };
+        match self.calls {
+            Calls::Rows => {
+                if let Some(at) = (!self.is_told).then(|| self.unseen(before, next)).flatten() {
+                    self.tell(at, onlooker)?;
+                }
+            }
+            Calls::Every(period) => {
+                let from = before.t_ms.saturating_add(period - (before.t_ms - self.start) % period);
+                // What is too much is refused before it is begun.
+                let count = u64::try_from((next - 1).saturating_sub(from)).map_or(0, |span| span / period as u64 + 1);
+                self.left = self.left.checked_sub(count).ok_or_else(|| onlooker.too_many())?;
+                let mut now = from;
+                while now < next {
+                    let stimulus = at(now);
+                    let response = self.simulator.react(&stimulus);
+                    self.show(&stimulus, response, onlooker)?;
+                    now = now.saturating_add(period);
+                }
+            }
+            Calls::Events => {
+                let mut now = before.t_ms;
+                while let Some(event) = self.simulator.next_event(now, next) {
+                    self.left = self.left.checked_sub(1).ok_or_else(|| onlooker.too_many())?;
+                    let stimulus = at(event);
+                    let response = self.simulator.react(&stimulus);
+                    self.show(&stimulus, response, onlooker)?;
+                    now = event;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn show<O: Onlooker>(&mut self, stimulus: &Stimulus, response: Response, onlooker: &mut O) -> Result<(), O::End> {
+        let looks = match self.probes {
+            [] => Vec::new(),
+            probes => self.simulator.look(probes, stimulus.t_ms),
+        };
+        onlooker.called(Call { stimulus, response: &response, looks: &looks })?;
+        self.shown = Some(response);
+        Ok(())
+    }
+
+    fn tell<O: Onlooker>(&mut self, at: i64, onlooker: &mut O) -> Result<(), O::End> {
+        self.exact = None;
+        self.is_told = true;
+        onlooker.unseen(at)
+    }
+
+    /// Where a delay ends between a row and the next one and changes something at once.
+    fn unseen(&mut self, row: &Stimulus, next: i64) -> Option<i64> {
         let mut now = row.t_ms;
-        let shown = self.record.responses.last()?;
-        while let Some(at) = exact.as_ref().unwrap_or(&self.simulator).next_event(now, next) {
-            let other = exact.get_or_insert_with(|| self.simulator.clone());
+        let shown = self.shown.as_ref()?;
+        while let Some(at) = self.exact.as_ref().unwrap_or(&self.simulator).next_event(now, next) {
+            let other = self.exact.get_or_insert_with(|| self.simulator.clone());
             let stimulus = Stimulus { t_ms: at, restart: false, inputs: row.inputs.clone() };
             if other.react(&stimulus) != *shown {
                 return Some(at);
             }
             now = at;
+            self.patience -= 1;
+            if self.patience == 0 {
+                self.exact = None;
+                self.is_told = true;
+                break;
+            }
         }
         None
     }

@@ -4,6 +4,7 @@ use super::context::Values;
 use super::{Activity, State};
 use crate::chart::{Chart, Event, Stored, TransitionId, Value, VariableId};
 use index_vec::IndexVec;
+use std::collections::BTreeMap;
 
 /// What happened in a micro-step, as far as stored actions ask.
 pub(super) struct Happened<'a> {
@@ -52,19 +53,16 @@ pub(super) struct Allocated {
 
 /// Allocates in order, so that the last one wins. The right sides have all been evaluated before.
 pub(super) fn allocate(triggered: &[&Stored], values: &Values, state: &mut State) -> Allocated {
-    let mut new: IndexVec<VariableId, Option<Value>> = state.variables.iter().map(|_| None).collect();
+    let mut new: BTreeMap<VariableId, Value> = BTreeMap::new();
     let mut conflict = false;
     for stored in triggered {
         let value = values.of(stored.value);
-        conflict |= new[stored.target].is_some_and(|earlier| earlier != value);
-        new[stored.target] = Some(value);
+        conflict |= new.insert(stored.target, value).is_some_and(|earlier| earlier != value);
     }
     let mut changed = false;
-    for (id, value) in new.into_iter_enumerated() {
-        if let Some(value) = value {
-            changed |= state.variables[id] != value;
-            state.variables[id] = value;
-        }
+    for (id, value) in new {
+        changed |= state.variables[id] != value;
+        state.variables[id] = value;
     }
     Allocated { changed, conflict }
 }

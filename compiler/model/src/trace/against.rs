@@ -3,17 +3,23 @@
 //! A recording has the form of a result. It may lack columns, and have those of inputs, which are not looked at. Its rows
 //! belong to calls by their times: the n-th row of a time to the n-th call at that time, and a row at a time without a
 //! call to what the latest call before it showed.
+//!
+//! It is read beside the run, row by row.
 
-use super::columns::{FLAGS, RESTART, SITUATION, unknown};
+use super::columns::{FLAGS, RESTART, SITUATION, columns, unknown};
+use super::row::Row;
+use super::rows::Rows;
+use super::said::{Kept, Said};
 use super::situation;
-use super::table::{Reader, Record};
+use super::times::Times;
 use super::values::parse_value;
 use super::write::cell;
 use crate::chart::{Chart, StepId, Type, Value, Variable, VariableKind};
 use crate::reaction::{Response, Stimulus};
 use crate::resolve::suggest::Suggestions;
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Extract, FileId, Span};
 use std::collections::{BTreeMap, BTreeSet};
+use std::io::{self, Read};
 
 /// Compares a recording with the responses to stimuli: how many rows it has, and what is wrong with it. Only the first
 /// row that differs is reported.
@@ -23,16 +29,16 @@ pub fn compare_trace(
     chart: &Chart,
     stimuli: &[Stimulus],
     responses: &[Response],
-) -> (usize, Diagnostics) {
-    let mut reader = Reader { file, diagnostics: Diagnostics::new() };
-    let Some((header, records)) = reader.table(text) else { return (0, reader.diagnostics) };
-    let mut comparison = Comparison { chart, columns: Vec::new(), recorded: BTreeMap::new(), reader };
-    comparison.columns = comparison.header(&header);
-    let rows = comparison.rows(&header, &records);
-    if !comparison.reader.diagnostics.has_errors() {
-        comparison.first_difference(&records, &rows, stimuli, responses);
-    }
-    (rows.len(), comparison.reader.diagnostics)
+) -> (u64, Diagnostics) {
+    // Memory can be read.
+    let compared = || -> io::Result<(u64, Diagnostics, Extract)> {
+        let mut recording = Recording::new(file, text.as_bytes(), chart, Kept::Whole)?;
+        for (stimulus, response) in stimuli.iter().zip(responses) {
+            recording.called(stimulus.t_ms, response)?;
+        }
+        recording.finish()
+    };
+    compared().map_or((0, Diagnostics::new()), |(rows, diagnostics, _)| (rows, diagnostics))
 }
 
 #[derive(Clone, Copy)]
@@ -47,193 +53,263 @@ enum Column {
 }
 
 /// What a row says.
-#[derive(Clone, Default)]
+#[derive(Default)]
 struct RecordedRow {
     t_ms: i64,
-    /// By output, the latest value that was recorded.
-    outputs: BTreeMap<usize, Value>,
+    /// The latest value of each output that was recorded: an empty cell keeps it.
+    outputs: Vec<Option<Value>>,
     situation: Option<BTreeSet<StepId>>,
     flags: Option<BTreeSet<&'static str>>,
 }
 
-struct Comparison<'a> {
+/// A recording that is read as far as the run has come.
+pub struct Recording<'a, R> {
+    rows: Rows<R>,
+    said: Said,
     chart: &'a Chart,
+    outputs: Vec<&'a Variable>,
+    steps: BTreeMap<&'a str, StepId>,
     columns: Vec<Column>,
-    /// By output, the latest value that was recorded: an empty cell keeps it.
-    recorded: BTreeMap<usize, Value>,
-    reader: Reader,
+    times: Times,
+    row: Row,
+    recorded: RecordedRow,
+    /// Whether `recorded` has still to be compared.
+    is_waiting: bool,
+    is_over: bool,
+    /// What the latest call came to.
+    shown: Option<Response>,
+    /// The first row that differs; it is told if nothing is wrong with the recording.
+    difference: Option<Diagnostic>,
+    count: u64,
 }
 
 const FLAG_NAMES: [&str; 4] = ["LIVELOCK", "ALLOC_CONFLICT", "FORCE_CONFLICT", "DIV0"];
 
-impl<'a> Comparison<'a> {
-    fn outputs(&self) -> impl Iterator<Item = &'a Variable> + use<'a> {
-        self.chart.variables.iter().filter(|variable| variable.kind == VariableKind::Output)
+impl<'a, R: Read> Recording<'a, R> {
+    /// A recording of a chart, whose header is read.
+    ///
+    /// # Errors
+    /// The text cannot be read.
+    pub fn new(file: FileId, text: R, chart: &'a Chart, kept: Kept) -> io::Result<Self> {
+        let outputs: Vec<&Variable> = chart.variables.iter().filter(|v| v.kind == VariableKind::Output).collect();
+        let (mut rows, mut said, mut header) = (Rows::new(text)?, Said::new(file, kept), Row::default());
+        let found = rows.header(&mut header, &mut said)?;
+        let columns = if found { roles(&mut said, &header, chart, &outputs) } else { Vec::new() };
+        let mut steps = BTreeMap::new();
+        for (id, step) in chart.steps.iter_enumerated() {
+            steps.entry(step.label.as_str()).or_insert(id);
+        }
+        let recorded = RecordedRow { outputs: vec![None; outputs.len()], ..RecordedRow::default() };
+        Ok(Recording {
+            rows,
+            said,
+            chart,
+            outputs,
+            steps,
+            columns,
+            times: Times::default(),
+            row: Row::default(),
+            recorded,
+            is_waiting: false,
+            is_over: !found,
+            shown: None,
+            difference: None,
+            count: 0,
+        })
     }
 
-    fn say(&mut self, code: Code, span: Span, message: String) {
-        self.reader.diagnostics.push(Diagnostic::new(code, span, message));
+    /// Whether a row was not what the chart does, or could not be read.
+    pub fn differs(&self) -> bool {
+        self.difference.is_some() || self.said.has_errors()
     }
 
-    fn header(&mut self, header: &Record) -> Vec<Column> {
-        let known = |kind| self.chart.variables.iter().filter(move |variable| variable.kind == kind);
-        let inputs: Vec<&Variable> = known(VariableKind::Input).collect();
-        let outputs: Vec<&Variable> = self.outputs().collect();
-        let mut roles: BTreeMap<&str, Column> = BTreeMap::new();
-        roles.extend(inputs.iter().map(|variable| (variable.name.as_str(), Column::Skipped)));
-        roles.extend(outputs.iter().enumerate().map(|(place, v)| (v.name.as_str(), Column::Output(place))));
-        let own = [(SITUATION, Column::Situation), (FLAGS, Column::Flags), (RESTART, Column::Skipped)];
-        let (all, looks) = ([inputs, outputs].concat(), Suggestions::new());
-        let fault =
-            |name: &str, span| unknown(format!("the chart has no input or output `{name}`"), name, span, &all, &looks);
-        self.reader.columns(header, (Column::Time, Column::Skipped), &own, &roles, fault)
+    /// Compares the rows up to a call with what came of it. Calls come in order of their times.
+    ///
+    /// # Errors
+    /// The text cannot be read.
+    pub fn called(&mut self, t_ms: i64, response: &Response) -> io::Result<()> {
+        while self.difference.is_none() && self.wait()? {
+            if self.recorded.t_ms > t_ms {
+                break;
+            }
+            self.is_waiting = false;
+            if self.recorded.t_ms == t_ms {
+                // The next row of this time is of the next call at this time, if there is one.
+                self.difference = self.differences(response);
+                break;
+            }
+            self.compare_with_shown();
+        }
+        self.shown = Some(response.clone());
+        Ok(())
     }
 
-    fn rows(&mut self, header: &Record, records: &[Record]) -> Vec<RecordedRow> {
-        let mut latest = None;
-        let mut rows = Vec::new();
-        for record in records {
-            let mut row = RecordedRow::default();
-            if self.reader.fits(record, header) {
-                for column in 0..self.columns.len() {
-                    let (text, span) = record.cell(column);
-                    match self.columns[column] {
-                        Column::Time => latest = self.reader.time(text, span, latest),
-                        Column::Output(_) if text.is_empty() => {}
-                        Column::Output(place) => self.output(place, text, span),
-                        Column::Situation => row.situation = Some(self.situation(text, span)),
-                        Column::Flags => row.flags = Some(self.flags(text, span)),
-                        Column::Skipped => {}
+    /// Compares what is left; how many rows there were, what is to be said, and the rows that it is about, if nobody has
+    /// the text.
+    ///
+    /// # Errors
+    /// The text cannot be read.
+    pub fn finish(mut self) -> io::Result<(u64, Diagnostics, Extract)> {
+        while self.wait()? {
+            self.is_waiting = false;
+            if self.difference.is_none() {
+                self.compare_with_shown();
+            }
+        }
+        if let Some(difference) = self.difference.take().filter(|_| !self.said.has_errors()) {
+            self.said.say(difference);
+        }
+        let (diagnostics, extract) = self.said.finish();
+        Ok((self.count, diagnostics, extract))
+    }
+
+    /// Compares a row between calls, or behind those of its time, with the latest.
+    fn compare_with_shown(&mut self) {
+        self.difference = match self.shown.take() {
+            Some(shown) => {
+                let difference = self.differences(&shown);
+                self.shown = Some(shown);
+                difference
+            }
+            None => {
+                let message = format!("at {} ms the chart has not been called yet", self.recorded.t_ms);
+                Some(Diagnostic::new(Code::E0605, self.said.cell(&self.row, 0), message))
+            }
+        };
+    }
+
+    /// Whether there is a row that has to be compared.
+    fn wait(&mut self) -> io::Result<bool> {
+        if self.is_waiting || self.is_over {
+            return Ok(self.is_waiting);
+        }
+        self.times.pass(&mut self.row);
+        match self.rows.read(&mut self.row) {
+            Ok(true) => {
+                self.count += 1;
+                self.read_row();
+                self.is_waiting = true;
+            }
+            Ok(false) => self.is_over = true,
+            Err(fault) => {
+                self.is_over = true;
+                self.said.fault(&mut self.row, fault)?;
+            }
+        }
+        Ok(self.is_waiting)
+    }
+
+    fn read_row(&mut self) {
+        (self.recorded.situation, self.recorded.flags) = (None, None);
+        if self.said.fits(&self.row, self.columns.len()) {
+            for (column, role) in self.columns.iter().enumerate() {
+                let text = self.row.cell(column);
+                match *role {
+                    Column::Time => self.times.take(&self.row, column, &mut self.said),
+                    Column::Output(_) if text.is_empty() => {}
+                    Column::Output(place) => match parse_value(text, self.outputs[place].ty) {
+                        Ok(value) => self.recorded.outputs[place] = Some(value),
+                        Err(expected) => {
+                            let message = format!("`{text}` is not a value of `{}`", self.outputs[place].name);
+                            self.said.bad_value(&self.row, column, message, &expected);
+                        }
+                    },
+                    Column::Situation => {
+                        let mut found = BTreeSet::new();
+                        for label in situation::labels(text) {
+                            match self.steps.get(label) {
+                                Some(id) => _ = found.insert(*id),
+                                None => {
+                                    let place = self.said.cell(&self.row, column);
+                                    let message = format!("`{label}` is not a step of the chart");
+                                    self.said.error(Diagnostic::new(Code::E0603, place, message));
+                                }
+                            }
+                        }
+                        self.recorded.situation = Some(found);
                     }
-                }
-            }
-            row.t_ms = latest.map_or(0, |(t, _)| t);
-            row.outputs = self.recorded.clone();
-            rows.push(row);
-        }
-        rows
-    }
-
-    fn output(&mut self, place: usize, text: &str, span: Span) {
-        let Some(variable) = self.outputs().nth(place) else { return };
-        match parse_value(text, variable.ty) {
-            Ok(value) => {
-                self.recorded.insert(place, value);
-            }
-            Err(expected) => {
-                let message = format!("`{text}` is not a value of `{}`", variable.name);
-                let diagnostic = Diagnostic::new(Code::E0603, span, message).here(format!("expected {expected}"));
-                self.reader.diagnostics.push(diagnostic);
-            }
-        }
-    }
-
-    fn situation(&mut self, text: &str, span: Span) -> BTreeSet<StepId> {
-        let steps = &self.chart.steps;
-        let mut found = BTreeSet::new();
-        for label in situation::labels(text) {
-            match steps.iter_enumerated().find(|(_, step)| step.label == label) {
-                Some((id, _)) => {
-                    found.insert(id);
-                }
-                None => self.say(Code::E0603, span, format!("`{label}` is not a step of the chart")),
-            }
-        }
-        found
-    }
-
-    fn flags(&mut self, text: &str, span: Span) -> BTreeSet<&'static str> {
-        let mut found = BTreeSet::new();
-        for name in text.split_whitespace() {
-            match FLAG_NAMES.iter().find(|flag| **flag == name) {
-                Some(flag) => {
-                    found.insert(*flag);
-                }
-                None => {
-                    self.say(Code::E0603, span, format!("`{name}` is not a flag; there are {}", FLAG_NAMES.join(", ")))
+                    Column::Flags => {
+                        let mut found = BTreeSet::new();
+                        for name in text.split_whitespace() {
+                            match FLAG_NAMES.iter().find(|flag| **flag == name) {
+                                Some(flag) => _ = found.insert(*flag),
+                                None => {
+                                    let place = self.said.cell(&self.row, column);
+                                    let all = FLAG_NAMES.join(", ");
+                                    let message = format!("`{name}` is not a flag; there are {all}");
+                                    self.said.error(Diagnostic::new(Code::E0603, place, message));
+                                }
+                            }
+                        }
+                        self.recorded.flags = Some(found);
+                    }
+                    Column::Skipped => {}
                 }
             }
         }
-        found
+        self.recorded.t_ms = self.times.latest();
     }
 
-    fn first_difference(
-        &mut self,
-        records: &[Record],
-        rows: &[RecordedRow],
-        stimuli: &[Stimulus],
-        responses: &[Response],
-    ) {
-        let mut call = 0;
-        let mut before: Option<i64> = None;
-        for (record, row) in records.iter().zip(rows) {
-            // The next call of the same time, if there is one; else the latest at or before this time.
-            let again = before == Some(row.t_ms) && stimuli.get(call + 1).is_some_and(|next| next.t_ms == row.t_ms);
-            if again {
-                call += 1;
-            } else if before != Some(row.t_ms) {
-                let first = stimuli.partition_point(|stimulus| stimulus.t_ms < row.t_ms);
-                let exact = stimuli.get(first).is_some_and(|stimulus| stimulus.t_ms == row.t_ms);
-                call = if exact { first } else { first.saturating_sub(1) };
-                if !exact && first == 0 {
-                    let message = format!("at {} ms the chart has not been called yet", row.t_ms);
-                    self.say(Code::E0605, record.cell(0).1, message);
-                    return;
-                }
-            }
-            before = Some(row.t_ms);
-            let Some(response) = responses.get(call) else { return };
-            let found = self.differences(record, row, response);
-            let mut found = found.into_iter();
-            if let Some((message, span)) = found.next() {
-                let mut diagnostic = Diagnostic::new(Code::E0605, span, format!("at {} ms {message}", row.t_ms));
-                for (message, span) in found {
-                    diagnostic = if span == diagnostic.primary.span {
-                        diagnostic.note(message)
-                    } else {
-                        diagnostic.also(span, message)
-                    };
-                }
-                self.reader.diagnostics.push(diagnostic);
-                return;
-            }
+    /// How a row differs from what the chart does, if it does.
+    fn differences(&mut self, response: &Response) -> Option<Diagnostic> {
+        let mut found = self.places_that_differ(response).into_iter();
+        let (message, column) = found.next()?;
+        let place = |said: &mut Said, column: usize| said.cell(&self.row, column);
+        let message = format!("at {} ms {message}", self.recorded.t_ms);
+        let mut diagnostic = Diagnostic::new(Code::E0605, place(&mut self.said, column), message);
+        for (message, column) in found {
+            let span: Span = place(&mut self.said, column);
+            diagnostic =
+                if span == diagnostic.primary.span { diagnostic.note(message) } else { diagnostic.also(span, message) };
         }
+        Some(diagnostic)
     }
 
-    /// How a row differs from what the chart does, with the places: situation first, because outputs follow from it.
-    fn differences(&self, record: &Record, row: &RecordedRow, response: &Response) -> Vec<(String, Span)> {
+    /// What differs, with the columns: situation first, because outputs follow from it.
+    fn places_that_differ(&self, response: &Response) -> Vec<(String, usize)> {
         let mut found = Vec::new();
         let place = |wanted: fn(Column) -> bool| self.columns.iter().position(|column| wanted(*column));
         let step = |id: StepId| &self.chart.steps[id].label;
+        let row = &self.recorded;
         if let (Some(situation), Some(column)) = (&row.situation, place(|c| matches!(c, Column::Situation))) {
-            let span = record.cell(column).1;
             let expected: BTreeSet<StepId> = response.situation.iter().copied().collect();
             let surplus = situation.difference(&expected);
-            found.extend(surplus.map(|id| (format!("step `{}` is active and should not be", step(*id)), span)));
+            found.extend(surplus.map(|id| (format!("step `{}` is active and should not be", step(*id)), column)));
             let lacking = expected.difference(situation);
-            found.extend(lacking.map(|id| (format!("step `{}` should be active and is not", step(*id)), span)));
+            found.extend(lacking.map(|id| (format!("step `{}` should be active and is not", step(*id)), column)));
         }
         for (column, role) in self.columns.iter().enumerate() {
             let Column::Output(place) = *role else { continue };
-            let (Some(variable), Some(expected)) = (self.outputs().nth(place), response.outputs.get(place)) else {
-                continue;
-            };
-            if let Some(value) = row.outputs.get(&place)
-                && !agree(variable.ty, *value, *expected)
+            let (variable, Some(expected)) = (self.outputs[place], response.outputs.get(place)) else { continue };
+            if let Some(value) = row.outputs[place]
+                && !agree(variable.ty, value, *expected)
             {
                 let (name, ty) = (&variable.name, variable.ty);
-                let message = format!("output `{name}` is {} and should be {}", cell(ty, *value), cell(ty, *expected));
-                found.push((message, record.cell(column).1));
+                let message = format!("output `{name}` is {} and should be {}", cell(ty, value), cell(ty, *expected));
+                found.push((message, column));
             }
         }
         if let (Some(flags), Some(column)) = (&row.flags, place(|c| matches!(c, Column::Flags))) {
-            let span = record.cell(column).1;
             let expected: BTreeSet<&str> = response.flags.names().collect();
-            found.extend(flags.difference(&expected).map(|f| (format!("flag {f} is raised and should not be"), span)));
-            found.extend(expected.difference(flags).map(|f| (format!("flag {f} should be raised and is not"), span)));
+            let surplus = flags.difference(&expected);
+            found.extend(surplus.map(|flag| (format!("flag {flag} is raised and should not be"), column)));
+            let lacking = expected.difference(flags);
+            found.extend(lacking.map(|flag| (format!("flag {flag} should be raised and is not"), column)));
         }
         found
     }
+}
+
+fn roles(said: &mut Said, header: &Row, chart: &Chart, outputs: &[&Variable]) -> Vec<Column> {
+    let inputs: Vec<&Variable> = chart.variables.iter().filter(|v| v.kind == VariableKind::Input).collect();
+    let mut roles: BTreeMap<&str, Column> = BTreeMap::new();
+    roles.extend(inputs.iter().map(|variable| (variable.name.as_str(), Column::Skipped)));
+    roles.extend(outputs.iter().enumerate().map(|(place, v)| (v.name.as_str(), Column::Output(place))));
+    let own = [(SITUATION, Column::Situation), (FLAGS, Column::Flags), (RESTART, Column::Skipped)];
+    let (all, looks) = ([inputs.as_slice(), outputs].concat(), Suggestions::new());
+    let fault =
+        |name: &str, span| unknown(format!("the chart has no input or output `{name}`"), name, span, &all, &looks);
+    columns(said, header, (Column::Time, Column::Skipped), &own, &roles, fault)
 }
 
 /// Reals agree to as many digits as tools print: six of a `real`, twelve of an `lreal`. What is infinite or no number

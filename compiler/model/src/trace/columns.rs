@@ -3,7 +3,8 @@
 //! A name of the chart that is that of a column of the trace's own stands in backquotes, as names do in a chart that
 //! would be something else without; any other may.
 
-use super::table::{Reader, Record};
+use super::row::Row;
+use super::said::Said;
 use crate::chart::{Variable, VariableKind};
 use crate::resolve::suggest::Suggestions;
 use grafc_diagnostics::{Code, Diagnostic, Fix, Span};
@@ -47,55 +48,53 @@ pub fn heading(name: &str) -> Cow<'_, str> {
     if is_own(name) { Cow::Owned(format!("`{name}`")) } else { Cow::Borrowed(name) }
 }
 
-impl Reader {
-    /// The roles of the columns, of which the first is that of times. `own` gives those of the trace's own, `variable`
-    /// those of the chart's variables; what is neither, or there twice, is reported and has the role `unknown`.
-    pub fn columns<R: Copy>(
-        &mut self,
-        header: &Record,
-        (time, unknown): (R, R),
-        own: &[(&str, R)],
-        variables: &BTreeMap<&str, R>,
-        fault: impl Fn(&str, Span) -> Diagnostic,
-    ) -> Vec<R> {
-        let mut seen: BTreeMap<Heading, Span> = BTreeMap::new();
-        let mut columns = Vec::with_capacity(header.len());
-        for column in 0..header.len() {
-            let (cell, span) = header.cell(column);
-            let heading = Heading::read(cell);
-            let of_its_own = own.iter().find(|(name, _)| heading.is(name));
-            let of_the_chart = variables.get(heading.name);
-            // The same name is the same column, in backquotes or not, unless it could be either.
-            let key = Heading { quoted: heading.quoted && is_own(heading.name), ..heading };
-            let earlier = seen.insert(key, span);
-            columns.push(if column == 0 {
-                if !heading.is(TIME) {
-                    let message = format!("the first column is `{}`, not `{TIME}`", heading.name);
-                    self.diagnostics.push(Diagnostic::new(Code::E0601, span, message));
+/// The roles of the columns, of which the first is that of times. `own` gives those of the trace's own, `variables` those
+/// of the chart's variables; what is neither, or there twice, is reported and has the role `unknown`.
+pub(super) fn columns<R: Copy>(
+    said: &mut Said,
+    header: &Row,
+    (time, unknown): (R, R),
+    own: &[(&str, R)],
+    variables: &BTreeMap<&str, R>,
+    fault: impl Fn(&str, Span) -> Diagnostic,
+) -> Vec<R> {
+    let mut seen: BTreeMap<Heading, Span> = BTreeMap::new();
+    let mut columns = Vec::with_capacity(header.len());
+    for (column, range) in header.ranges().into_iter().enumerate().take(header.len()) {
+        let (cell, span) = (header.cell(column), said.place(header, range));
+        let heading = Heading::read(cell);
+        let of_its_own = own.iter().find(|(name, _)| heading.is(name));
+        let of_the_chart = variables.get(heading.name);
+        // The same name is the same column, in backquotes or not, unless it could be either.
+        let key = Heading { quoted: heading.quoted && is_own(heading.name), ..heading };
+        let earlier = seen.insert(key, span);
+        columns.push(if column == 0 {
+            if !heading.is(TIME) {
+                let message = format!("the first column is `{}`, not `{TIME}`", heading.name);
+                said.error(Diagnostic::new(Code::E0601, span, message));
+            }
+            time
+        } else if let Some(earlier) = earlier {
+            let message = format!("column `{}` appears twice", heading.name);
+            let fault = Diagnostic::new(Code::E0601, span, message).also(earlier, "also here");
+            let is_hidden = of_the_chart.is_some() && is_own(heading.name) && !heading.quoted;
+            said.error(if is_hidden { fault.help(in_backquotes(heading.name)) } else { fault });
+            unknown
+        } else {
+            match (of_its_own, of_the_chart) {
+                (Some(_), Some(_)) if !header.has(&self::heading(heading.name)) => {
+                    said.error(ambiguous(heading.name, span));
+                    unknown
                 }
-                time
-            } else if let Some(earlier) = earlier {
-                let message = format!("column `{}` appears twice", heading.name);
-                let fault = Diagnostic::new(Code::E0601, span, message).also(earlier, "also here");
-                let is_hidden = of_the_chart.is_some() && is_own(heading.name) && !heading.quoted;
-                self.diagnostics.push(if is_hidden { fault.help(in_backquotes(heading.name)) } else { fault });
-                unknown
-            } else {
-                match (of_its_own, of_the_chart) {
-                    (Some(_), Some(_)) if !header.has(&self::heading(heading.name)) => {
-                        self.diagnostics.push(ambiguous(heading.name, span));
-                        unknown
-                    }
-                    (Some((_, role)), _) | (None, Some(role)) => *role,
-                    (None, None) => {
-                        self.diagnostics.push(fault(heading.name, span));
-                        unknown
-                    }
+                (Some((_, role)), _) | (None, Some(role)) => *role,
+                (None, None) => {
+                    said.error(fault(heading.name, span));
+                    unknown
                 }
-            });
-        }
-        columns
+            }
+        });
     }
+    columns
 }
 
 fn is_own(name: &str) -> bool {

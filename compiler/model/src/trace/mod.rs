@@ -3,19 +3,27 @@
 //! A stimulus trace has a header `t_ms,NAME,…` of inputs, then a row a call. Inputs that it does not name keep their
 //! initial value, an empty cell keeps the value of the row before. Booleans are `0`, `1`, `FALSE` or `TRUE`, numbers as
 //! in a chart, times also in milliseconds. Where the column `restart` is true, the controller has restarted before the
-//! call. A result has the columns `t_ms`, the outputs, `situation` and `flags`. So has a recording of another tool, which is compared with what the chart does.
+//! call. A result has the columns `t_ms`, the outputs, `situation` and `flags`. So has a recording of another tool, which
+//! is compared with what the chart does.
+//!
+//! All of them are read and written row by row, however many rows there are.
 
 mod against;
 mod columns;
+mod input;
 mod read;
+mod row;
+mod rows;
+mod said;
 mod situation;
-mod table;
 #[cfg(test)]
 mod tests;
+mod times;
 mod values;
 mod write;
 
-pub use against::compare_trace;
+pub use against::{Recording, compare_trace};
 pub use columns::heading;
-pub use read::{parse_rows, parse_trace};
-pub use write::{Shown, write_shown, write_trace};
+pub use read::{Stimuli, parse_trace};
+pub use said::{Kept, MOST_ERRORS};
+pub use write::{Shown, Table, write_trace};

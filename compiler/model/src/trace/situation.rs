@@ -3,10 +3,14 @@
 use crate::chart::{Chart, StepId};
 use std::borrow::Cow;
 
-/// The cell for a situation.
-pub(super) fn cell(chart: &Chart, situation: &[StepId]) -> String {
-    let labels: Vec<Cow<str>> = situation.iter().map(|step| quoted(&chart.steps[*step].label)).collect();
-    labels.join(" ")
+/// Writes the cell for a situation.
+pub(super) fn write(cell: &mut String, chart: &Chart, situation: &[StepId]) {
+    for (place, step) in situation.iter().enumerate() {
+        if place > 0 {
+            cell.push(' ');
+        }
+        cell.push_str(&quoted(&chart.steps[*step].label));
+    }
 }
 
 fn quoted(label: &str) -> Cow<'_, str> {

@@ -7,11 +7,16 @@ use grafc_syntax::literal::{Literal, literal};
 pub(super) fn parse_value(text: &str, ty: Type) -> Result<Value, String> {
     match ty {
         // Spreadsheets write `TRUE` in the language of their user.
-        Type::Bool => match text.to_ascii_uppercase().as_str() {
-            "0" | "FALSE" | "FALSCH" | "FAUX" => Ok(Value::Bool(false)),
-            "1" | "TRUE" | "WAHR" | "VRAI" => Ok(Value::Bool(true)),
-            _ => Err("`0`, `1`, `FALSE` or `TRUE`".to_string()),
-        },
+        Type::Bool => {
+            let is = |words: &[&str]| words.iter().any(|word| text.eq_ignore_ascii_case(word));
+            match text {
+                "0" => Ok(Value::Bool(false)),
+                "1" => Ok(Value::Bool(true)),
+                _ if is(&["FALSE", "FALSCH", "FAUX"]) => Ok(Value::Bool(false)),
+                _ if is(&["TRUE", "WAHR", "VRAI"]) => Ok(Value::Bool(true)),
+                _ => Err("`0`, `1`, `FALSE` or `TRUE`".to_string()),
+            }
+        }
         Type::Int => whole(text, i64::from(i16::MIN), i64::from(i16::MAX)),
         Type::Dint => whole(text, i64::from(i32::MIN), i64::from(i32::MAX)),
         Type::Uint => whole(text, 0, i64::from(u16::MAX)),

@@ -3,9 +3,12 @@
 //! A file is written whole or not at all: into a temporary file beside it, which then takes its place. A reader
 //! sees meanwhile the old text or the new one.
 
-use std::fmt;
+mod refusal;
+
+pub use refusal::Refusal;
+
 use std::fs::{self, File, OpenOptions, Permissions};
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// Everything that is in a file.
@@ -50,6 +53,56 @@ pub fn stage(path: &Path, text: impl AsRef<[u8]>) -> Result<Staged, Refusal> {
     }
 }
 
+/// A text that is being written beside its place, piece by piece; dropped, it is gone. What is for a device or a pipe,
+/// where nobody finds half a text later, goes there at once.
+#[derive(Debug)]
+pub struct Writing {
+    file: BufWriter<File>,
+    permissions: Option<Permissions>,
+    staged: Staged,
+}
+
+/// Begins to write a text beside the place where it is to be.
+pub fn begin(path: &Path) -> Result<Writing, Refusal> {
+    let name = path.display().to_string();
+    let begun = place_of(path).and_then(|(place, kind)| match kind {
+        PlaceKind::Device => {
+            let file = File::options().write(true).open(&place)?;
+            Ok((place, file, None, StagedText::Put))
+        }
+        PlaceKind::File(permissions) => {
+            let (temporary, file) = temporary_file(directory_of(&place), permissions.as_ref())?;
+            Ok((place, file, permissions, StagedText::Temporary(temporary)))
+        }
+    });
+    let (place, file, permissions, text) = begun.map_err(|error| Refusal::to_write(name.clone(), error))?;
+    let file = BufWriter::with_capacity(1 << 16, file);
+    Ok(Writing { file, permissions, staged: Staged { name, place, text } })
+}
+
+impl Writing {
+    /// Puts what was written into its place.
+    pub fn put(self) -> Result<(), Refusal> {
+        let Writing { file, permissions, staged } = self;
+        let written = file.into_inner().map_err(io::IntoInnerError::into_error).and_then(|file| match staged.text {
+            StagedText::Temporary(_) => finish(&file, permissions),
+            StagedText::Device(_) | StagedText::Put => Ok(()),
+        });
+        written.map_err(|error| Refusal::to_write(staged.name.clone(), error))?;
+        staged.put()
+    }
+}
+
+impl Write for Writing {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
 impl Staged {
     /// Puts the text into its place.
     pub fn put(mut self) -> Result<(), Refusal> {
@@ -91,6 +144,31 @@ pub fn print_bytes(bytes: &[u8]) -> Result<(), Refusal> {
 }
 
 fn stage_file(path: &Path, text: &[u8]) -> io::Result<(PathBuf, StagedText)> {
+    let (path, permissions) = match place_of(path)? {
+        (path, PlaceKind::Device) => return Ok((path, StagedText::Device(text.to_vec()))),
+        (path, PlaceKind::File(permissions)) => (path, permissions),
+    };
+    let (temporary, mut file) = temporary_file(directory_of(&path), permissions.as_ref())?;
+    match file.write_all(text).and_then(|()| finish(&file, permissions)) {
+        Ok(()) => Ok((path, StagedText::Temporary(temporary))),
+        Err(error) => {
+            // What was wrong before is what is worth saying.
+            let _ = fs::remove_file(&temporary);
+            Err(error)
+        }
+    }
+}
+
+/// What is at a place.
+enum PlaceKind {
+    /// A device or a pipe.
+    Device,
+    /// A file with these permissions, or none yet.
+    File(Option<Permissions>),
+}
+
+/// The place that a path names, and what is there, if a file can be put there.
+fn place_of(path: &Path) -> io::Result<(PathBuf, PlaceKind)> {
     let path = behind_links(path);
     let existing = match fs::metadata(&path) {
         Ok(metadata) => Some(metadata),
@@ -102,27 +180,21 @@ fn stage_file(path: &Path, text: &[u8]) -> io::Result<(PathBuf, StagedText)> {
             return Err(ErrorKind::IsADirectory.into());
         }
         if !metadata.is_file() {
-            return Ok((path, StagedText::Device(text.to_vec())));
+            return Ok((path, PlaceKind::Device));
         }
         if metadata.permissions().readonly() {
             return Err(ErrorKind::PermissionDenied.into());
         }
     }
-    let directory = match path.parent() {
+    // Asked first, because the temporary file's own name would only puzzle in a message.
+    fs::metadata(directory_of(&path))?;
+    Ok((path, PlaceKind::File(existing.map(|metadata| metadata.permissions()))))
+}
+
+fn directory_of(path: &Path) -> &Path {
+    match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         Some(_) | None => Path::new("."),
-    };
-    // Asked first, because the temporary file's own name would only puzzle in a message.
-    fs::metadata(directory)?;
-    let permissions = existing.map(|metadata| metadata.permissions());
-    let (temporary, file) = temporary_file(directory, permissions.as_ref())?;
-    match fill(file, text, permissions) {
-        Ok(()) => Ok((path, StagedText::Temporary(temporary))),
-        Err(error) => {
-            // What was wrong before is what is worth saying.
-            let _ = fs::remove_file(&temporary);
-            Err(error)
-        }
     }
 }
 
@@ -167,8 +239,8 @@ fn temporary_file(directory: &Path, permissions: Option<&Permissions>) -> io::Re
     Err(refused)
 }
 
-fn fill(mut file: File, text: &[u8], permissions: Option<Permissions>) -> io::Result<()> {
-    file.write_all(text)?;
+/// What remains to be done once a temporary file is written.
+fn finish(file: &File, permissions: Option<Permissions>) -> io::Result<()> {
     if let Some(permissions) = permissions {
         // Said again, because the umask applied when the file was made.
         file.set_permissions(permissions)?;
@@ -213,57 +285,4 @@ pub fn identity(path: &Path) -> Option<FileIdentity> {
 #[cfg(not(unix))]
 pub fn identity(path: &Path) -> Option<FileIdentity> {
     fs::canonicalize(path).ok().filter(|path| path.is_file()).map(FileIdentity)
-}
-
-/// A file cannot be read or written.
-#[derive(Debug)]
-pub struct Refusal {
-    action: &'static str,
-    name: String,
-    error: io::Error,
-}
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Refusal { action, name, error } = self;
-        writeln!(f, "error: cannot {action} `{name}`: {}", reason(error))?;
-        writeln!(f, "  = help: {}", self.advice())
-    }
-}
-
-fn reason(error: &io::Error) -> String {
-    let text = error.to_string();
-    match text.split_once(" (os error ") {
-        Some((reason, _)) => reason.to_lowercase(),
-        None => text,
-    }
-}
-
-impl Refusal {
-    /// What has this name could not be read.
-    pub fn to_read(name: impl Into<String>, error: io::Error) -> Self {
-        Refusal { action: "read", name: name.into(), error }
-    }
-
-    /// What has this name could not be written.
-    pub fn to_write(name: impl Into<String>, error: io::Error) -> Self {
-        Refusal { action: "write", name: name.into(), error }
-    }
-
-    fn advice(&self) -> &'static str {
-        match (self.error.kind(), self.action) {
-            (ErrorKind::NotFound, "read") => "check the path; `-` reads standard input",
-            (ErrorKind::NotFound, _) => "make the directory first; `-` writes to standard output",
-            (ErrorKind::PermissionDenied, "read") => "ask for permission to read it",
-            (ErrorKind::PermissionDenied, _) => "choose another place, or ask for permission to write there",
-            (ErrorKind::IsADirectory, _) => "name a file in it",
-            (ErrorKind::AlreadyExists, _) => "choose another name; nothing that is there is overwritten",
-            (ErrorKind::NotADirectory, _) => "check the path: a part of it is a file, not a directory",
-            (ErrorKind::FileTooLarge, _) => "raise the limit on the size of files, or choose another place",
-            (ErrorKind::StorageFull | ErrorKind::QuotaExceeded, _) => "free some space, or choose another place",
-            (ErrorKind::ReadOnlyFilesystem, _) => "choose another place",
-            (_, "read") => "check that it is a file that can be read",
-            (_, _) => "check that the place can be written to",
-        }
-    }
 }

@@ -1,0 +1,86 @@
+//! A chart over a trace, with the reference simulator.
+//!
+//! [`Simulation::new`] reads the chart and what is wanted of it; [`Simulation::run`] takes it over a trace that is read
+//! as it comes, and hands on each call as it is made: neither is kept, so that a run of any length takes the memory of one
+//! call. [`simulate`] does both for a trace at hand, and keeps what comes of it.
+
+mod kept;
+mod run;
+mod shown;
+
+use crate::compile::{bounded, check};
+use crate::stages::flatten;
+use grafc_diagnostics::{Diagnostics, FileId};
+use grafc_logic::Analysis;
+use grafc_model::chart::{Chart, ControlNames};
+use grafc_model::reaction::Profile;
+use grafc_model::simulate::{Calls, Probe};
+use grafc_model::trace::Shown;
+
+pub use kept::{KeptCall, Record, simulate};
+pub use run::{Ended, Outcome, Results, Text};
+pub use shown::NotShown;
+
+/// How a chart is run over a trace.
+#[derive(Clone, Copy, Default)]
+pub struct Run<'a> {
+    /// How it evolves.
+    pub profile: Profile,
+    /// Whether the bound on micro-steps is the one that is known to be enough, where one is.
+    pub bound_as_known: bool,
+    /// Inputs that act on it as a whole, if there are any.
+    pub controls: Option<&'a ControlNames>,
+    /// When it is called.
+    pub calls: Calls,
+    /// What is shown beside the outputs: `inputs`, `vars`, `steps`, and names as in conditions; a name that is one of
+    /// these words stands in backquotes.
+    pub show: &'a [String],
+}
+
+/// A chart that can be run over traces.
+pub struct Simulation {
+    /// The chart.
+    pub chart: Chart,
+    /// What is looked at beside the outputs.
+    pub probes: Vec<Probe>,
+    /// So many of them, inputs, are shown before the outputs.
+    before: usize,
+    profile: Profile,
+    calls: Calls,
+}
+
+impl Simulation {
+    /// A chart, if it has no errors.
+    ///
+    /// # Errors
+    /// The first word of [`Run::show`] that the chart has nothing for, and the nearest that it has.
+    pub fn new(
+        chart: (FileId, &str),
+        default_name: &str,
+        how: Run,
+    ) -> (Result<Option<Simulation>, NotShown>, Diagnostics) {
+        let (chart, mut diagnostics) = check(chart.0, chart.1, default_name);
+        let Some(mut chart) = chart else { return (Ok(None), diagnostics) };
+        if let Some(Err(found)) = how.controls.map(|names| chart.control(names)) {
+            diagnostics.append(found);
+            return (Ok(None), diagnostics);
+        }
+        let (probes, before) = match shown::probes(&chart, how.show) {
+            Ok(found) => found,
+            Err(word) => return (Err(NotShown { near: shown::near(&chart, &word), word }), diagnostics),
+        };
+        let mut lowering = grafc_logic::Options { profile: how.profile, ..grafc_logic::Options::default() };
+        if how.bound_as_known
+            && let Some(net) = flatten(chart.clone(), false, &mut Diagnostics::new())
+        {
+            lowering = bounded(&lowering, true, &Analysis::new(net));
+        }
+        let simulation = Simulation { chart, probes, before, profile: lowering.profile, calls: how.calls };
+        (Ok(Some(simulation)), diagnostics)
+    }
+
+    /// The columns of a result, of a trace that may or may not say that the controller has restarted.
+    pub fn shown(&self, restarts: bool) -> Shown<'_> {
+        Shown { restarts: restarts && self.before > 0, probes: &self.probes, before: self.before }
+    }
+}
