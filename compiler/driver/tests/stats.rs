@@ -300,3 +300,28 @@ fn a_chart_with_errors_has_no_table() {
     let run = folder.run(&["stats", "faulty.gct", "--outputs"]);
     assert_eq!((run.code, run.out.as_str()), (1, ""));
 }
+
+/// A ring of so many steps, each with an output of its own: beyond 20,000 cells there is a list.
+#[test]
+fn where_the_table_would_be_large_there_is_a_list() {
+    use std::fmt::Write;
+    let chart = |steps: usize| {
+        let mut chart = "input a, b : bool\ninitial step 0 { V0 }\n".to_owned();
+        for step in 1..steps {
+            writeln!(chart, "step {step} {{ V{step} if a }}").unwrap();
+        }
+        for step in 0..steps {
+            let condition = if step % 2 == 0 { "a" } else { "b" };
+            writeln!(chart, "transition {step} -> {} : {condition}", (step + 1) % steps).unwrap();
+        }
+        let outputs: Vec<String> = (0..steps).map(|step| format!("V{step}")).collect();
+        format!("output {} : bool\n{chart}", outputs.join(", "))
+    };
+    let folder = Folder::new(&[("small.gct", &chart(140)), ("large.gct", &chart(142))]);
+    let of = |name: &str| folder.run(&["stats", name, "--outputs", "-q"]).is_done().out.clone();
+    assert!(of("small.gct").contains("\nG1: 1    -   if  -"), "140 times 140 cells");
+    let large = of("large.gct");
+    assert!(large.contains("\n\n  G1: 0    V0\n  G1: 1    V1 (if)\n  G1: 2    V2 (if)\n"), "{large}");
+    assert!(large.contains("\nif\n  V1 in 1      a\n"), "{large}");
+    assert!(large.len() < 40 * 142, "a line or two a situation");
+}

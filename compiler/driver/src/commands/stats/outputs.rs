@@ -10,6 +10,9 @@ use std::collections::BTreeMap;
 /// Lines of the table are at most this long, except where one column is wider; what does not fit is a further table.
 const WIDTH: usize = 100;
 
+/// A table of more cells nobody reads; most of them say that an output is off. Then there is a list.
+const MOST_CELLS: usize = 20_000;
+
 /// What outputs do. The names of the fields are those of the JSON object.
 #[derive(Serialize)]
 pub struct Outputs {
@@ -101,7 +104,11 @@ impl Outputs {
             counted(self.outputs.len(), "output of continuous actions", "outputs of continuous actions"),
             counted(self.stored.len(), "of stored ones", "of stored ones"),
         );
-        self.matrices(&mut out);
+        if self.outputs.len() * self.situations.len() <= MOST_CELLS {
+            self.matrices(&mut out);
+        } else {
+            self.list(&mut out);
+        }
         self.conditions(&mut out);
         if !self.stored.is_empty() {
             out.push_str("\nstored\n");
@@ -143,6 +150,26 @@ impl Outputs {
                 out.push('\n');
             }
         }
+        self.about_steps(out);
+    }
+
+    /// Situations down, behind each the outputs that are on.
+    fn list(&self, out: &mut String) {
+        out.push('\n');
+        let heads: Vec<String> = self.situations.iter().map(Situation::head).collect();
+        let indent = 4 + heads.iter().map(|head| head.chars().count()).max().unwrap_or_default();
+        for (situation, head) in self.situations.iter().zip(&heads) {
+            let on = situation.on.iter().cloned();
+            let on_if = situation.on_if.keys().map(|name| format!("{name} (if)"));
+            let names: Vec<String> = on.chain(on_if).collect();
+            let names = if names.is_empty() { "-".to_owned() } else { names.join(", ") };
+            wrap(out, head, indent, &names.split(' ').collect::<Vec<_>>());
+        }
+        self.about_steps(out);
+    }
+
+    /// What a line that is no situation means.
+    fn about_steps(&self, out: &mut String) {
         if self.situations.iter().any(|situation| !situation.whole) {
             out.push_str(
                 "\nA line with `+` is a step that may be active together with others: an output is on if one of\n\
@@ -153,13 +180,14 @@ impl Outputs {
 
     /// What `if` in the table stands for.
     fn conditions(&self, out: &mut String) {
-        let lines = self.outputs.iter().flat_map(|name| {
-            let conditions = |situation: &Situation| {
-                let text = situation.on_if.get(name)?.join(" or ");
-                Some((format!("{name} in {}", situation.steps.join(" ")), text))
-            };
-            self.situations.iter().filter_map(conditions).collect::<Vec<_>>()
-        });
+        let mut of_outputs: BTreeMap<&str, Vec<(String, String)>> = BTreeMap::new();
+        for situation in &self.situations {
+            for (name, conditions) in &situation.on_if {
+                let place = format!("{name} in {}", situation.steps.join(" "));
+                of_outputs.entry(name).or_default().push((place, conditions.join(" or ")));
+            }
+        }
+        let lines = self.outputs.iter().filter_map(|name| of_outputs.remove(name.as_str())).flatten();
         let lines: Vec<(String, String)> = lines.collect();
         if lines.is_empty() {
             return;
