@@ -6,24 +6,25 @@
 //! Wrong: `grafcet G1 { initial step 1 transition 1 -> 2 : a }  grafcet G2 { step 2 }`
 //! Right: `grafcet G1 { initial step 1 step 2 transition 1 -> 2 : a }`
 
+use crate::chart::MacroId;
 use crate::fixes::name_instead;
 use crate::resolve::Resolved;
-use crate::resolve::parts::{ExpansionId, Frame};
+use crate::resolve::parts::Frame;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use grafc_syntax::ast;
+use index_vec::IndexVec;
 
 /// More steps of one transition are not shown.
 const SHOWN: usize = 4;
 
-/// A longer circle of macro-steps nobody writes.
-const NESTED: usize = 16;
-
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
-    for part in resolved.parts.transitions.iter().filter(|part| is_known(resolved, part.frame)) {
+    let circles = in_circles(resolved);
+    let is_known = |frame| is_known(resolved, frame, &circles);
+    for part in resolved.parts.transitions.iter().filter(|part| is_known(part.frame)) {
         let sides = part.ast.from.iter().map(|name| (name, false)).chain(part.ast.to.iter().map(|name| (name, true)));
         let mut foreign = sides.filter_map(|(name, enters)| {
             let frame = frame(resolved, name)?;
-            (frame != part.frame && is_known(resolved, frame)).then_some((name, frame, enters))
+            (frame != part.frame && is_known(frame)).then_some((name, frame, enters))
         });
         let Some((name, there, enters)) = foreign.next() else { continue };
         let (here_name, there_name) = (describe(resolved, part.frame), describe(resolved, there));
@@ -58,19 +59,35 @@ fn frame(resolved: &Resolved, name: &ast::Name) -> Option<Frame> {
 }
 
 /// Whether where it belongs has not been reported as a fault.
-fn is_known(resolved: &Resolved, frame: Frame) -> bool {
+fn is_known(resolved: &Resolved, frame: Frame, circles: &IndexVec<MacroId, bool>) -> bool {
     match frame {
         Frame::Grafcet(grafcet) => !resolved.parts.is_stray(grafcet),
-        Frame::Expansion(expansion) => !is_in_itself(resolved, expansion),
+        // A macro-step that stands in its own expansion (E0306) is nowhere, and neither is what is in that.
+        Frame::Expansion(expansion) => resolved.expanded[expansion].is_none_or(|own| !circles[own]),
     }
 }
 
-/// Whether the macro-step of an expansion stands in it (E0306), so that neither is anywhere.
-fn is_in_itself(resolved: &Resolved, expansion: ExpansionId) -> bool {
+/// The macro-steps that stand in their own expansions, perhaps within those of others. Each stands in one expansion at
+/// most, so that each is passed once on the way outwards.
+fn in_circles(resolved: &Resolved) -> IndexVec<MacroId, bool> {
     let macro_steps = &resolved.chart.macro_steps;
-    let Some(own) = resolved.expanded[expansion] else { return false };
-    let outwards = std::iter::successors(macro_steps[own].expansion_of, |&outer| macro_steps[outer].expansion_of);
-    outwards.take(NESTED).any(|outer| outer == own)
+    let mut circles: IndexVec<MacroId, bool> = macro_steps.iter().map(|_| false).collect();
+    let mut way_of: IndexVec<MacroId, Option<MacroId>> = macro_steps.iter().map(|_| None).collect();
+    for start in macro_steps.indices() {
+        let mut at = start;
+        while way_of[at].is_none() {
+            way_of[at] = Some(start);
+            let Some(outer) = macro_steps[at].expansion_of else { break };
+            at = outer;
+            // Where this way meets itself, it goes round.
+            if way_of[at] == Some(start) {
+                while !std::mem::replace(&mut circles[at], true) {
+                    at = macro_steps[at].expansion_of.unwrap_or(at);
+                }
+            }
+        }
+    }
+    circles
 }
 
 fn describe(resolved: &Resolved, frame: Frame) -> String {
@@ -118,6 +135,19 @@ mod tests {
             "input a : bool initial step 1 macro step M3 transition 1 -> M3 : a
              expansion M3 { step E3 step S3 transition E3 -> S3 : a transition S3 -> 1 : a }",
         );
+    }
+
+    /// One message is that of the circle (E0306), however long it is.
+    #[test]
+    fn in_a_circle_of_macro_steps() {
+        for length in [1, 2, 16, 17, 40] {
+            let mut chart = "input a : bool initial step 1 transition 1 -> E0 : a\n".to_owned();
+            for n in 0..length {
+                chart.push_str(&format!("expansion M{n} {{ step E{n} macro step M{} step S{n}\n", (n + 1) % length));
+                chart.push_str(&format!("transition E{n} -> S{n} : a transition S{n} -> 1 : a }}\n"));
+            }
+            breaks("E0306", &chart);
+        }
     }
 
     #[test]
