@@ -14,11 +14,14 @@ use rustc_hash::FxHashMap;
 
 /// At most one warning a name.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
-    let chart = &resolved.chart;
+    let (chart, parts) = (&resolved.chart, &resolved.parts);
+    names(parts.name.iter().map(|name| (name.text.as_str(), name.span)), diagnostics);
     let steps = chart.steps.iter().map(|step| (step.label.as_str(), step.span));
     let macro_steps = chart.macro_steps.iter().map(|step| (step.label.as_str(), step.span));
     names(chart.variables.iter().map(|variable| (variable.name.as_str(), variable.span)), diagnostics);
     names(steps.chain(macro_steps), diagnostics);
+    let designations = parts.transitions.iter().filter_map(|part| part.ast.designation.as_ref());
+    names(designations.map(|name| (name.text.as_str(), name.span)), diagnostics);
     names(chart.grafcets.iter().map(|grafcet| (grafcet.name.as_str(), grafcet.span)), diagnostics);
 }
 
@@ -80,6 +83,20 @@ mod tests {
             &["W0426"],
             "input a : bool initial step cap step `\u{441}\u{430}\u{440}` transition cap -> `\u{441}\u{430}\u{440}` : a",
         );
+    }
+
+    #[test]
+    fn of_the_chart_and_of_transitions() {
+        passes_with(&["W0426"], "chart p\u{430}ge input a : bool initial step 1 transition 1 -> : a");
+        let designated = |first: &str, second: &str| {
+            format!(
+                "chart Page input a : bool initial step 1 step 2
+                 transition (`{first}`) 1 -> 2 : a transition (`{second}`) 2 -> 1 : not a"
+            )
+        };
+        passes_with(&["W0426"], &designated("cap", "\u{441}\u{430}\u{440}"));
+        passes_with(&["W0426"], &designated("t1", "t\u{200B}2"));
+        passes(&designated("Öffnen", "Schließen"));
     }
 
     #[test]
