@@ -8,6 +8,7 @@ use super::text::{key, quoted};
 use crate::writer::Writer;
 use ecow::{EcoString, eco_format};
 use grafc_logic::scan::{Origin, Program, Role, SeenDelay, TransitionId};
+use rustc_hash::FxHashSet;
 
 /// Writes them.
 pub(super) fn write(out: &mut Writer, program: &Program, places: &Places, options: &Options) {
@@ -17,8 +18,15 @@ pub(super) fn write(out: &mut Writer, program: &Program, places: &Places, option
     out.blank();
     object(out, "const INPUTS =", &inputs);
     let Some(observing) = &program.observing else { return };
-    let transitions: Vec<EcoString> =
-        observing.transitions.iter().map(|seen| quoted(&designation(program, seen.transition))).collect();
+    // A page has to tell apart what the chart calls the same: then all go by their numbers.
+    let all = &program.elements.transitions;
+    let by_number =
+        options.observed && all.indices().map(|t| designation(program, t)).collect::<FxHashSet<_>>().len() < all.len();
+    let name = |t: TransitionId| match by_number {
+        true => eco_format!("\"#{}\"", t.index() + 1),
+        false => quoted(&designation(program, t)),
+    };
+    let transitions: Vec<EcoString> = observing.transitions.iter().map(|seen| name(seen.transition)).collect();
     out.comment("the transitions: their designations, or their numbers in order of declaration");
     list(out, "const TRANSITIONS =", &transitions);
     if !options.observed {

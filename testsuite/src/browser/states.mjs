@@ -8,6 +8,7 @@ export default async function play(page) {
   // Step 1 orders G2{12} while it is active.
   await scan(page, { m: 1 });
   assert.deepEqual(await lit(page), ['1', '12', '20', '30']);
+  assert.deepEqual(await of('.transition.cleared', 'number'), ['1'], 'not the other one of this designation');
   assert.deepEqual(await of('.step.forced', 'step'), ['12']);
   assert.deepEqual(await of('.order.in-force', 'forces'), ['G2']);
   // Step 2 freezes it.

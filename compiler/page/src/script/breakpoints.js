@@ -33,7 +33,7 @@ export class Breakpoints {
   }
 
   title(kind, key) {
-    return kind === 'step' ? word('step-named', { label: shown(key) }) : transitionName(this.model.byTransition.get(key)[0]);
+    return kind === 'step' ? word('step-named', { label: shown(key) }) : transitionName(this.model.byTransition.get(key));
   }
 
   show() {

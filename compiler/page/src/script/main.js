@@ -57,7 +57,7 @@ function change(place, value) {
 function happened(what, hit) {
   if (what === 'break') {
     broken = hit;
-    say(word('broken', { where: hit.kind === 'step' ? word('step-named', { label: shown(hit.name) }) : transitionName(model.byTransition.get(hit.name)[0]) }));
+    say(word('broken', { where: hit.kind === 'step' ? word('step-named', { label: shown(hit.name) }) : transitionName(model.byTransition.get(hit.name)) }));
   } else {
     broken = null;
   }

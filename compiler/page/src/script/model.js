@@ -11,19 +11,17 @@ export class Model {
     this.steps = data.steps.map((step, index) => ({ ...step, index }));
     this.macros = data.macros.map((macro, index) => ({ ...macro, index }));
     this.grafcets = data.grafcets.map((grafcet, index) => ({ ...grafcet, index }));
-    // What the module and the drawing call a transition that has no designation.
-    this.transitions = data.transitions.map((transition, index) => ({ ...transition, index, name: transition.designation ?? `#${index + 1}` }));
+    // What the module calls them.
+    const names = data.transitions.map(({ designation }, index) => designation ?? `#${index + 1}`);
+    // Where two would be called the same, all go by their numbers.
+    const isClear = new Set(names).size === names.length;
+    this.transitions = data.transitions.map((transition, index) => ({ ...transition, index, name: isClear ? names[index] : `#${index + 1}` }));
     this.inputs = this.variables.filter((variable) => variable.kind === 'input');
     this.outputs = this.variables.filter((variable) => variable.kind === 'output');
     this.internal = this.variables.filter((variable) => variable.kind === 'internal' || variable.kind === 'constant');
     this.step = new Map(this.steps.map((step) => [step.label, step]));
     this.input = new Map(this.inputs.map((input, place) => [input.name, place]));
-    this.byTransition = new Map();
-    for (const transition of this.transitions) {
-      const named = this.byTransition.get(transition.name) ?? [];
-      named.push(transition);
-      this.byTransition.set(transition.name, named);
-    }
+    this.byTransition = new Map(this.transitions.map((transition) => [transition.name, transition]));
   }
 
   /** The labels of the macro-steps that are active: those with an active step in their expansion, or in one within. */

@@ -9,6 +9,10 @@ export const AXIS = 20;
 /** The part of a lane that is used, from its top. */
 const [HIGH, LOW] = [5, 20];
 
+/** From one mark of the axis to the next: what people count by. */
+const DAY = 86400000;
+const TICKS = [1, 2, 5, 10, 20, 50, 100, 200, 500, ...[1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200, 18000, 36000, 72000].map((s) => s * 1000), DAY];
+
 /** The width that names take. */
 export function namesWidth(width) {
   return Math.min(150, Math.floor(width * 0.28));
@@ -43,14 +47,13 @@ export function paint(context, { width, height, from, to, end, signals, cursor, 
 
 function axis(context, { width, height, from, to, left, x, colours }) {
   const wish = ((to - from) * 90) / (width - left);
-  const power = 10 ** Math.floor(Math.log10(Math.max(wish, 1)));
-  const tick = [1, 2, 5, 10].map((factor) => factor * power).find((step) => step >= wish) ?? 10 * power;
+  const tick = TICKS.find((step) => step >= wish) ?? Math.ceil(wish / DAY) * DAY;
   context.textAlign = 'center';
   for (let t = Math.max(0, Math.ceil(from / tick) * tick); t <= to; t += tick) {
     context.fillStyle = colours.hair;
     context.fillRect(Math.round(x(t)), AXIS, 1, height);
     context.fillStyle = colours.soft;
-    if (x(t) > left + 20 && x(t) < width - 24) context.fillText(duration(t), x(t), AXIS / 2);
+    if (x(t) > left + 20 && x(t) < width - 24) context.fillText(tick < 1000 ? duration(t) : duration(t).replace(/[.,]000/, ''), x(t), AXIS / 2);
   }
 }
 

@@ -1,7 +1,7 @@
 // A run as a value change dump, word for word as `grafc sim -o x.vcd` writes it.
 
 import { run, raised } from './result.js';
-import { same } from './values.js';
+import { cell, same } from './values.js';
 
 const WIDTHS = { bool: 1, int: 16, uint: 16, dint: 32, udint: 32, real: 64, lreal: 64, time: 64 };
 
@@ -20,10 +20,10 @@ export function dump(Chart, model, trace) {
     }
     lines.push('$upscope $end');
   };
-  const ofKind = (kind) => model.internal.filter((variable) => variable.kind === kind);
+  const internal = model.internal.filter((variable) => variable.kind === 'internal');
   scope('inputs', model.inputs.map((input, place) => [input.name, input.type, (chart, inputs) => inputs[place]]));
   scope('outputs', model.outputs.map((output) => [output.name, output.type, (chart) => chart.outputs[output.name]]));
-  scope('variables', [...ofKind('internal'), ...ofKind('constant')].map((variable) => [variable.name, variable.type, (chart) => chart.variables[variable.name] ?? variable.initial]));
+  scope('variables', internal.map((variable) => [variable.name, variable.type, (chart) => chart.variables[variable.name]]));
   for (const grafcet of model.grafcets) {
     const own = model.steps.filter((step) => step.grafcet === grafcet.index);
     scope(grafcet.name, own.map((step) => [`X${step.label}`, 'bool', (chart, inputs, active) => active.has(step.label)]));
@@ -51,7 +51,7 @@ export function dump(Chart, model, trace) {
 
 function change({ id, type }, value) {
   if (type === 'bool') return `${value ? 1 : 0}${id}`;
-  if (type === 'real' || type === 'lreal') return `r${value} ${id}`;
+  if (type === 'real' || type === 'lreal') return `r${cell(value, 'lreal')} ${id}`;
   const width = WIDTHS[type];
   return `b${BigInt.asUintN(width, BigInt(value)).toString(2).padStart(width, '0')} ${id}`;
 }

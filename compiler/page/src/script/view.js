@@ -29,11 +29,8 @@ export class View {
     this.orders = gather(svg, 'data-order');
     this.grafcets = gather(svg, 'data-grafcet');
     const numbers = gather(svg, 'data-number');
-    // By the name that the module gives them; what shares one is lit together.
-    this.transitions = new Map();
-    for (const [name, named] of model.byTransition) {
-      this.transitions.set(name, named.flatMap(({ index }) => numbers.get(String(index + 1)) ?? []));
-    }
+    // By the name that the module gives them.
+    this.transitions = new Map(model.transitions.map(({ name, index }) => [name, numbers.get(String(index + 1)) ?? []]));
     const names = ['active', 'forced', 'enabled', 'satisfied', 'cleared', 'acting', 'in-force', 'frozen'];
     this.lights = new Map(names.map((name) => [name, new Light(name)]));
     this.glows = { cleared: new Map(), acted: new Map() };
