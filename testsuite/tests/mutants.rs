@@ -61,6 +61,14 @@ fn faults_stand_beside_what_is_right() {
 }
 
 /// The text of a fault is an expression, or statements: with the choice in its place the file is still Rust.
+/// Right and wrong stand beside each other in blocks of their own, from which no name comes out.
+#[test]
+fn no_fault_declares_a_name() {
+    for fault in all() {
+        assert!(!fault.text.starts_with("let "), "{}: `{}`", fault.name, fault.text);
+    }
+}
+
 #[test]
 fn what_has_faults_is_rust_all_the_same() {
     let here = Command::new("rustfmt").arg("--version").output().is_ok_and(|output| output.status.success());

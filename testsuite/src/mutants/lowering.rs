@@ -107,8 +107,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "last-action-decides",
         at: COMPILER,
         breaks: "of several continuous actions on an output only the last counts (R11)",
-        text: "let sum = pool.or(sum);",
-        instead: "let sum = sum.pop().unwrap_or(always);",
+        text: "pool.or(sum)",
+        instead: "sum.pop().unwrap_or(always)",
     },
     Fault {
         name: "factors-of-one-for-all",
