@@ -132,20 +132,6 @@ pub(super) const FAULTS: &[Fault] = &[
         instead: "",
     },
     Fault {
-        name: "situations-kept-steps-are-lost",
-        at: COMPILER,
-        breaks: "a step that is left and entered at once is taken to become inactive",
-        text: "others.extend(single.before.iter().flat_map(|s| &self.entered_active[usize::from(*s)]));",
-        instead: "",
-    },
-    Fault {
-        name: "situations-conditions-one-by-one",
-        at: COMPILER,
-        breaks: "a condition is taken to read steps after other transitions have cleared",
-        text: "others.extend(single.reads.iter().flat_map(|s| &self.changers[usize::from(*s)]));",
-        instead: "",
-    },
-    Fault {
         name: "situations-without-orders",
         at: COMPILER,
         breaks: "situations that orders force are left out",

@@ -8,9 +8,13 @@
 //! - the one leads to a step that the other leaves, which is active already: the step stays active (rule 5);
 //! - the condition of the one reads a step that the other changes, since both are decided before anything is written.
 //!
+//! The last two have an order: done one after the other, first the one that leaves the step or reads it and then the other,
+//! they come to the same situation. So the second looks for the first and not the other way round: what goes round in such an
+//! order is found from any of its transitions.
+//!
 //! Moves are made of transitions one by one, and only where all of them are enabled in a situation found so far. So any
-//! transitions that clear together in such a situation fall into moves of which none has to do with another: these done
-//! one after the other come to the same situation.
+//! transitions that clear together in such a situation fall into moves which, done one after the other in that order, come
+//! to the same situation.
 
 use super::parts::Part;
 use super::sets::{Act, NONE, SetId, Sets};
@@ -74,10 +78,8 @@ struct Search<'a> {
     singles: Vec<Single>,
     /// Those of a transition.
     rivals: Vec<Vec<usize>>,
-    /// The transitions after each step, those that change it, those that read it, and those that may lead to it while it
-    /// is active.
+    /// The transitions after each step, those that read it, and those that may lead to it while it is active.
     leaving: Vec<Vec<usize>>,
-    changers: Vec<Vec<usize>>,
     readers: Vec<Vec<usize>>,
     entered_active: Vec<Vec<usize>>,
     moves: Vec<Move>,
@@ -104,7 +106,6 @@ impl<'a> Search<'a> {
             singles: Vec::with_capacity(part.transitions.len()),
             rivals: Vec::with_capacity(part.transitions.len()),
             leaving: vec![Vec::new(); part.steps.len()],
-            changers: vec![Vec::new(); part.steps.len()],
             readers: vec![Vec::new(); part.steps.len()],
             entered_active: vec![Vec::new(); part.steps.len()],
             moves: Vec::new(),
@@ -133,8 +134,6 @@ impl<'a> Search<'a> {
         for (index, single) in search.singles.iter().enumerate() {
             single.before.iter().for_each(|s| search.leaving[usize::from(*s)].push(index));
             single.reads.iter().for_each(|s| search.readers[usize::from(*s)].push(index));
-            let changed = single.before.symmetric_difference(&single.after);
-            changed.for_each(|s| search.changers[usize::from(*s)].push(index));
         }
         let place: FxHashMap<TransitionId, usize> =
             search.singles.iter().enumerate().map(|(index, single)| (single.id, index)).collect();
@@ -291,10 +290,8 @@ impl<'a> Search<'a> {
                     others.extend(&self.leaving[usize::from(*s)]);
                 }
             }
-            others.extend(single.before.iter().flat_map(|s| &self.entered_active[usize::from(*s)]));
             others
                 .extend(single.before.symmetric_difference(&single.after).flat_map(|s| &self.readers[usize::from(*s)]));
-            others.extend(single.reads.iter().flat_map(|s| &self.changers[usize::from(*s)]));
         }
         self.found.sets.spend(1 + others.len())?;
         for other in others {
