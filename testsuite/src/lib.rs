@@ -11,6 +11,7 @@ pub mod controller;
 pub mod differential;
 pub mod drawing_lint;
 pub mod drawn_chart;
+pub mod enumeration;
 pub mod excerpts;
 pub mod executors;
 pub mod expected;

@@ -13,6 +13,7 @@
 //! | `diagram` | the steps and transitions of a grafcet or expansion, with places |
 //! | `panel` | diagrams with their frames, and in these the enclosures and expansions |
 //! | `sheets` | panels on one sheet or on pages, with a title block |
+//! | `states` | graphs of states, for what is found of a chart |
 //! | `svg` | the text |
 
 mod diagram;
@@ -21,10 +22,12 @@ mod panel;
 mod picture;
 mod rich;
 mod sheets;
+mod states;
 mod svg;
 mod symbols;
 mod wording;
 
 pub use picture::{Anchor, Group, Picture, Shape, Style};
 pub use sheets::{Options, Page, Refusal, draw};
+pub use states::{Arc, State, states};
 pub use svg::{svg, svg_in_html};

@@ -1,7 +1,9 @@
 //! What can be asked of grafc.
 
 use crate::choices;
-use crate::commands::{check, compile, completions, draw, explain, fmt, import, man, new, page, sim, stats};
+use crate::commands::{
+    check, compile, completions, draw, explain, fmt, graph, import, man, new, page, serve, sim, stats,
+};
 use crate::meant;
 use crate::stream::Stream;
 use clap::error::ErrorKind;
@@ -20,7 +22,7 @@ Example:
   grafc valve.gct --emit net
 
 The ending of FILE says what to make, unless `--target` does: ENDINGS.
-Exit codes: 0 done, 1 a chart has errors, 2 wrong use, 3 a file cannot be read or written, 101 a fault of grafc.
+Exit codes: 0 done, 1 a chart has errors, 2 wrong use, 3 a file cannot be read or written, 4 not decided, 101 a fault of grafc.
 A chart that is named like a command is given as `./check`; `-` is standard input or output.";
 
 /// Compile GRAFCET charts (IEC 60848) to code for PLCs, or to Rust
@@ -75,6 +77,10 @@ pub enum Command {
     Draw(draw::Arguments),
     /// Make a page of a chart on which it runs: one HTML file that needs nothing else
     Page(page::Arguments),
+    /// Show the page of a chart in a browser, made again at each save
+    Serve(serve::Arguments),
+    /// Find all situations that a chart can come to, and what leads from one to another
+    Graph(graph::Arguments),
     /// Measure what a chart takes in each encoding
     Stats(stats::Arguments),
     /// Bring charts into the canonical format

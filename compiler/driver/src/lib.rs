@@ -31,6 +31,8 @@ pub enum Exit {
     WrongUse = 2,
     /// A file cannot be read or written.
     FilesRefused = 3,
+    /// What was asked is not decided: a limit was hit, or something cannot be followed.
+    Open = 4,
 }
 
 /// Runs one command to its end.
@@ -43,6 +45,8 @@ pub fn run(command_line: CommandLine) -> Exit {
         Some(Command::Stats(args)) => commands::stats::run(args),
         Some(Command::Draw(args)) => commands::draw::run(args),
         Some(Command::Page(args)) => commands::page::run(args),
+        Some(Command::Serve(args)) => commands::serve::run(args),
+        Some(Command::Graph(args)) => commands::graph::run(args),
         Some(Command::Fmt(args)) => commands::fmt::run(args),
         Some(Command::Import(args)) => commands::import::run(args),
         Some(Command::Explain(args)) => commands::explain::run(args),

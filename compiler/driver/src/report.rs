@@ -42,6 +42,8 @@ pub enum Failure {
     WrongUse(String, String),
     /// A file cannot be read or written.
     Files(Refusal),
+    /// What was asked cannot be decided: why, and what to do.
+    Open(String, String),
 }
 
 impl Failure {
@@ -50,6 +52,7 @@ impl Failure {
         match self {
             Failure::WrongUse(..) => Exit::WrongUse,
             Failure::Files(_) => Exit::FilesRefused,
+            Failure::Open(..) => Exit::Open,
         }
     }
 }
@@ -59,6 +62,7 @@ impl fmt::Display for Failure {
         match self {
             Failure::WrongUse(what, help) => write!(f, "error: {what}\n  = help: {help}\n"),
             Failure::Files(refusal) => refusal.fmt(f),
+            Failure::Open(what, help) => write!(f, "open: {what}\n  = help: {help}\n"),
         }
     }
 }

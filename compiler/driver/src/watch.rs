@@ -127,7 +127,7 @@ fn clear(is_terminal: bool) -> &'static str {
 fn waiting(exit: Exit, files: &[&Path]) -> String {
     let done = match exit {
         Exit::Done => "done",
-        Exit::ChartErrors | Exit::WrongUse | Exit::FilesRefused => "what was made before stays as it is",
+        Exit::ChartErrors | Exit::WrongUse | Exit::FilesRefused | Exit::Open => "what was made before stays as it is",
     };
     match files {
         [file] => format!("{done}; waiting for a change of `{}`, Ctrl-C ends\n", file.display()),

@@ -8,6 +8,7 @@
 //! written (`expression`), so that any condition may name any step. Weights lean towards charts in which things
 //! happen: rings rather than dead ends, conditions of one or two inputs, delays that the traces meet to the millisecond.
 
+mod boolean;
 mod expression;
 mod ink;
 mod plain;
@@ -29,6 +30,8 @@ pub enum ChartKind {
     Hierarchical,
     /// Nothing but steps and conditions of inputs, properly nested.
     Plain,
+    /// Few steps and Boolean inputs, without delays: small enough to try everything.
+    Boolean,
 }
 
 /// What is drawn of a seed.
@@ -45,6 +48,7 @@ fn text(seed: u64, draw: Draw) -> String {
     let mut rng = fastrand::Rng::with_seed(seed);
     let name = format!("Random_{seed}");
     match draw.kind {
+        ChartKind::Boolean => boolean::chart(&mut rng, &name),
         ChartKind::Plain => plain::chart(&mut rng, &name),
         ChartKind::Flat | ChartKind::Hierarchical => {
             let frames = structure::draw(&mut rng, draw.kind, draw.size);

@@ -49,7 +49,7 @@ pub(super) enum RandomStepKind {
 pub(super) fn draw(rng: &mut Rng, kind: ChartKind, size: usize) -> Vec<Frame> {
     let mut frames = Vec::new();
     let count = match kind {
-        ChartKind::Flat | ChartKind::Plain => rng.usize(1..=2 + size),
+        ChartKind::Flat | ChartKind::Plain | ChartKind::Boolean => rng.usize(1..=2 + size),
         ChartKind::Hierarchical => rng.usize(2..=4 + size),
     };
     for index in 0..count {

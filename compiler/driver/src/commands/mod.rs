@@ -6,10 +6,12 @@ pub mod completions;
 pub mod draw;
 pub mod explain;
 pub mod fmt;
+pub mod graph;
 pub mod import;
 pub mod man;
 pub mod new;
 pub mod page;
+pub mod serve;
 pub mod sim;
 pub mod stats;
 

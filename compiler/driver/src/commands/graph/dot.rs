@@ -1,0 +1,52 @@
+//! The graph for Graphviz.
+
+use super::lines;
+use grafc_verify::Graph;
+use std::fmt::Write as _;
+
+/// Initial ones are doubled, deadlocks are filled; rings without end lead to a point of their own.
+pub fn dot(graph: &Graph) -> String {
+    let mut out = format!("digraph {} {{\n  node [shape=box, fontname=\"sans-serif\"];\n", quoted(&graph.chart));
+    for (id, node) in graph.nodes.iter().enumerate() {
+        let doubled = if graph.initial.contains(&id) { ", peripheries=2" } else { "" };
+        let dead = if graph.deadlocks.contains(&id) { ", style=filled, fillcolor=\"#f4c7c3\"" } else { "" };
+        let _ = writeln!(out, "  {id} [label={}{doubled}{dead}];", quoted(&lines(node).join("\n")));
+    }
+    for edge in &graph.edges {
+        let _ = writeln!(out, "  {} -> {} [label={}];", edge.from, edge.to, quoted(&edge.when));
+    }
+    for (number, livelock) in graph.livelocks.iter().enumerate() {
+        let ring = format!("LIVELOCK by {}", livelock.ring.join(" "));
+        let _ = writeln!(out, "  l{number} [shape=octagon, label={}];", quoted(&ring));
+        if let Some(from) = livelock.from {
+            let _ = writeln!(out, "  {from} -> l{number} [label={}];", quoted(&livelock.when));
+        }
+    }
+    out.push_str("}\n");
+    out
+}
+
+/// A string of Graphviz, in which a line break is `\n`.
+fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            '\n' => out.push_str("\\n"),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quoted;
+
+    #[test]
+    fn a_text_cannot_end_its_quotes() {
+        assert_eq!(quoted("a \"b\" \\ c\nd"), r#""a \"b\" \\ c\nd""#);
+    }
+}

@@ -1,0 +1,132 @@
+//! `grafc graph`: what a chart can come to, as the graph of reachable markings of the textbook.
+
+mod dot;
+mod json;
+mod picture;
+mod text;
+
+use super::refuse_output_over_input;
+use crate::Exit;
+use crate::arguments::{ProfileArguments, QuietArgument};
+use crate::report::{Failure, Format, Report};
+use crate::stream::Stream;
+use clap::{Args, ValueEnum};
+use grafc::Document;
+use grafc_diagnostics::Diagnostics;
+use grafc_logic::scan::Observed;
+use grafc_logic::{Options, compile_observed};
+use grafc_model::reaction::Profile;
+use grafc_verify::{Beyond, Graph, Of, graph};
+
+const AFTER_HELP: &str = "\
+Example:
+  grafc graph valve.gct
+  grafc graph valve.gct --format svg -o valve_graph.svg
+  grafc graph valve.gct --of states --format json
+
+An edge bears the inputs with which some reaction leads from one situation to the other. Delays may end at any later
+reaction. Exit code 4: there are more states than `--max`, or something that cannot be followed.";
+
+/// Arguments of `grafc graph`.
+#[derive(Args, Debug)]
+#[command(after_help = AFTER_HELP)]
+pub struct Arguments {
+    /// The chart; `-` is standard input
+    #[arg(value_name = "CHART")]
+    chart: Stream,
+    /// Where to put the graph; standard output without it
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<Stream>,
+    /// The form of the graph
+    #[arg(long, value_enum, default_value_t = Form::Text)]
+    format: Form,
+    /// What the nodes are
+    #[arg(long, value_enum, default_value_t = OfName::Situations)]
+    of: OfName,
+    /// At most so many states are looked at
+    #[arg(long, value_name = "N", default_value_t = 100_000)]
+    max: usize,
+    #[command(flatten)]
+    profile: ProfileArguments,
+    #[command(flatten)]
+    quiet: QuietArgument,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Form {
+    /// For people
+    Text,
+    /// One JSON object
+    Json,
+    /// For Graphviz
+    Dot,
+    /// A drawing
+    Svg,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum OfName {
+    /// Situations
+    Situations,
+    /// States: with variables, operands of edges and delays
+    States,
+}
+
+impl OfName {
+    fn of(self) -> Of {
+        match self {
+            OfName::Situations => Of::Situations,
+            OfName::States => Of::States,
+        }
+    }
+}
+
+/// Explores one chart.
+pub fn run(args: Arguments) -> Result<Exit, Failure> {
+    let output = args.output.clone().unwrap_or(Stream::Standard);
+    refuse_output_over_input(&output, [&args.chart])?;
+    let mut report = Report::default();
+    let mut found = None;
+    if let Some(file) = report.load(&args.chart)? {
+        let source = report.sources.file(file);
+        // The only text, so places in it are the same in document and report.
+        let document = Document::new(&source.name, &source.text).named(args.chart.chart_name());
+        let diagnostics;
+        (found, diagnostics) = explored(&document, args.profile.profile(), args.of.of(), args.max);
+        report.diagnostics.append(diagnostics);
+    }
+    let exit = report.tell(args.quiet.messages(Format::Human));
+    match found {
+        None => Ok(exit),
+        Some(Err(beyond)) => {
+            Err(Failure::Open(beyond.to_string(), "compare it with constants, or leave it out".to_string()))
+        }
+        Some(Ok(graph)) => {
+            let text = match args.format {
+                Form::Text => text::text(&graph),
+                Form::Json => json::json(&graph),
+                Form::Dot => dot::dot(&graph),
+                Form::Svg => picture::svg(&graph),
+            };
+            output.write(&text)?;
+            Ok(if graph.complete { exit } else { exit.max(Exit::Open) })
+        }
+    }
+}
+
+type Explored = Option<Result<Graph, Beyond>>;
+
+/// The graph, if the chart has no errors.
+fn explored(document: &Document, profile: Profile, of: Of, most: usize) -> (Explored, Diagnostics) {
+    let diagnostics = document.diagnostics().clone();
+    let Some(analysis) = document.analysis() else { return (None, diagnostics) };
+    let options = Options { profile, ..Options::default() };
+    let (program, _) = compile_observed(analysis.clone(), &options, Observed::Transitions);
+    (Some(graph(&program, of, most)), diagnostics)
+}
+
+/// The label of a node: its steps, and what else it is made of, a line each.
+fn lines(node: &grafc_verify::Node) -> Vec<String> {
+    let steps = format!("{{{}}}", node.steps.join(", "));
+    std::iter::once(steps).chain(node.values.iter().map(|(name, value)| format!("{name} = {value}"))).collect()
+}

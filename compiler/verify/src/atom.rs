@@ -1,0 +1,252 @@
+//! What a reaction can ask of inputs and time, and what follows from the answers so far.
+
+use grafc_formula::{Comparison, Type, Value, VarId};
+
+/// A question with the answers yes and no.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub(crate) enum Atom {
+    /// Whether a Boolean input is true.
+    Holds(VarId),
+    /// Whether a number that is given is not below a bound.
+    AtLeast(VarId, Bound),
+    /// Whether what measures this operand has run for so many milliseconds.
+    Ends(usize, i64),
+}
+
+/// Where the values of an input are parted.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub(crate) enum Bound {
+    /// At this whole number, or time.
+    Whole(i64),
+    /// At this real number, in the order of `f64::total_cmp`, or `beyond` it.
+    Real {
+        /// The number.
+        key: i64,
+        /// Whether the number itself is below.
+        beyond: bool,
+    },
+}
+
+impl Bound {
+    /// At a value, or beyond it, for an input of a type.
+    pub(crate) fn new(ty: Type, value: Value, beyond: bool) -> Bound {
+        match (value, is_whole(ty)) {
+            (Value::Int(n) | Value::Time(n), _) => Bound::Whole(n.saturating_add(i64::from(beyond))),
+            // A whole number is at least 2.5 from 3 on.
+            (Value::Real(x), true) if beyond => Bound::Whole((x.floor() as i64).saturating_add(1)),
+            (Value::Real(x), true) => Bound::Whole(x.ceil() as i64),
+            // Both zeros are one number.
+            (Value::Real(x), false) => Bound::Real { key: key(x + 0.0), beyond },
+            (Value::Bool(b), _) => Bound::Whole(i64::from(b)),
+        }
+    }
+
+    /// What an input is compared with, and by which sign, where it is not below the bound, or where it is.
+    pub(crate) fn spelled(self, ty: Type, not_below: bool) -> String {
+        match self {
+            Bound::Whole(n) => {
+                let unit = if ty == Type::Time { "ms" } else { "" };
+                format!("{} {n}{unit}", if not_below { ">=" } else { "<" })
+            }
+            Bound::Real { key, beyond } => {
+                let sign = match (not_below, beyond) {
+                    (true, false) => ">=",
+                    (true, true) => ">",
+                    (false, false) => "<",
+                    (false, true) => "<=",
+                };
+                format!("{sign} {:?}", number(key))
+            }
+        }
+    }
+
+    /// Whether all values of the type, or none, are not below it.
+    fn trivial(self, ty: Type) -> Option<bool> {
+        let Bound::Whole(n) = self else { return None };
+        let (least, most) = match ty {
+            Type::Bool => (0, 1),
+            Type::Int => (i16::MIN.into(), i16::MAX.into()),
+            Type::Dint => (i32::MIN.into(), i32::MAX.into()),
+            Type::Uint => (0, u16::MAX.into()),
+            Type::Udint => (0, u32::MAX.into()),
+            Type::Time | Type::Real | Type::Lreal => (i64::MIN, i64::MAX),
+        };
+        if n <= least {
+            Some(true)
+        } else if n > most {
+            Some(false)
+        } else {
+            None
+        }
+    }
+}
+
+fn is_whole(ty: Type) -> bool {
+    match ty {
+        Type::Real | Type::Lreal => false,
+        Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Time => true,
+    }
+}
+
+/// The bits of a real, in the order of its values.
+fn key(x: f64) -> i64 {
+    let bits = x.to_bits() as i64;
+    bits ^ (((bits >> 63) as u64) >> 1) as i64
+}
+
+fn number(key: i64) -> f64 {
+    f64::from_bits((key ^ (((key >> 63) as u64) >> 1) as i64) as u64)
+}
+
+/// A comparison of what is given with a value, as questions: true if the first is answered yes and the second no, or the
+/// other way round.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Question {
+    /// Must be reached, if there is one.
+    pub(crate) from: Option<Bound>,
+    /// Must not be reached, if there is one.
+    pub(crate) to: Option<Bound>,
+    /// Whether the comparison is false there, and true elsewhere.
+    pub(crate) negated: bool,
+}
+
+impl Question {
+    /// `input op value`.
+    pub(crate) fn new(op: Comparison, ty: Type, value: Value) -> Question {
+        let (at, beyond) = (Bound::new(ty, value, false), Bound::new(ty, value, true));
+        let (from, to, negated) = match op {
+            Comparison::Equal => (Some(at), Some(beyond), false),
+            Comparison::NotEqual => (Some(at), Some(beyond), true),
+            Comparison::Less => (None, Some(at), false),
+            Comparison::LessEqual => (None, Some(beyond), false),
+            Comparison::Greater => (Some(beyond), None, false),
+            Comparison::GreaterEqual => (Some(at), None, false),
+        };
+        Question { from, to, negated }
+    }
+}
+
+/// `value op input` as a comparison of the input.
+pub(crate) fn mirrored(op: Comparison) -> Comparison {
+    match op {
+        Comparison::Equal => Comparison::Equal,
+        Comparison::NotEqual => Comparison::NotEqual,
+        Comparison::Less => Comparison::Greater,
+        Comparison::LessEqual => Comparison::GreaterEqual,
+        Comparison::Greater => Comparison::Less,
+        Comparison::GreaterEqual => Comparison::LessEqual,
+    }
+}
+
+/// What has been answered on a path, in the order in which it was asked.
+///
+/// To walk all paths it is run again and again: what was answered before is answered the same, and what is new is answered
+/// no at first.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Path {
+    answers: Vec<(Atom, bool)>,
+    asked: usize,
+}
+
+impl Path {
+    /// From the start of the reaction again.
+    pub(crate) fn rewind(&mut self) {
+        self.asked = 0;
+    }
+
+    /// The next path; false if this was the last one.
+    pub(crate) fn advance(&mut self) -> bool {
+        self.answers.truncate(self.asked);
+        while let Some((atom, answer)) = self.answers.pop() {
+            if !answer {
+                self.answers.push((atom, true));
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The answers so far.
+    pub(crate) fn answers(&self) -> &[(Atom, bool)] {
+        &self.answers[..self.asked]
+    }
+
+    /// What follows from them.
+    pub(crate) fn known(&self, atom: Atom, ty: Type) -> Option<bool> {
+        let mut so_far = self.answers().iter();
+        match atom {
+            Atom::Holds(_) => so_far.find(|(other, _)| *other == atom).map(|(_, answer)| *answer),
+            Atom::AtLeast(v, bound) => bound.trivial(ty).or_else(|| {
+                so_far.find_map(|(other, answer)| match *other {
+                    Atom::AtLeast(w, other) if w == v => follows(bound, other, *answer),
+                    Atom::Holds(_) | Atom::AtLeast(..) | Atom::Ends(..) => None,
+                })
+            }),
+            Atom::Ends(operand, time) => so_far.find_map(|(other, answer)| match *other {
+                Atom::Ends(same, other) if same == operand => follows(time, other, *answer),
+                Atom::Holds(_) | Atom::AtLeast(..) | Atom::Ends(..) => None,
+            }),
+        }
+    }
+
+    /// Answers what does not follow.
+    pub(crate) fn ask(&mut self, atom: Atom) -> bool {
+        if self.asked == self.answers.len() {
+            self.answers.push((atom, false));
+        }
+        self.asked += 1;
+        self.answers[self.asked - 1].1
+    }
+}
+
+/// Whether something is reached, if it is known of another place whether that is.
+fn follows<T: Ord>(place: T, other: T, reached: bool) -> Option<bool> {
+    if reached && place <= other {
+        Some(true)
+    } else if !reached && place >= other {
+        Some(false)
+    } else {
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reals_keep_their_order_and_come_back() {
+        let values = [f64::NEG_INFINITY, -2.5, -0.0, 1.0e-300, 2.5, f64::INFINITY];
+        for pair in values.windows(2) {
+            assert!(key(pair[0]) < key(pair[1]), "{pair:?}");
+        }
+        for x in values {
+            assert_eq!(number(key(x)).to_bits(), x.to_bits());
+        }
+    }
+
+    #[test]
+    fn whole_numbers_are_parted_between_reals() {
+        assert_eq!(Bound::new(Type::Int, Value::Real(2.5), false), Bound::Whole(3));
+        assert_eq!(Bound::new(Type::Int, Value::Real(2.5), true), Bound::Whole(3));
+        assert_eq!(Bound::new(Type::Int, Value::Real(3.0), false), Bound::Whole(3));
+        assert_eq!(Bound::new(Type::Int, Value::Real(3.0), true), Bound::Whole(4));
+    }
+
+    #[test]
+    fn what_follows_is_not_asked() {
+        let v = VarId::from_usize(0);
+        let at = |n| Atom::AtLeast(v, Bound::Whole(n));
+        let mut path = Path::default();
+        assert_eq!(path.known(at(5), Type::Int), None);
+        assert_eq!(path.known(at(-40000), Type::Int), Some(true));
+        assert_eq!(path.known(at(40000), Type::Int), Some(false));
+        assert!(!path.ask(at(5)));
+        assert_eq!((path.known(at(6), Type::Int), path.known(at(4), Type::Int)), (Some(false), None));
+        assert!(path.advance());
+        path.rewind();
+        assert!(path.ask(at(5)));
+        assert_eq!((path.known(at(6), Type::Int), path.known(at(4), Type::Int)), (None, Some(true)));
+        assert!(!path.advance());
+    }
+}

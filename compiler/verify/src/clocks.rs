@@ -1,0 +1,89 @@
+//! The timers of a program, and which of them measure the same operand.
+
+use crate::machine::Beyond;
+use grafc_formula::{Formula, FormulaId, TimerId, Value};
+use grafc_logic::scan::{Program, Statement};
+use index_vec::IndexVec;
+use rustc_hash::FxHashMap;
+
+/// What is known of the timers of a program.
+pub(crate) struct Clocks {
+    /// For each timer, the number of what it measures: that of others with the same input, called in the same section.
+    pub(crate) operand: IndexVec<TimerId, usize>,
+    /// For each timer, the times that anything asks for, in order.
+    pub(crate) times: IndexVec<TimerId, Vec<i64>>,
+}
+
+/// The state of a timer between two reactions.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Phase {
+    /// Whether its input is true.
+    pub(crate) on: bool,
+    /// Whether that began in this reaction.
+    pub(crate) fresh: bool,
+    /// How many of its times have passed.
+    pub(crate) passed: usize,
+}
+
+impl Clocks {
+    /// The timers of a program.
+    pub(crate) fn new(program: &Program) -> Result<Clocks, Beyond> {
+        let mut operands: FxHashMap<(bool, FormulaId), usize> = FxHashMap::default();
+        let mut operand: IndexVec<TimerId, usize> = program.timers.indices().map(|t| usize::MAX - t.index()).collect();
+        // A duration begins at the end of a micro-step, a delay at the beginning of the next: where a call is one
+        // micro-step, they are not the same.
+        let durations = timers_of(&program.before);
+        for statement in program.statements() {
+            if let Statement::CallTimer { timer, input, .. } = statement {
+                let is_duration = durations.contains(timer);
+                let next = operands.len();
+                operand[*timer] = *operands.entry((is_duration, *input)).or_insert(next);
+            }
+        }
+        let mut times: IndexVec<TimerId, Vec<i64>> = program.timers.iter().map(|_| Vec::new()).collect();
+        for id in program.pool.ids() {
+            match program.pool.get(id) {
+                Formula::TimerDone(t) => times[*t].extend(program.timers[*t].preset.map(|preset| preset.ms)),
+                Formula::Compare(_, a, b) => {
+                    for (side, other) in [(a, b), (b, a)] {
+                        if let Formula::TimerElapsed(t) = program.pool.get(*side) {
+                            let Some(Value::Time(time)) = constant(program, *other) else {
+                                return Err(Beyond::Duration(program.timers[*t].name.clone()));
+                            };
+                            times[*t].extend([time, time.saturating_add(1)]);
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        for list in &mut times {
+            list.sort_unstable();
+            list.dedup();
+        }
+        Ok(Clocks { operand, times })
+    }
+}
+
+/// A constant, perhaps by its name.
+fn constant(program: &Program, formula: FormulaId) -> Option<Value> {
+    match program.pool.get(formula) {
+        Formula::Constant(value) => Some(*value),
+        Formula::Variable(v) if program.variables[*v].role == grafc_logic::scan::Role::Constant => {
+            Some(program.variables[*v].initial)
+        }
+        _ => None,
+    }
+}
+
+fn timers_of(statements: &[Statement]) -> Vec<TimerId> {
+    let mut found = Vec::new();
+    let mut open: Vec<&Statement> = statements.iter().collect();
+    while let Some(statement) = open.pop() {
+        if let Statement::CallTimer { timer, .. } = statement {
+            found.push(*timer);
+        }
+        open.extend(statement.bodies().flatten());
+    }
+    found
+}
