@@ -139,6 +139,21 @@ fn each_row_is_answered_before_the_next_is_written() {
     assert_eq!(grafc.wait().unwrap().code(), Some(0));
 }
 
+#[test]
+fn a_reader_that_goes_away_has_seen_enough() {
+    let mut trace = String::from("t_ms,a,b\n");
+    for t in 0..200_000 {
+        trace.push_str(&format!("{t},0,0\n"));
+    }
+    let folder = folder(&trace);
+    let mut grafc = spawn(&folder, &["sim", "valve.gct", "--trace", "in.csv"]);
+    let mut line = String::new();
+    BufReader::new(grafc.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    assert_eq!(line, "t_ms,V,situation,flags\n");
+    let output = grafc.wait_with_output().unwrap();
+    assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
+}
+
 /// What is sent to a run that writes a file leaves neither half of it nor a temporary one.
 #[cfg(unix)]
 #[test]

@@ -60,7 +60,7 @@ impl<'a, W: Write> Table<'a, W> {
         header.extend(self.outputs.iter().map(|variable| heading(&variable.name).into_owned()));
         header.extend(behind.iter().map(name));
         header.extend([SITUATION.to_string(), FLAGS.to_string()]);
-        Ok(self.writer.write_record(header)?)
+        self.writer.write_record(header).map_err(refused)
     }
 
     /// Writes the row of a call, with the values of what is shown beside the outputs.
@@ -94,7 +94,7 @@ impl<'a, W: Write> Table<'a, W> {
                 text.push_str(name);
             }
         })?;
-        Ok(self.writer.write_record(None::<&[u8]>)?)
+        self.writer.write_record(None::<&[u8]>).map_err(refused)
     }
 
     /// Hands on what is not yet.
@@ -116,7 +116,16 @@ impl<'a, W: Write> Table<'a, W> {
     fn cell(&mut self, write: impl FnOnce(&mut String)) -> io::Result<()> {
         self.text.clear();
         write(&mut self.text);
-        Ok(self.writer.write_field(&self.text)?)
+        self.writer.write_field(&self.text).map_err(refused)
+    }
+}
+
+/// What the writer of CSV could not write, of the kind that it was.
+fn refused(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        // Rows are equally long, which leaves nothing that we know of.
+        kind => io::Error::other(format!("{kind:?}")),
     }
 }
 
