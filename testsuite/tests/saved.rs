@@ -71,6 +71,21 @@ fn look<const N: usize>(saved: [u8; N], restore: impl Fn(&[u8]) -> Option<([u8; 
         flip(&mut bytes, other);
         assert!(restore(&bytes).is_none() || bytes == saved, "bits {one} and {other}");
     }
+    // Forged: a few bytes behind the fingerprint are others, small as numbers of states are, and sealed.
+    let mut taken = 0;
+    for _ in 0..10_000 {
+        let mut bytes = saved;
+        for _ in 0..1 + random(&mut state) % 4 {
+            let at = 8 + random(&mut state) % (N - 8);
+            bytes[at] = (random(&mut state) % 6) as u8;
+        }
+        grafc_runtime::seal(&mut bytes);
+        if let Some((again, possible)) = restore(&bytes) {
+            assert!(again == bytes && possible, "{bytes:?}");
+            taken += usize::from(bytes != saved);
+        }
+    }
+    assert!(taken > 100, "only {taken} of the forged memories could be others");
     assert!(restore(&saved[1..]).is_none() && restore(&[]).is_none());
     assert!(restore(&[0; N]).is_none() && restore(&[255; N]).is_none());
 }
