@@ -11,12 +11,13 @@ use crate::random::trace as drawn_trace;
 use crate::runs::{lowered, run, simulate};
 use crate::ways::exact;
 use grafc_backends::{plcopen, rust, st};
-use grafc_diagnostics::{Diagnostics, FileId};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, SourceMap};
 use grafc_logic::{Encoding, Options};
 use grafc_model::chart::Chart;
-use grafc_model::trace::{parse_trace, write_trace};
-use std::fs;
+use grafc_model::reaction::Stimulus;
+use grafc_model::trace::{Kept, Stimuli, parse_trace, write_trace};
 use std::path::Path;
+use std::{fs, io};
 
 /// Calls that a chart is given.
 const ROWS: usize = 6;
@@ -45,17 +46,51 @@ const INPUTS: &str = "
     input h : time\noutput Q : bool\ninitial step 1 { Q if a }\nstep 2\ntransition 1 -> 2 : rise a and [b > 3]
 ";
 
-/// A trace: messages at places of it; times do not go back; what was read and is written again is read as the same.
+/// A trace: messages at places of it, which are the same where it comes in small pieces that nobody keeps; times do not go
+/// back; what was read and is written again is read as the same.
 pub fn trace(text: &str) {
     let chart = charts::check("inputs", INPUTS).expect("a chart without errors");
     let (stimuli, diagnostics) = parse_trace(FileId::default(), text, &chart);
     places(text, &diagnostics);
+    assert_eq!(in_pieces(text, &chart), (stimuli.clone(), said(&diagnostics, |byte| byte)));
     if diagnostics.has_errors() {
         return;
     }
     assert!(stimuli.windows(2).all(|pair| pair[0].t_ms <= pair[1].t_ms), "time goes back: {stimuli:?}");
     let responses = simulate(&chart, profile(0), &stimuli);
     let _ = write_trace(&chart, &stimuli, &responses);
+}
+
+/// What is read of a trace, and said: code, headline, and the byte of each place.
+type Read = (Vec<Stimulus>, Vec<(Code, String, Vec<usize>)>);
+
+fn said(diagnostics: &Diagnostics, byte: impl Fn(usize) -> usize) -> Vec<(Code, String, Vec<usize>)> {
+    let of = |message: &Diagnostic| {
+        let labels = std::iter::once(&message.primary).chain(&message.secondary);
+        (message.code, message.message.clone(), labels.map(|label| byte(label.span.range().start)).collect())
+    };
+    diagnostics.iter().map(of).collect()
+}
+
+/// A trace as it comes: seven bytes at a time.
+fn in_pieces(text: &str, chart: &Chart) -> Read {
+    struct Pieces<'t>(&'t [u8]);
+    impl io::Read for Pieces<'_> {
+        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+            let length = buffer.len().min(7);
+            io::Read::read(&mut self.0, &mut buffer[..length])
+        }
+    }
+    let mut sources = SourceMap::new();
+    let file = sources.add("trace.csv", "");
+    let mut rows = Stimuli::new(file, Pieces(text.as_bytes()), chart, Kept::Rows).expect("memory can be read");
+    let mut stimuli = Vec::new();
+    while let Some(stimulus) = rows.next_row().expect("memory can be read") {
+        stimuli.push(stimulus);
+    }
+    let (diagnostics, extract) = rows.finish();
+    sources.show(file, extract);
+    (stimuli, said(&diagnostics, |byte| sources.file(file).position(byte).byte))
 }
 
 /// A chart: messages at places of it; if it is accepted, every encoding gives a program that verifies, the exact ones
