@@ -32,8 +32,8 @@ pub struct Reserved {
     tails: FxHashSet<&'static str>,
     /// What makes an address together with a number: `M10`, `DB1`.
     addresses: FxHashSet<&'static str>,
-    /// What no name may have within it.
-    within: &'static [&'static str],
+    /// What no name may have within it behind `END_`.
+    ends: &'static [&'static str],
     /// What cannot be the name of a program organisation unit.
     units: FxHashSet<&'static str>,
 }
@@ -60,14 +60,14 @@ impl Reserved {
             heads: split(&[TYPES, FUNCTIONS, OPERATORS, "BCD CTD CTU CTUD TO"]),
             tails: split(&[TYPES, "BCD TO TRUNC"]),
             addresses: FxHashSet::default(),
-            within: &matiec::ENDS,
+            ends: &matiec::ENDS,
             units: split(&[matiec::PINS]),
         }
     }
 
     fn words(tables: &[&'static str]) -> Self {
         let none = FxHashSet::default;
-        Reserved { words: split(tables), heads: none(), tails: none(), addresses: none(), within: &[], units: none() }
+        Reserved { words: split(tables), heads: none(), tails: none(), addresses: none(), ends: &[], units: none() }
     }
 
     /// Whether a word, in upper case, is reserved.
@@ -86,7 +86,9 @@ impl Reserved {
         let extends = |(head, tail): (&str, &str)| {
             self.heads.contains(head) && tail.split('_').all(|part| self.tails.contains(part))
         };
-        word.split_once("_TO_").is_some_and(converts) || word.split_once('_').is_some_and(extends)
+        let Some(parts) = word.split_once('_') else { return false };
+        let to = word.as_bytes().windows(TO.len()).position(|part| part == TO.as_bytes());
+        extends(parts) || to.is_some_and(|at| converts((&word[..at], &word[at + TO.len()..])))
     }
 
     /// Whether a word, in upper case, cannot be the name of a program organisation unit.
@@ -97,13 +99,21 @@ impl Reserved {
     /// Where a name has within it what no name may have, without regard to case: the place of the underscore that holds
     /// it together.
     pub fn joint_within(&self, name: &str) -> Option<usize> {
-        if self.within.is_empty() || !name.contains('_') {
-            return None;
-        }
-        let upper = name.to_ascii_uppercase();
-        self.within.iter().filter_map(|word| Some(upper.find(word)? + word.find('_')?)).min()
+        let name = name.as_bytes();
+        let starts = |part: &[u8], word: &str| {
+            part.get(..word.len()).is_some_and(|part| part.eq_ignore_ascii_case(word.as_bytes()))
+        };
+        let is_joint = |joint: &usize| {
+            let (before, behind) = name.split_at(*joint);
+            let is_end = before.last_chunk().is_some_and(|end: &[u8; 3]| end.eq_ignore_ascii_case(b"END"));
+            is_end && self.ends.iter().any(|word| starts(&behind[1..], word))
+        };
+        (0..name.len()).filter(|at| name[*at] == b'_').find(is_joint)
     }
 }
+
+/// Between the types of a conversion.
+const TO: &str = "_TO_";
 
 fn split(tables: &[&'static str]) -> FxHashSet<&'static str> {
     tables.iter().flat_map(|table| table.split_ascii_whitespace()).collect()

@@ -5,8 +5,8 @@
 //! looks whether a body is an instruction list, it does the same. And it then knows the names of all units when it
 //! reads its own library, in which a parameter of the same name is no name any more.
 
-/// What ends a unit or a body, wherever it stands.
-pub const ENDS: [&str; 5] = ["END_ACTION", "END_CONFIGURATION", "END_FUNCTION", "END_PROGRAM", "END_TRANSITION"];
+/// What ends a unit or a body behind `END_`, wherever it stands.
+pub const ENDS: [&str; 5] = ["ACTION", "CONFIGURATION", "FUNCTION", "PROGRAM", "TRANSITION"];
 
 /// Parameters and variables of the functions and function blocks in its library, in upper case; those of the standard
 /// ones as well, since every body of theirs is read.
