@@ -205,8 +205,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "transient-in-the-same-micro-step",
         at: COMPILER,
         breaks: "what a change causes in the next micro-step is taken to be in the same (R8)",
-        text: "time + u32::from(effect.next)",
-        instead: "time + 0 * u32::from(effect.next)",
+        text: "time + u32::from(effect.is_next())",
+        instead: "time + 0 * u32::from(effect.is_next())",
     },
     Fault {
         name: "transient-no-circles",

@@ -9,14 +9,14 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "never-active-in-spite-of-a-link",
         at: COMPILER,
         breaks: "a step with an activation link is said never to be active (W0414)",
-        text: "possible.linked[around].push(step);",
+        text: "possible.linked.entry(around).or_default().push(step);",
         instead: "",
     },
     Fault {
         name: "never-active-in-spite-of-an-order",
         at: COMPILER,
         breaks: "a forced step is said never to be active (W0414)",
-        text: "possible.placed[order.step].extend(steps);",
+        text: "possible.placed.entry(order.step).or_default().extend(steps);",
         instead: "",
     },
     Fault {
@@ -44,7 +44,7 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "entered-while-it-is-left",
         at: COMPILER,
         breaks: "a step that is left and entered at once is said to be entered while it is active (W0418)",
-        text: "marking.binary_search(step).is_ok() && !leaves.contains(step) && entered.insert(*step)",
+        text: "stays(step) && entered.insert(*step)",
         instead: "marking.binary_search(step).is_ok() && entered.insert(*step)",
     },
     Fault {

@@ -11,7 +11,7 @@ pub(super) struct Parts {
     /// The nodes, part by part, a part behind those that it leads to.
     nodes: Vec<u32>,
     /// Where each part ends.
-    ends: Vec<usize>,
+    ends: Vec<u32>,
 }
 
 /// A node whose successors are being followed.
@@ -71,7 +71,7 @@ impl Parts {
                             break;
                         }
                     }
-                    parts.ends.push(parts.nodes.len());
+                    parts.ends.push(parts.nodes.len() as u32);
                 }
                 way.pop();
                 if let Some(before) = way.last() {
@@ -87,7 +87,7 @@ impl Parts {
     pub(super) fn in_order(&self) -> impl Iterator<Item = &[u32]> {
         (0..self.ends.len()).rev().map(|part| {
             let begin = part.checked_sub(1).map_or(0, |before| self.ends[before]);
-            &self.nodes[begin..self.ends[part]]
+            &self.nodes[begin as usize..self.ends[part] as usize]
         })
     }
 }

@@ -10,7 +10,7 @@ use crate::analysis::together::questions::Questions;
 use grafc_model::chart::{ExprId, ExprKind, GrafcetId, Mode, StepId, TransitionId, below};
 use grafc_net::Net;
 use grafc_net::net::Forced;
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
 /// Active steps of a grafcet, in order.
@@ -145,8 +145,9 @@ impl<'q, 'a> Region<'q, 'a> {
     /// The situation after transitions that clear at once (R4).
     pub(super) fn after(&self, marking: &[StepId], cleared: &[TransitionId]) -> Marking {
         let all = |t: &TransitionId| &self.net.transitions[*t];
-        let left: FxHashSet<StepId> = cleared.iter().flat_map(|t| &all(t).pre).copied().collect();
-        let mut next: Vec<StepId> = marking.iter().copied().filter(|step| !left.contains(step)).collect();
+        let mut left: Vec<StepId> = cleared.iter().flat_map(|t| &all(t).pre).copied().collect();
+        left.sort_unstable();
+        let mut next: Vec<StepId> = marking.iter().copied().filter(|step| left.binary_search(step).is_err()).collect();
         next.extend(cleared.iter().flat_map(|t| &all(t).post));
         next.sort_unstable();
         next.dedup();

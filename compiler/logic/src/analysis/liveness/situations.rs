@@ -171,10 +171,12 @@ fn may_happen(region: &mut Region, dead: &[TransitionId]) -> (Vec<Reentry>, Opti
             let cleared = region.with_implied(t, &enabled);
             let Some(rest) = left.checked_sub(1 + marking.len() + enabled.len()) else { return (reentries, dead_end) };
             left = rest;
-            let leaves: FxHashSet<StepId> = cleared.iter().flat_map(|t| &net.transitions[*t].pre).copied().collect();
+            let mut leaves: Vec<StepId> = cleared.iter().flat_map(|t| &net.transitions[*t].pre).copied().collect();
+            leaves.sort_unstable();
+            let stays = |step: &StepId| marking.binary_search(step).is_ok() && leaves.binary_search(step).is_err();
             for by in cleared.iter().copied().filter(|by| !net.transitions[*by].pre.is_empty()) {
                 for step in &net.transitions[by].post {
-                    if marking.binary_search(step).is_ok() && !leaves.contains(step) && entered.insert(*step) {
+                    if stays(step) && entered.insert(*step) {
                         let (situation, way) = (marking.to_vec(), way(&seen, at));
                         reentries.push(Reentry { step: *step, by, situation, way });
                     }

@@ -4,7 +4,7 @@
 //! 3, else in step 1. So where the graph has circles, and some expression over inputs is asserted by one of their
 //! transitions and denied by another, both values are tried, each without the transitions that contradict it.
 
-use super::causes::Causes;
+use super::causes::{Causes, Effects};
 use super::longest::{Endless, Times};
 use super::stable::{Class, Literal, Stable};
 use grafc_model::chart::TransitionId;
@@ -21,16 +21,16 @@ const EFFORT: usize = 4_000_000;
 pub(super) fn times<'a>(
     net: &'a Net,
     causes: &'a Causes,
+    effects: &'a Effects,
     stable: &'a Stable,
 ) -> impl Iterator<Item = Result<Times, Vec<TransitionId>>> + 'a {
     let mut open: Vec<Vec<Literal>> = vec![Vec::new()];
-    let effects = causes.effects();
     let mut left = CASES.min(1 + EFFORT / effects.len().max(1));
     std::iter::from_fn(move || {
         loop {
             let assumed = open.pop()?;
             left = left.saturating_sub(1);
-            match Times::find(net, causes, &effects, &|t| contradicts(stable, t, &assumed)) {
+            match Times::find(net, causes, effects, &|t| contradicts(stable, t, &assumed)) {
                 Ok(times) => return Some(Ok(times)),
                 Err(endless) => match undecided(stable, &endless, &assumed).filter(|_| left > open.len() + 1) {
                     Some(class) => {

@@ -72,8 +72,8 @@ impl Way {
 /// Changes by number, and which can cause which.
 pub(super) struct Causes {
     numbers: Numbers,
-    /// Cause, effect, and whether the effect comes in the next micro-step or in the same one.
-    edges: Vec<(u32, u32, bool)>,
+    /// Causes and effects.
+    edges: Vec<(u32, Effect)>,
     /// Changes that need no cause in the first micro-step.
     pub(super) at_start: Vec<u32>,
 }
@@ -122,22 +122,35 @@ impl Causes {
         }
     }
 
-    /// The effects of each change.
-    pub(super) fn effects(&self) -> Effects {
-        Effects::new(self.len(), &self.edges)
+    /// The effects of each change, once all are known.
+    pub(super) fn take_effects(&mut self) -> Effects {
+        Effects::new(self.len(), &std::mem::take(&mut self.edges))
     }
 
     fn edge(&mut self, cause: Change, effect: Change, next: bool) {
-        self.edges.push((self.number(cause), self.number(effect), next));
+        self.edges.push((self.number(cause), Effect::new(self.number(effect), next)));
     }
 }
 
-/// What a change can cause.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Effect {
-    pub(super) change: u32,
-    /// Whether in the next micro-step or in the same one.
-    pub(super) next: bool,
+/// What a change can cause: another change, in the next micro-step or in the same one. There are many, so both are one
+/// number.
+#[derive(Clone, Copy, Default, Debug)]
+pub(super) struct Effect(u32);
+
+impl Effect {
+    fn new(change: u32, next: bool) -> Effect {
+        Effect(change << 1 | u32::from(next))
+    }
+
+    /// The number of the other change.
+    pub(super) fn change(self) -> u32 {
+        self.0 >> 1
+    }
+
+    /// Whether in the next micro-step.
+    pub(super) fn is_next(self) -> bool {
+        self.0 & 1 == 1
+    }
 }
 
 /// The effects of all changes, one list behind the other.
@@ -148,18 +161,20 @@ pub(super) struct Effects {
 }
 
 impl Effects {
-    fn new(changes: usize, edges: &[(u32, u32, bool)]) -> Effects {
+    fn new(changes: usize, edges: &[(u32, Effect)]) -> Effects {
         let mut begins = vec![0_u32; changes + 1];
-        edges.iter().for_each(|(cause, ..)| begins[*cause as usize + 1] += 1);
-        for change in 0..changes {
-            begins[change + 1] += begins[change];
+        edges.iter().for_each(|(cause, _)| begins[*cause as usize] += 1);
+        // Where each list ends; it is filled from there.
+        let mut end = 0;
+        for begin in &mut begins {
+            end += *begin;
+            *begin = end;
         }
-        let mut free = begins.clone();
-        let mut all = vec![Effect { change: 0, next: false }; edges.len()];
-        for (cause, change, next) in edges {
-            let place = &mut free[*cause as usize];
-            all[*place as usize] = Effect { change: *change, next: *next };
-            *place += 1;
+        let mut all = vec![Effect::default(); edges.len()];
+        for (cause, effect) in edges.iter().rev() {
+            let place = &mut begins[*cause as usize];
+            *place -= 1;
+            all[*place as usize] = *effect;
         }
         Effects { begins, all }
     }

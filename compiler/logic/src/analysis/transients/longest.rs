@@ -9,10 +9,21 @@ use std::collections::hash_map::Entry;
 use std::collections::{BTreeSet, VecDeque};
 
 /// The last micro-step in which each change can happen, by number, with the cause that comes last, of several the first
-/// by number; none if it never can.
+/// by number.
 pub(super) struct Times {
-    last: Vec<Option<(u32, Option<u32>)>>,
+    last: Vec<Last>,
 }
+
+#[derive(Clone, Copy)]
+struct Last {
+    /// From 1; 0 if it never can.
+    time: u32,
+    /// [`NONE`] if it can at the start.
+    cause: u32,
+}
+
+/// No change has this number.
+const NONE: u32 = u32::MAX;
 
 /// Where changes can cause each other endlessly.
 pub(super) struct Endless {
@@ -31,13 +42,13 @@ impl Times {
         never: &dyn Fn(TransitionId) -> bool,
     ) -> Result<Times, Endless> {
         let possible = |change: u32| !causes.transition(net, change).is_some_and(never);
-        let follow = |change: u32| effects.of(change).iter().map(|effect| effect.change);
+        let follow = |change: u32| effects.of(change).iter().map(|effect| effect.change());
         let parts = Parts::of(causes.len(), causes.at_start.iter().copied(), follow, possible);
-        let mut last: Vec<Option<(u32, Option<u32>)>> = vec![None; causes.len()];
+        let mut last = vec![Last { time: 0, cause: NONE }; causes.len()];
         for start in causes.at_start.iter().filter(|start| possible(**start)) {
-            last[*start as usize] = Some((1, None));
+            last[*start as usize].time = 1;
         }
-        let is_circle = |part: &[u32]| part.len() > 1 || effects.of(part[0]).iter().any(|e| e.change == part[0]);
+        let is_circle = |part: &[u32]| part.len() > 1 || effects.of(part[0]).iter().any(|e| e.change() == part[0]);
         let circles: Vec<&[u32]> = parts.in_order().filter(|part| is_circle(part)).collect();
         if let Some(first) = circles.first() {
             let all = circles.iter().copied().flatten();
@@ -47,15 +58,16 @@ impl Times {
             });
         }
         for change in parts.in_order().flatten() {
-            let Some((time, _)) = last[*change as usize] else { continue };
-            for effect in effects.of(*change).iter().filter(|effect| possible(effect.change)) {
-                let reached = time + u32::from(effect.next);
-                let known = &mut last[effect.change as usize];
-                let is_later = |(time, cause): (u32, Option<u32>)| {
-                    time < reached || time == reached && cause.is_some_and(|cause| *change < cause)
-                };
-                if known.is_none_or(is_later) {
-                    *known = Some((reached, Some(*change)));
+            let time = last[*change as usize].time;
+            if time == 0 {
+                continue;
+            }
+            for effect in effects.of(*change).iter().filter(|effect| possible(effect.change())) {
+                let reached = time + u32::from(effect.is_next());
+                let known = &mut last[effect.change() as usize];
+                let is_first = known.cause != NONE && *change < known.cause;
+                if known.time < reached || known.time == reached && is_first {
+                    *known = Last { time: reached, cause: *change };
                 }
             }
         }
@@ -64,12 +76,12 @@ impl Times {
 
     /// The last micro-step in which a change can happen.
     pub(super) fn of(&self, change: u32) -> Option<u32> {
-        self.last[change as usize].map(|(time, _)| time)
+        Some(self.last[change as usize].time).filter(|time| *time > 0)
     }
 
     /// A change and what leads to it, the last first.
     pub(super) fn back_from(&self, change: u32) -> impl Iterator<Item = u32> + '_ {
-        std::iter::successors(Some(change), |c| self.last[*c as usize].and_then(|(_, cause)| cause))
+        std::iter::successors(Some(change), |c| Some(self.last[*c as usize].cause).filter(|cause| *cause != NONE))
     }
 }
 
@@ -85,7 +97,7 @@ fn cycle(net: &Net, causes: &Causes, effects: &Effects, part: &[u32]) -> Vec<Tra
     let mut from: FxHashMap<u32, u32> = FxHashMap::default();
     let mut open = VecDeque::from([first]);
     while let Some(change) = open.pop_front().filter(|_| !from.contains_key(&first)) {
-        for next in effects.of(change).iter().map(|effect| effect.change).filter(|next| member[*next as usize]) {
+        for next in effects.of(change).iter().map(|effect| effect.change()).filter(|next| member[*next as usize]) {
             if let Entry::Vacant(entry) = from.entry(next) {
                 entry.insert(change);
                 open.push_back(next);

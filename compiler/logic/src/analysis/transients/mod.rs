@@ -84,10 +84,12 @@ pub(super) fn find(analysis: &Analysis) -> Transients {
     let ways = situation::Ways::new(analysis, &stable, &occasions);
     situation::add(net, &ways, &mut causes);
     stored::add(net, &ways, &occasions, &mut causes);
+    drop(ways);
+    let effects = causes.take_effects();
     let watched = Watched::new(net, &causes);
     let mut result =
         Transients { longest: Some(1), chain: Vec::new(), cycle: Vec::new(), single: true, single_but_delays: true };
-    for case in cases::times(net, &causes, &stable) {
+    for case in cases::times(net, &causes, &effects, &stable) {
         match case {
             Ok(times) => watched.add(&times, net, &causes, &mut result),
             Err(cycle) => {

@@ -31,7 +31,7 @@ pub(super) struct Literal {
     pub(super) asserted: bool,
 }
 
-/// What is known of a condition.
+/// What a condition says.
 #[derive(Clone, Default, Debug)]
 struct Said {
     literals: Vec<Literal>,
@@ -48,8 +48,37 @@ struct Said {
 pub(super) struct Stable {
     classes: IndexVec<ExprId, Option<Class>>,
     meaning: IndexVec<Class, Meaning>,
+    /// Empty once all have been numbered.
     known: FxHashMap<Meaning, Class>,
-    said: IndexVec<TransitionId, Said>,
+    /// What the conditions say, list by list: most say little, and there are many.
+    literals: Lists<Literal>,
+    waited: Lists<StepId>,
+    active: Lists<StepId>,
+    inputs: Lists<VariableId>,
+    never: IndexVec<TransitionId, bool>,
+}
+
+/// A list for each transition, one behind the other.
+struct Lists<T> {
+    ends: IndexVec<TransitionId, u32>,
+    all: Vec<T>,
+}
+
+impl<T> Lists<T> {
+    fn new(net: &Net) -> Self {
+        Lists { ends: IndexVec::with_capacity(net.transitions.len()), all: Vec::new() }
+    }
+
+    /// Takes a list, whose room is left for the next one.
+    fn push(&mut self, list: &mut Vec<T>) {
+        self.all.append(list);
+        self.ends.push(self.all.len() as u32);
+    }
+
+    fn of(&self, t: TransitionId) -> &[T] {
+        let begin = t.index().checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.all[begin as usize..self.ends[t] as usize]
+    }
 }
 
 /// What a class stands for; equal meanings are one class.
@@ -75,13 +104,26 @@ impl Stable {
             classes: IndexVec::with_capacity(net.exprs.len()),
             meaning: IndexVec::new(),
             known: FxHashMap::default(),
-            said: IndexVec::new(),
+            literals: Lists::new(net),
+            waited: Lists::new(net),
+            active: Lists::new(net),
+            inputs: Lists::new(net),
+            never: IndexVec::with_capacity(net.transitions.len()),
         };
         for e in net.exprs.indices() {
             let class = stable.class_of(net, e);
             stable.classes.push(class);
         }
-        stable.said = net.transitions.iter().map(|t| stable.read(net, t.condition)).collect();
+        stable.known = FxHashMap::default();
+        let mut said = Said::default();
+        for transition in &net.transitions {
+            stable.read(net, transition.condition, &mut said);
+            stable.literals.push(&mut said.literals);
+            stable.waited.push(&mut said.waited);
+            stable.active.push(&mut said.active);
+            stable.inputs.push(&mut said.inputs);
+            stable.never.push(std::mem::take(&mut said.never));
+        }
         stable
     }
 
@@ -92,27 +134,27 @@ impl Stable {
 
     /// What the condition of a transition says of classes.
     pub(super) fn literals(&self, t: TransitionId) -> &[Literal] {
-        &self.said[t].literals
+        self.literals.of(t)
     }
 
     /// Whether the condition never holds.
     pub(super) fn never(&self, t: TransitionId) -> bool {
-        self.said[t].never
+        self.never[t]
     }
 
     /// Whether the activation of a step before a transition is not enough to let it clear in the next micro-step, even
     /// if nothing has changed in the condition: because the condition asks for time to pass there, or for a step within
     /// that step to be active, which was not active before either.
     pub(super) fn needs_more(&self, net: &Net, t: TransitionId, step: StepId) -> bool {
-        let said = &self.said[t];
         let outward = |s: &StepId| std::iter::successors(net.places[*s].within, |e| net.places[*e].within);
-        said.waited.contains(&step) || said.active.iter().any(|s| outward(s).take(LOOKED_AT).any(|e| e == step))
+        self.waited.of(t).contains(&step)
+            || self.active.of(t).iter().any(|s| outward(s).take(LOOKED_AT).any(|e| e == step))
     }
 
     /// Whether two conditions read a common input, as far as was looked: where not, neither says anything of the other.
     pub(super) fn share_inputs(&self, t: TransitionId, u: TransitionId) -> bool {
-        let inputs = &self.said[u].inputs;
-        self.said[t].inputs.iter().any(|v| inputs.binary_search(v).is_ok())
+        let inputs = self.inputs.of(u);
+        self.inputs.of(t).iter().any(|v| inputs.binary_search(v).is_ok())
     }
 
     /// Whether two conditions never hold in one reaction, as their literals show.
@@ -262,15 +304,14 @@ impl Stable {
         if denied { self.not(class) } else { class }
     }
 
-    /// What a condition says when it holds.
-    fn read(&self, net: &Net, condition: ExprId) -> Said {
-        let mut said = Said::default();
+    /// What a condition says when it holds; nothing has been said yet.
+    fn read(&self, net: &Net, condition: ExprId, said: &mut Said) {
         let (mut first, mut open) = (Some(Claim { e: condition, asserted: true, since: false }), Vec::new());
         let mut looked_at = 0;
         while let Some(claim) = first.take().or_else(|| open.pop()).filter(|_| looked_at < LOOKED_AT) {
             looked_at += 1;
             if let Some(class) = self.classes[claim.e] {
-                self.literal(class, claim.asserted, &mut said);
+                self.literal(class, claim.asserted, said);
             }
             let with = |e, asserted| Claim { e, asserted, since: claim.since };
             match (&net.exprs[claim.e].kind, claim.asserted) {
@@ -318,12 +359,11 @@ impl Stable {
                 ) => {}
             }
         }
-        said.inputs = inputs(net, condition);
+        inputs(net, condition, &mut said.inputs);
         said.literals.sort_unstable();
         said.literals.dedup();
         let list = &said.literals;
         said.never |= list.iter().enumerate().any(|(i, a)| list[i + 1..].iter().any(|b| self.contradict(*a, *b)));
-        said
     }
 
     fn literal(&self, class: Class, asserted: bool, said: &mut Said) {
@@ -345,8 +385,7 @@ struct Claim {
 }
 
 /// The inputs that a condition reads.
-fn inputs(net: &Net, condition: ExprId) -> Vec<VariableId> {
-    let mut found = Vec::new();
+fn inputs(net: &Net, condition: ExprId, found: &mut Vec<VariableId>) {
     let (mut first, mut open) = (Some(condition), Vec::new());
     let mut looked_at = 0;
     while let Some(e) = first.take().or_else(|| open.pop()).filter(|_| looked_at < LOOKED_AT) {
@@ -358,7 +397,6 @@ fn inputs(net: &Net, condition: ExprId) -> Vec<VariableId> {
     }
     found.sort_unstable();
     found.dedup();
-    found
 }
 
 /// The step whose duration is more than zero if the comparison holds (or, denied, does not).
