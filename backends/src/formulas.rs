@@ -52,7 +52,7 @@ pub(crate) enum Piece {
 pub(crate) struct Formulas<N, Level> {
     pub notation: N,
     /// The columns that each formula takes on one line.
-    widths: Vec<usize>,
+    widths: Vec<u32>,
     levels: Vec<Level>,
 }
 
@@ -63,7 +63,7 @@ impl<N: Notation> Formulas<N, N::Level> {
         let mut this = Formulas { notation, widths: Vec::with_capacity(count), levels: Vec::with_capacity(count) };
         for id in ids {
             let (width, level) = this.measure(id);
-            this.widths.push(width);
+            this.widths.push(width.try_into().unwrap_or(u32::MAX));
             this.levels.push(level);
         }
         this
@@ -71,7 +71,7 @@ impl<N: Notation> Formulas<N, N::Level> {
 
     /// The columns that a formula takes on one line.
     pub fn width(&self, id: FormulaId) -> usize {
-        self.widths[id.index()]
+        self.widths[id.index()] as usize
     }
 
     /// What parentheses around a formula depend on.

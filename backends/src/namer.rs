@@ -38,6 +38,11 @@ impl Namer {
         Namer { family, reserved: Reserved::of(family), taken: FxHashSet::default(), next: FxHashMap::default() }
     }
 
+    /// When no further name will be asked for: there is no need to know those that were given.
+    pub fn close(&mut self) {
+        (self.taken, self.next) = (FxHashSet::default(), FxHashMap::default());
+    }
+
     /// A name as near to the wanted one as can be.
     pub fn name(&mut self, wanted: &str) -> EcoString {
         self.name_that(wanted, |_, _| true)

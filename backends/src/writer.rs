@@ -68,6 +68,12 @@ impl Writer {
         Writer { out: String::new(), comments, indent: 0, blank: false, fresh: true, trace: None }
     }
 
+    /// Makes room for so much text: what grows by doubling is copied again and again.
+    pub fn with_room(mut self, bytes: usize) -> Self {
+        self.out.reserve(bytes);
+        self
+    }
+
     /// Notes from here on which lines come from what, if that is wanted.
     pub fn traced(mut self, wanted: bool) -> Self {
         self.trace = wanted.then(Box::default);

@@ -105,6 +105,9 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
     write(program, options, false).map(|(text, _)| text)
 }
 
+/// So many bytes of text a variable are usual.
+const TEXT: usize = 160;
+
 /// The same, and which lines come from what, if that is wanted.
 fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, Lines), Diagnostics> {
     limits::check(program)?;
@@ -114,7 +117,7 @@ fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, 
     let split = Split::new(program, &places, options.longest_function.max(1));
     places.share(&split.shared);
     let needs = runtime::Needs::of(program);
-    let mut out = Writer::new(&writer::RUST).traced(traced);
+    let mut out = Writer::new(&writer::RUST).with_room(TEXT * program.variables.len()).traced(traced);
     if let Some(module) = &options.module {
         out.open(&format!("pub mod {} {{", names::module(module)));
     }

@@ -28,9 +28,12 @@ pub(crate) struct Lexed {
     pub(crate) bad: Vec<(u32, u32)>,
 }
 
+/// A token takes so many bytes of text, blanks included, or a few more.
+const BYTES: usize = 4;
+
 /// Cuts a text into tokens.
 pub(crate) fn lex(file: FileId, text: &str) -> Lexed {
-    let mut out = Lexed::default();
+    let mut out = Lexed { lexemes: Vec::with_capacity(text.len() / BYTES), ..Lexed::default() };
     let mut tokens = Token::lexer(text);
     while let Some(result) = tokens.next() {
         let range = tokens.span();

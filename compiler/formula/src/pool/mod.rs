@@ -175,6 +175,14 @@ impl Pool {
         }
     }
 
+    /// When hardly any formula will be added: lists that were doubled last are half empty.
+    pub fn shrink_to_fit(&mut self) {
+        self.formulas.shrink_to_fit();
+        self.types.shrink_to_fit();
+        self.depths.shrink_to_fit();
+        self.lists.shrink_to_fit();
+    }
+
     /// The formula of an id.
     pub fn get(&self, id: FormulaId) -> &Formula {
         &self.formulas[id.index()]

@@ -30,9 +30,10 @@ pub(crate) fn cut(program: &mut Program) {
         return;
     }
     // Tables that are full would else grow to twice their size for a few pieces.
-    let pieces =
-        program.pool.ids().filter_map(|id| operands(program, id)).map(|list| list.len().div_ceil(LONGEST)).sum();
-    program.variables.raw.reserve_exact(pieces);
+    let lists = program.pool.ids().filter_map(|id| operands(program, id)).filter(|list| list.len() > LONGEST);
+    let pieces: usize = lists.map(|list| list.len().div_ceil(LONGEST)).sum();
+    // Of very many pieces there are pieces again.
+    program.variables.raw.reserve_exact(2 * pieces);
     let sections = [&mut program.first, &mut program.before, &mut program.micro_step, &mut program.after];
     let mut sections = sections.map(std::mem::take);
     let mut restoring = program.restoring.take();
