@@ -43,8 +43,8 @@ pub struct NetSteps<'a> {
 impl<'a> NetSteps<'a> {
     /// A net before its initial reaction.
     pub fn new(net: &'a Net, profile: Profile) -> Self {
-        let mut pre: IndexVec<_, Vec<StepId>> = net.transitions.iter().map(|t| t.pre.clone()).collect();
-        let mut post: IndexVec<_, Vec<StepId>> = net.transitions.iter().map(|t| t.post.clone()).collect();
+        let mut pre: IndexVec<_, Vec<StepId>> = net.transitions.iter().map(|t| t.pre.to_vec()).collect();
+        let mut post: IndexVec<_, Vec<StepId>> = net.transitions.iter().map(|t| t.post.to_vec()).collect();
         for m in &net.macro_steps {
             m.left_by.iter().for_each(|t| pre[*t].push(m.exit));
             m.entered_by.iter().for_each(|t| post[*t].push(m.entry));

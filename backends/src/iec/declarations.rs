@@ -6,7 +6,7 @@ use crate::comment::clean;
 use crate::writer::{Writer, column_of};
 use ecow::EcoString;
 use grafc_formula::Type;
-use grafc_logic::scan::{GrafcetId, Held, Origin, Origins, Program, Role, State, VarId, Variable};
+use grafc_logic::scan::{GrafcetId, Held, Note, Origin, Origins, Program, Role, State, VarId, Variable};
 use rustc_hash::FxHashMap;
 use std::borrow::{Borrow, Cow};
 
@@ -113,7 +113,7 @@ pub(crate) enum EntryType {
     /// A timer.
     Timer,
     /// A function block.
-    Block(EcoString),
+    Block(Note),
 }
 
 impl EntryType {
@@ -132,15 +132,15 @@ pub(crate) struct Entry {
     /// The name.
     pub name: EcoString,
     /// Where the variable lies.
-    pub address: Option<String>,
+    pub address: Option<Note>,
     /// The type.
     pub ty: EntryType,
     /// The initial value, if it is not the one of the type.
-    pub initial: Option<EcoString>,
+    pub initial: Option<Note>,
     /// Whether a warm restart leaves it as it is.
     pub retain: bool,
     /// What stands beside it, clean.
-    pub comment: Option<String>,
+    pub comment: Option<Note>,
     /// Where the variable comes from, if somebody asks.
     pub origin: Origin,
 }
@@ -210,7 +210,7 @@ pub(crate) fn interface_from<'p>(
             ty: EntryType::Timer,
             initial: None,
             retain: false,
-            comment: timer.comment.as_deref().map(clean).filter(|text| !text.is_empty()),
+            comment: timer.comment.as_deref().map(clean).filter(|text| !text.is_empty()).map(Note::from),
             origin: origins.map_or(Origin::Chart, |origins| origins.timers[id]),
         });
         timers.collect()
@@ -276,9 +276,9 @@ pub(super) fn entry(id: VarId, variable: &Variable, names: &Names) -> Entry {
         name: name.clone(),
         address: None,
         ty: EntryType::Elementary(variable.ty),
-        initial: shown.then(|| literals::initial(variable.initial, variable.ty)),
+        initial: shown.then(|| literals::initial(variable.initial, variable.ty).into()),
         retain: variable.retain,
-        comment,
+        comment: comment.map(Note::from),
         origin: Origin::Chart,
     }
 }
@@ -295,14 +295,17 @@ fn steps(
         let mut entry = Entry { origin: of_variable(id), ..entry(id, variable, names) };
         if let Some(state) = states.get(&id) {
             let values = values(program, state);
-            entry.comment = Some(entry.comment.map_or_else(|| values.clone(), |text| format!("{text}: {values}")));
+            entry.comment =
+                Some(entry.comment.map_or_else(|| values.clone(), |text| format!("{text}: {values}")).into());
         }
         entry
     };
     let elements = &program.elements;
     let headed = elements.has_several_grafcets() || elements.grafcets.iter().any(|g| g.comment.is_some());
     if !headed {
-        return vec![("steps".into(), all.map(with_values).collect())];
+        let mut entries = Vec::with_capacity(all.clone().count());
+        entries.extend(all.map(with_values));
+        return vec![("steps".into(), entries)];
     }
     let mut of: FxHashMap<VarId, GrafcetId> = FxHashMap::default();
     for (s, step) in program.steps.iter_enumerated() {

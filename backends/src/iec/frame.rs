@@ -64,7 +64,7 @@ pub(crate) fn variables(program: &Program, names: &Names) -> Vec<VarBlock> {
     plain.push(Entry {
         name: names.instance.clone(),
         address: None,
-        ty: EntryType::Block(names.block.clone()),
+        ty: EntryType::Block(names.block.clone().into()),
         initial: None,
         retain: false,
         comment: None,
@@ -98,7 +98,7 @@ fn located_entry(id: VarId, variable: &Variable, names: &Names, address: String)
     let mut entry = entry(id, variable, names);
     // The block keeps the value; this is what it shows.
     entry.retain = false;
-    entry.address = Some(address);
+    entry.address = Some(address.into());
     if variable.role == Role::Input {
         entry.initial = None;
     }

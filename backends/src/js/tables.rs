@@ -73,8 +73,8 @@ fn constants(out: &mut Writer, program: &Program, shown: bool) {
 
 /// A transition as a drawing designates it: by its designation, or by its number.
 pub(super) fn designation(program: &Program, t: TransitionId) -> EcoString {
-    let designation = program.elements.transitions[t].designation.clone();
-    designation.unwrap_or_else(|| eco_format!("#{}", t.index() + 1))
+    let designation = program.elements.transitions[t].designation.as_ref();
+    designation.map_or_else(|| eco_format!("#{}", t.index() + 1), |designation| designation.text().clone())
 }
 
 /// A delay as a page shows it.

@@ -107,7 +107,7 @@ fn declaration(entry: &Entry) -> String {
     let (instruction, ty) = match &entry.ty {
         EntryType::Elementary(ty) => ("", type_name(*ty)),
         EntryType::Timer => (" {InstructionName := 'TON_TIME'; LibVersion := '1.0'}", "TON_TIME"),
-        EntryType::Block(name) => ("", name.as_str()),
+        EntryType::Block(name) => ("", &**name),
     };
     format!("{}{instruction} : {ty}{initial};", entry.name)
 }

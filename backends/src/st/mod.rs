@@ -27,6 +27,9 @@ use index_vec::IndexVec;
 use names::Names;
 use rustc_hash::FxHashMap;
 
+/// So many bytes of text a variable are usual.
+const TEXT: usize = 80;
+
 /// Writes a program as Structured Text.
 ///
 /// An error is a fault of grafc: the program breaks a promise of [`Program`] or is too deeply nested to be written.
@@ -37,9 +40,10 @@ pub fn emit(program: &Program, options: &Options) -> Result<String, Diagnostics>
 /// The same, and which lines come from what, if that is wanted.
 fn write(program: &Program, options: &Options, traced: bool) -> Result<(String, Lines), Diagnostics> {
     limits::check(program)?;
-    let names = Names::new(program, Family::Iec);
+    let mut names = Names::new(program, Family::Iec);
+    names.namer.close();
     let expressions = Expressions::new(program, &names);
-    let mut out = Writer::new(&writer::IEC).traced(traced);
+    let mut out = Writer::new(&writer::IEC).with_room(TEXT * program.variables.len()).traced(traced);
     out.block_comment(options.header.iter().map(|line| clean(line)));
     function_block(&mut out, program, &names, &expressions);
     frame::write(&mut out, program, &names, options, |out, inputs, published| {

@@ -70,6 +70,7 @@ fn make(analysis: Analysis, options: &Options, extras: Extras) -> (Program, Diag
     join::join(&mut program);
     sweep::sweep(&mut program);
     long_chains::cut(&mut program);
+    program.pool.shrink_to_fit();
     debug_assert_eq!(crate::scan::verify(&program), Ok(()), "the program as compiled");
     (program, diagnostics)
 }

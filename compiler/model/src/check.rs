@@ -56,13 +56,13 @@ impl Checked {
 /// `default_name` names a chart without a heading. The messages are in order of place. Of a tree from which the parser
 /// left something out there is no chart, and only those messages which hold whatever stands there.
 pub fn check(tree: &ast::Chart, default_name: &str) -> (Option<Chart>, Diagnostics) {
-    let (resolved, diagnostics) = apply_rules(tree, default_name);
+    let (resolved, diagnostics) = apply_rules(tree, default_name, Symbols::unasked());
     (resolved.complete.then(|| Chart::checked(resolved.chart)), diagnostics)
 }
 
 /// As [`check`], for those who look closer, or want the chart as far as it goes.
 pub fn examine(tree: &ast::Chart, default_name: &str) -> Checked {
-    let (resolved, diagnostics) = apply_rules(tree, default_name);
+    let (resolved, diagnostics) = apply_rules(tree, default_name, Symbols::new());
     let mut symbols = resolved.symbols;
     symbols.definitions = definitions(tree, &resolved.parts);
     symbols.sort();
@@ -77,9 +77,9 @@ pub fn examine(tree: &ast::Chart, default_name: &str) -> Checked {
 }
 
 /// The chart under check is complete after this if no rule is broken.
-fn apply_rules<'a>(tree: &'a ast::Chart, default_name: &str) -> (Resolved<'a>, Diagnostics) {
+fn apply_rules<'a>(tree: &'a ast::Chart, default_name: &str, symbols: Symbols) -> (Resolved<'a>, Diagnostics) {
     let mut diagnostics = Diagnostics::new();
-    let mut resolved = resolve(tree, default_name, &mut diagnostics);
+    let mut resolved = resolve(tree, default_name, symbols, &mut diagnostics);
     for rule in checks::ERRORS {
         rule(&resolved, &mut diagnostics);
     }

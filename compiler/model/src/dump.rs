@@ -4,11 +4,10 @@
 //! where what it says does. Later stages keep expressions, actions and labels, and write them like here.
 
 use crate::chart::{
-    Chart, Continuous, DelayTime, Event, Expr, ExprId, ExprKind, GrafcetId, MacroId, Mode, Node, Situation, StepId,
-    Stored, TransitionId, Type, Value, Variable, VariableId, VariableKind,
+    Chart, Continuous, DelayTime, Event, Expr, ExprId, ExprKind, GrafcetId, MacroId, Mode, Node, Note, Situation,
+    StepId, Stored, TransitionId, Type, Value, Variable, VariableId, VariableKind,
 };
 pub use crate::resolve::types::name as type_name;
-use ecow::EcoString;
 pub use grafc_syntax::dump::plain_or_quoted as name;
 use index_vec::IndexVec;
 
@@ -139,7 +138,7 @@ pub fn list(names: impl IntoIterator<Item = String>) -> String {
 }
 
 /// An attached comment, behind what it belongs to.
-pub fn comment(comment: &Option<EcoString>) -> String {
+pub fn comment(comment: &Option<Note>) -> String {
     comment.as_ref().map(|text| format!(" {text:?}")).unwrap_or_default()
 }
 

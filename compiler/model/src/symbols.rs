@@ -5,6 +5,7 @@
 
 use crate::chart::{GrafcetId, MacroId, Node, StepId, TransitionId, VariableId};
 use grafc_diagnostics::Span;
+use index_vec::{IndexVec, index_vec};
 
 /// Something that a text declares; the [`Tables`](crate::chart::Tables) say more of it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -132,6 +133,27 @@ impl Wanted {
     }
 }
 
+/// Where a variable is used first; none where it is not.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Usage {
+    /// Where it is read, in a condition, a value, a delay, another declaration.
+    pub(crate) read: Option<Span>,
+    /// Where an action sets it.
+    pub(crate) set: Option<Span>,
+}
+
+impl Usage {
+    fn add(&mut self, span: Span, role: Role) {
+        let place = match role {
+            Role::Read => &mut self.read,
+            Role::Assigned => &mut self.set,
+            Role::Before | Role::After | Role::Forced | Role::Enclosing | Role::Expanded | Role::Allowed => return,
+        };
+        let first = place.get_or_insert(span);
+        *first = (*first).min(span);
+    }
+}
+
 /// A name that refers to nothing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Unresolved {
@@ -153,8 +175,12 @@ pub enum Mention {
 }
 
 /// The declarations of a text and the names in it.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Symbols {
+    /// Whether anybody asks for what follows: who compiles asks for the first uses of variables alone.
+    are_asked_for: bool,
+    /// How each variable is used.
+    pub(crate) usage: IndexVec<VariableId, Usage>,
     /// In order of their entities: the chart, variables, grafcets, steps, macro-steps, transitions.
     pub(crate) definitions: Vec<Definition>,
     /// In order of place, once the text has been read.
@@ -164,6 +190,23 @@ pub struct Symbols {
 }
 
 impl Symbols {
+    /// None yet.
+    pub(crate) fn new() -> Self {
+        Symbols { are_asked_for: true, ..Symbols::unasked() }
+    }
+
+    /// None ever, but for the first uses of variables.
+    pub(crate) fn unasked() -> Self {
+        let (usage, definitions, uses, unresolved) = (IndexVec::new(), Vec::new(), Vec::new(), Vec::new());
+        Symbols { are_asked_for: false, usage, definitions, uses, unresolved }
+    }
+
+    /// There are so many variables, and so many names may refer to something.
+    pub(crate) fn expect(&mut self, variables: usize, uses: usize) {
+        self.usage = index_vec![Usage::default(); variables];
+        self.uses.reserve(if self.are_asked_for { uses } else { 0 });
+    }
+
     /// All declarations: the chart, variables, grafcets, steps, macro-steps, transitions, each kind in order of the text.
     pub fn definitions(&self) -> &[Definition] {
         &self.definitions
@@ -214,12 +257,20 @@ impl Symbols {
 
     /// A name was resolved.
     pub(crate) fn used(&mut self, span: Span, entity: impl Into<Entity>, form: Form, role: Role) {
-        self.uses.push(Use { span, entity: entity.into(), form, role });
+        let entity = entity.into();
+        if let Entity::Variable(id) = entity {
+            self.usage[id].add(span, role);
+        }
+        if self.are_asked_for {
+            self.uses.push(Use { span, entity, form, role });
+        }
     }
 
     /// A name could not be resolved.
     pub(crate) fn missed(&mut self, span: Span, wanted: Wanted) {
-        self.unresolved.push(Unresolved { span, wanted });
+        if self.are_asked_for {
+            self.unresolved.push(Unresolved { span, wanted });
+        }
     }
 
     /// Brings the names into order, once all have been resolved.

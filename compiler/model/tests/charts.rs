@@ -47,7 +47,7 @@ fn weighing_and_mixing() {
     assert_eq!((chart.steps.len(), chart.transitions.len(), chart.grafcets.len()), (11, 10, 1));
     assert_eq!(chart.variables[0].comment.as_deref(), Some("cycle start"));
     assert_eq!(chart.transitions[6].designation.as_deref(), Some("7"));
-    assert_eq!(chart.transitions[6].pre, [Node::Step(StepId::new(4)), Node::Step(StepId::new(7))]);
+    assert_eq!(chart.transitions[6].pre[..], [Node::Step(StepId::new(4)), Node::Step(StepId::new(7))]);
 }
 
 /// IEC 60848, figure 3: enclosures in an enclosure.

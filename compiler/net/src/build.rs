@@ -1,7 +1,7 @@
 //! Checked chart to Petri net. Translates, decides nothing.
 
-use crate::net::{Grafcet, MacroStep, Net, Place, Transition};
-use grafc_model::chart::{Chart, MacroId, Node, StepId, Tables};
+use crate::net::{Grafcet, MacroStep, Net, Place, Steps, Transition};
+use grafc_model::chart::{Chart, MacroId, Node, Nodes, Tables};
 use index_vec::IndexVec;
 
 /// The Petri net of a checked chart; macro-steps, enclosures and orders stand in side tables.
@@ -37,8 +37,8 @@ pub fn into_net(chart: Chart) -> Net {
     let chart: Tables = chart.into();
     let mut transitions = IndexVec::with_capacity(chart.transitions.len());
     for (id, t) in chart.transitions.into_iter_enumerated() {
-        let mut places = |nodes: Vec<Node>, table: fn(&mut MacroStep) -> &mut Vec<_>| -> Vec<StepId> {
-            let mut steps = Vec::with_capacity(nodes.len());
+        let mut places = |nodes: Nodes, table: fn(&mut MacroStep) -> &mut Vec<_>| {
+            let mut steps = Steps::with_capacity(nodes.len());
             for node in nodes {
                 match node {
                     Node::Step(s) => steps.push(s),

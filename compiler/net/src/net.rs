@@ -25,10 +25,12 @@
 use ecow::EcoString;
 use grafc_diagnostics::Span;
 use grafc_model::chart::{
-    Continuous, Controls, Expr, ExprId, GrafcetId, MacroId, Order, StepId, Stored, TransitionId, Variable, VariableId,
+    Continuous, Controls, Expr, ExprId, GrafcetId, MacroId, Note, Order, StepId, Stored, TransitionId, Variable,
+    VariableId,
 };
 use index_vec::IndexVec;
 use rustc_hash::FxHashSet;
+use smallvec::SmallVec;
 
 /// What a pass has brought about, for good.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -53,7 +55,7 @@ pub struct Net {
     /// The chart's name.
     pub name: EcoString,
     /// The chart's attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// Declared variables.
     pub variables: IndexVec<VariableId, Variable>,
     /// Places: the steps of the chart.
@@ -88,7 +90,7 @@ pub struct Place {
     /// The step's label.
     pub label: EcoString,
     /// The attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// The grafcet that it belongs to.
     pub grafcet: GrafcetId,
     /// In the initial situation.
@@ -103,19 +105,22 @@ pub struct Place {
     pub span: Span,
 }
 
+/// The places on one side of a transition: mostly few, which then lie in the transition itself.
+pub type Steps = SmallVec<[StepId; 4]>;
+
 /// A transition.
 #[derive(Clone, Debug)]
 pub struct Transition {
     /// The designation.
-    pub designation: Option<EcoString>,
+    pub designation: Option<Note>,
     /// The attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// The grafcet that it belongs to.
     pub grafcet: GrafcetId,
     /// The immediately preceding places.
-    pub pre: Vec<StepId>,
+    pub pre: Steps,
     /// The immediately succeeding places.
-    pub post: Vec<StepId>,
+    pub post: Steps,
     /// The place that must be active for it to clear, once enclosures are flattened.
     pub within: Option<StepId>,
     /// The transition-condition.
@@ -173,7 +178,7 @@ pub struct Grafcet {
     /// The name.
     pub name: EcoString,
     /// The attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// The step that encloses it, until enclosures are flattened.
     pub enclosing_step: Option<StepId>,
     /// Longest chain of orders and enclosures above it (M2).

@@ -156,8 +156,8 @@ fn facts_hold() {
     });
     broken(&net, "hand over to each other", |n| {
         let (one, two) = (step(n, "1"), step(n, "2"));
-        let back = n.transitions.iter_mut().find(|t| t.pre == [two]).expect("2 -> 2_1");
-        back.post = vec![one];
+        let back = n.transitions.iter_mut().find(|t| t.pre[..] == [two]).expect("2 -> 2_1");
+        back.post = [one].into_iter().collect();
     });
 }
 

@@ -1,11 +1,13 @@
 //! The syntax tree: what the author wrote, losslessly enough to format it.
 //!
 //! Expressions lie in one arena, children before parents, so that no code walks them by recursion: the depth of
-//! nesting is the author's, not ours. Names are as written, without backquotes; nothing is resolved yet.
+//! nesting is the author's, not ours. Names are as written, without backquotes; nothing is resolved yet. What most
+//! elements lack, such as an attached comment, takes a word in them; what most have one of lies in them.
 
 use ecow::EcoString;
 use grafc_diagnostics::Span;
 use index_vec::{IndexVec, define_index_type};
+use smallvec::SmallVec;
 
 define_index_type! {
     /// An expression of a [`Chart`].
@@ -40,7 +42,7 @@ pub struct Heading {
     /// The chart's name.
     pub name: Name,
     /// The attached comment.
-    pub comment: Option<Text>,
+    pub comment: Option<Box<Text>>,
     /// The whole line.
     pub span: Span,
 }
@@ -55,6 +57,9 @@ pub struct Name {
     /// The place.
     pub span: Span,
 }
+
+/// Names in a row: mostly one.
+pub type Names = SmallVec<[Name; 1]>;
 
 /// An attached comment (IEC 60848, symbol 30): the string without its quotes and escapes.
 #[derive(Clone, Debug)]
@@ -110,7 +115,7 @@ pub struct Declaration {
     /// Which keyword.
     pub kind: DeclarationKind,
     /// The names, each with its attached comment.
-    pub names: Vec<DeclaredName>,
+    pub names: DeclaredNames,
     /// The type; none if what is written there is none, and has been reported.
     pub ty: Option<Type>,
     /// Where the type is written.
@@ -118,7 +123,7 @@ pub struct Declaration {
     /// `:= value`.
     pub initial: Option<ExprId>,
     /// `at %IX0.0`; several names count on from it.
-    pub address: Option<Text>,
+    pub address: Option<Box<Text>>,
     /// The whole declaration.
     pub span: Span,
 }
@@ -142,8 +147,11 @@ pub struct DeclaredName {
     /// The name.
     pub name: Name,
     /// The attached comment.
-    pub comment: Option<Text>,
+    pub comment: Option<Box<Text>>,
 }
+
+/// The names of a declaration: mostly one.
+pub type DeclaredNames = SmallVec<[DeclaredName; 1]>;
 
 /// The elementary types of IEC 61131-3 that charts use.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -174,7 +182,7 @@ pub struct Grafcet {
     /// The grafcet's name.
     pub name: Name,
     /// The attached comment.
-    pub comment: Option<Text>,
+    pub comment: Option<Box<Text>>,
     /// What is in the braces: steps, transitions, expansions.
     pub items: Vec<Item>,
     /// The whole block.
@@ -187,7 +195,7 @@ pub struct Expansion {
     /// The macro-step that it expands.
     pub macro_step: Name,
     /// The attached comment.
-    pub comment: Option<Text>,
+    pub comment: Option<Box<Text>>,
     /// What is in the braces: steps, transitions, expansions.
     pub items: Vec<Item>,
     /// The whole block.
@@ -204,7 +212,7 @@ pub struct Step {
     /// The label.
     pub label: Name,
     /// The attached comment.
-    pub comment: Option<Text>,
+    pub comment: Option<Box<Text>>,
     /// The actions in its braces.
     pub actions: Vec<Action>,
     /// The warnings that are allowed in its braces.
@@ -267,13 +275,13 @@ pub enum StepKind {
 #[derive(Clone, Debug)]
 pub struct Transition {
     /// What is in the parentheses (symbol 8).
-    pub designation: Option<Name>,
+    pub designation: Option<Box<Name>>,
     /// The attached comment.
-    pub comment: Option<Text>,
+    pub comment: Option<Box<Text>>,
     /// The immediately preceding steps; none for a source transition.
-    pub from: Vec<Name>,
+    pub from: Names,
     /// The immediately succeeding steps; none for a sink transition.
-    pub to: Vec<Name>,
+    pub to: Names,
     /// The transition-condition.
     pub condition: ExprId,
     /// Assignments on clearing.

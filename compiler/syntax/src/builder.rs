@@ -177,7 +177,7 @@ impl<'text> Builder<'text> {
         end: u32,
         words: Vec<StepWord>,
         label: Name,
-        comment: Option<Text>,
+        comment: Option<Box<Text>>,
         inside: (Vec<Action>, Vec<Allow>),
     ) -> Step {
         let (actions, allows) = inside;
@@ -296,10 +296,10 @@ impl<'text> Builder<'text> {
     }
 
     /// `{INIT}` is the initial situation; a step of that name is written in backquotes.
-    pub(crate) fn situation(&self, labels: Vec<Name>) -> Situation {
+    pub(crate) fn situation(&self, labels: Names) -> Situation {
         match labels.as_slice() {
             [only] if !only.quoted && only.text == "INIT" => Situation::Initial,
-            _ => Situation::Steps(labels),
+            _ => Situation::Steps(labels.into_vec()),
         }
     }
 

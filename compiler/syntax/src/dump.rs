@@ -249,7 +249,7 @@ fn quoted(text: &str) -> String {
     format!("`{}`", text.escape_debug())
 }
 
-fn comment(comment: &Option<Text>) -> String {
+fn comment(comment: &Option<Box<Text>>) -> String {
     comment.as_ref().map(|comment| format!(" {:?}", comment.text)).unwrap_or_default()
 }
 

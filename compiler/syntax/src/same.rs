@@ -31,7 +31,7 @@ fn names(a: &[Name], b: &[Name]) -> bool {
     all(a, b, name)
 }
 
-fn text(a: &Option<Text>, b: &Option<Text>) -> bool {
+fn text(a: &Option<Box<Text>>, b: &Option<Box<Text>>) -> bool {
     a.as_ref().map(|a| &a.text) == b.as_ref().map(|b| &b.text)
 }
 

@@ -265,7 +265,7 @@ impl Ladder<'_> {
     /// Declares a variable, with what it stands for.
     fn new_part(&mut self, note: Option<String>) -> EcoString {
         let name = self.names.namer.name(&format!("part_{}", self.parts.len() + 1));
-        let comment = note.map(|text| clean(&text));
+        let comment = note.map(|text| clean(&text).into());
         self.parts.push(Entry { comment, ..Entry::plain(name.clone(), Type::Bool) });
         name
     }

@@ -88,7 +88,7 @@ fn draw(program: &Program, names: &mut Names, repeated: Option<&Repeated>) -> (V
             None => ("ET", Type::Time, "has run for so long"),
         };
         let name = names.namer.name(&format!("{}_{pin}", spelt.timers[id]));
-        let comment = Some(format!("{} {note}", spelt.timers[id]));
+        let comment = Some(format!("{} {note}", spelt.timers[id]).into());
         timers.push(Entry { comment, ..Entry::plain(name.clone(), ty) });
         timer_outputs.push(name);
     }
@@ -142,5 +142,5 @@ fn nothing(ladder: &mut Ladder) {
 
 /// A local variable of a type, with a few words on it.
 fn local(name: &EcoString, ty: EntryType, note: &str) -> Entry {
-    Entry { ty, comment: Some(note.to_owned()), ..Entry::plain(name.clone(), Type::Bool) }
+    Entry { ty, comment: Some(note.into()), ..Entry::plain(name.clone(), Type::Bool) }
 }

@@ -142,7 +142,7 @@ impl Repeated {
     pub fn outer(&self, blocks: Vec<VarBlock>) -> Vec<VarBlock> {
         let bit = || EntryType::Elementary(Type::Bool);
         let mut own = vec![
-            local(&self.instance, EntryType::Block(self.block.clone()), "one micro-step"),
+            local(&self.instance, EntryType::Block(self.block.clone().into()), "one micro-step"),
             local(&self.further, bit(), "another micro-step is needed"),
         ];
         own.extend(self.last.as_ref().map(|name| local(name, bit(), "no other micro-step comes")));

@@ -100,8 +100,8 @@ impl Units {
 
         let mut outer = interface(program, &names, Vec::new());
         let drawn = Entry {
-            ty: EntryType::Block(block.clone()),
-            comment: Some("the chart".to_owned()),
+            ty: EntryType::Block(block.clone().into()),
+            comment: Some("the chart".into()),
             ..Entry::plain(instance.clone(), Type::Bool)
         };
         for block in &mut outer {

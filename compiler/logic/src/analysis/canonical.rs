@@ -4,7 +4,7 @@
 //! Shorter labels come first, so that step 2 stands before step 10 as an author would write them.
 
 use grafc_model::chart::{Controls, GrafcetId, StepId, TransitionId};
-use grafc_net::net::{Forced, Grafcet, Place, Transition};
+use grafc_net::net::{Forced, Grafcet, Place, Steps, Transition};
 use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
 
@@ -41,8 +41,13 @@ impl Canonical {
             ranked.sort_unstable();
             ranked
         };
-        let mut transitions: Vec<(Vec<StepId>, Vec<StepId>, TransitionId)> =
-            net.transitions.iter_enumerated().map(|(id, t)| (ranked(&t.pre), ranked(&t.post), id)).collect();
+        let side = |steps: &[StepId]| {
+            let mut side: Steps = steps.iter().map(|s| rank[*s]).collect();
+            side.sort_unstable();
+            side
+        };
+        let mut transitions: Vec<(Steps, Steps, TransitionId)> =
+            net.transitions.iter_enumerated().map(|(id, t)| (side(&t.pre), side(&t.post), id)).collect();
         transitions.sort_unstable();
         let mut transition_rank: IndexVec<TransitionId, TransitionId> = net.transitions.indices().collect();
         for (number, (.., t)) in transitions.iter().enumerate() {

@@ -9,7 +9,7 @@ use crate::scan::{Origin, Preset, Role, Statement, Timer, TimerId, VarId};
 use crate::spell::in_signs;
 use ecow::{EcoString, eco_format};
 use grafc_formula::{FormulaId, Type, Value};
-use grafc_model::chart::{DelayTime, ExprId, ExprKind, StepId};
+use grafc_model::chart::{DelayTime, ExprId, ExprKind, Note, StepId};
 
 /// A delay that has been lowered, by one of its timers.
 #[derive(Clone, Debug)]
@@ -104,7 +104,7 @@ impl Lowering {
         }
     }
 
-    fn timer(&mut self, name: String, time: DelayTime, comment: Option<EcoString>) -> TimerId {
+    fn timer(&mut self, name: String, time: DelayTime, comment: Option<Note>) -> TimerId {
         let constant = time.constant.map(|c| self.symbols.declared(c));
         self.timers.push(Timer { name, preset: Some(Preset { ms: time.ms, constant }), comment })
     }
@@ -128,13 +128,7 @@ impl Lowering {
 
     /// What a delay is called by: its operand and, if another delay of that came before, its time as well. Beside it what the
     /// name cannot say.
-    fn delay_word(
-        &mut self,
-        e: ExprId,
-        on: DelayTime,
-        operand: ExprId,
-        off: DelayTime,
-    ) -> (EcoString, Option<EcoString>) {
+    fn delay_word(&mut self, e: ExprId, on: DelayTime, operand: ExprId, off: DelayTime) -> (EcoString, Option<Note>) {
         let mut word = self.operand_word(operand);
         if self.delay_words.contains(&word) {
             let time = if on.ms > 0 { on } else { off };

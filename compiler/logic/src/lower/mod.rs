@@ -22,7 +22,7 @@ use ecow::{EcoString, eco_format};
 use factored::factored;
 use grafc_formula::exclusion::EdgeOperand;
 use grafc_formula::{Formula, FormulaId, Pool, Type, Value};
-use grafc_model::chart::{Continuous, DelayTime, ExprId, ExprKind, GrafcetId, MacroId, Mode, StepId, VariableId};
+use grafc_model::chart::{Continuous, DelayTime, ExprId, ExprKind, GrafcetId, MacroId, Mode, Note, StepId, VariableId};
 use grafc_net::Net;
 use grafc_net::net::Grafcet;
 use index_vec::IndexVec;
@@ -119,7 +119,7 @@ pub(crate) struct Lowering {
     /// The number of the first order on each grafcet.
     first_order: IndexVec<GrafcetId, u32>,
     /// How often each designation is used.
-    designations: FxHashMap<EcoString, u32>,
+    designations: FxHashMap<Note, u32>,
     /// The words that delays are called by.
     delay_words: FxHashSet<EcoString>,
     /// What waits to be built, each with whether all that it needs has been; and what one of them needs. Empty in between.

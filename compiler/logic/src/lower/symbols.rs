@@ -4,14 +4,16 @@ use crate::scan::{Flag, Role, VarId, Variable};
 use ecow::EcoString;
 use grafc_formula::number::zero;
 use grafc_formula::{FormulaId, Pool, Type};
+use grafc_model::chart::Note;
 use grafc_model::chart::VariableId;
 use grafc_net::Net;
 use grafc_net::net::Place;
 use index_vec::IndexVec;
 use std::collections::BTreeMap;
 
-/// So many variables of ours more are usual.
+/// So many variables of ours more are usual, and of many variables such a part.
 const FEW: usize = 16;
+const PART: usize = 64;
 
 /// The table of variables: the chart's first, in its order, then ours as they are needed.
 #[derive(Clone)]
@@ -26,7 +28,7 @@ impl Symbols {
     pub(crate) fn new(net: &Net) -> Self {
         // Beside the chart's own a bit a step and, mostly, a value a transition.
         let size = net.variables.len() + net.places.len() + net.transitions.len();
-        let mut table = IndexVec::with_capacity(size + FEW);
+        let mut table = IndexVec::with_capacity(size + size / PART + FEW);
         let declared = net
             .variables
             .iter()
@@ -49,13 +51,7 @@ impl Symbols {
     }
 
     /// A new variable of ours.
-    pub(crate) fn fresh(
-        &mut self,
-        role: Role,
-        name: impl Into<EcoString>,
-        ty: Type,
-        comment: Option<EcoString>,
-    ) -> VarId {
+    pub(crate) fn fresh(&mut self, role: Role, name: impl Into<EcoString>, ty: Type, comment: Option<Note>) -> VarId {
         self.table.push(Variable { comment, ..Variable::new(role, name, ty) })
     }
 

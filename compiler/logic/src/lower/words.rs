@@ -13,7 +13,7 @@
 use super::Lowering;
 use crate::scan::{ActionId, Origin};
 use ecow::{EcoString, eco_format};
-use grafc_model::chart::{ExprId, ExprKind, StepId, TransitionId, Value};
+use grafc_model::chart::{ExprId, ExprKind, Note, StepId, TransitionId, Value};
 use grafc_net::Net;
 use rustc_hash::FxHashMap;
 
@@ -27,8 +27,8 @@ const PARTS_NAMED: usize = 3;
 const LOOKED_AT: usize = 16;
 
 /// How often each designation is used.
-pub(super) fn designations(net: &Net) -> FxHashMap<EcoString, u32> {
-    let mut uses: FxHashMap<EcoString, u32> = FxHashMap::default();
+pub(super) fn designations(net: &Net) -> FxHashMap<Note, u32> {
+    let mut uses: FxHashMap<Note, u32> = FxHashMap::default();
     for designation in net.transitions.iter().filter_map(|t| t.designation.as_ref()) {
         *uses.entry(designation.clone()).or_default() += 1;
     }
@@ -40,7 +40,8 @@ impl Lowering {
     pub(crate) fn transition_word(&self, t: TransitionId) -> EcoString {
         let transition = &self.net.transitions[t];
         let own = transition.designation.as_ref().filter(|d| self.designations.get(*d) == Some(&1));
-        own.cloned().unwrap_or_else(|| steps_around(&self.net, &transition.pre, &transition.post))
+        own.map(|designation| designation.text().clone())
+            .unwrap_or_else(|| steps_around(&self.net, &transition.pre, &transition.post))
     }
 
     /// A word for what something comes from.

@@ -7,7 +7,7 @@ use super::{
 use ecow::EcoString;
 use grafc_diagnostics::Span;
 use grafc_formula::{FormulaId, Pool, Value};
-use grafc_model::chart::{GrafcetId, VariableId};
+use grafc_model::chart::{GrafcetId, Note, VariableId};
 use grafc_net::Net;
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
@@ -41,7 +41,7 @@ pub struct Grafcet {
     /// The name.
     pub name: EcoString,
     /// The attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
 }
 
 impl Grafcet {
@@ -58,9 +58,9 @@ impl Grafcet {
 #[derive(Clone, Debug)]
 pub struct Transition {
     /// The designation.
-    pub designation: Option<EcoString>,
+    pub designation: Option<Note>,
     /// The attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// The item in the chart.
     pub span: Span,
     before: Range<u32>,
@@ -152,8 +152,8 @@ impl Elements {
     /// Adds a transition.
     pub fn transition(
         &mut self,
-        designation: Option<EcoString>,
-        comment: Option<EcoString>,
+        designation: Option<Note>,
+        comment: Option<Note>,
         span: Span,
         before: &[StepId],
         after: &[StepId],
@@ -192,7 +192,7 @@ impl Elements {
         let Transition { designation, before, after, .. } = &self.transitions[transition];
         let steps = self.steps(before).iter().take(1).chain(self.steps(after).iter().take(1));
         let labels = || steps.map(|s| label(*s)).collect::<Vec<_>>().join("_").into();
-        designation.clone().unwrap_or_else(labels)
+        designation.as_ref().map_or_else(labels, |designation| designation.text().clone())
     }
 
     fn steps(&self, range: &Range<u32>) -> &[StepId] {

@@ -56,7 +56,7 @@ pub use elements::{Action, Elements, Grafcet, Order, Origins, Transition, When};
 pub use facts::{Divided, Reads};
 pub use fingerprint::Fingerprint;
 pub use grafc_formula::{TimerId, VarId};
-pub use grafc_model::chart::{GrafcetId, StepId, TransitionId, VariableId};
+pub use grafc_model::chart::{GrafcetId, Note, StepId, TransitionId, VariableId};
 pub use measure::{Measure, measure};
 pub use observing::{Observed, Observing, SeenDelay, SeenTransition};
 pub use origin::{ActionId, Heading, OrderId, Origin, Part, Told};
@@ -66,7 +66,6 @@ pub use variable::{Flag, Held, Preset, Role, State, Step, Timer, Variable};
 pub use verify::verify;
 pub use worst::WorstCase;
 
-use ecow::EcoString;
 use grafc_formula::Pool;
 use index_vec::IndexVec;
 
@@ -76,7 +75,7 @@ pub struct Program {
     /// The chart's name.
     pub name: String,
     /// The chart's attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// Variables; inputs, outputs, internal variables, constants and steps in order of declaration.
     pub variables: IndexVec<VarId, Variable>,
     /// Timers.

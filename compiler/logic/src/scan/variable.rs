@@ -5,7 +5,7 @@ use ecow::{EcoString, eco_format};
 use grafc_diagnostics::Span;
 use grafc_formula::number::zero;
 use grafc_formula::{FormulaId, Type, Value};
-use grafc_model::chart::{self, VariableKind};
+use grafc_model::chart::{self, Note, VariableKind};
 use grafc_net::net::Place;
 
 /// A step of the chart.
@@ -14,7 +14,7 @@ pub struct Step {
     /// The label.
     pub label: EcoString,
     /// The attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// What holds its activity.
     pub held: Held,
     /// The label in the chart.
@@ -67,9 +67,9 @@ pub struct Variable {
     /// Whether a restart of the controller leaves it as it is.
     pub retain: bool,
     /// The attached comment of the chart, or a few words on what a variable of ours is for.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// The address in the PLC.
-    pub address: Option<EcoString>,
+    pub address: Option<Note>,
     /// Where in the chart it comes from.
     pub span: Option<Span>,
 }
@@ -191,7 +191,7 @@ pub struct Timer {
     /// How long its input must be true; none if only the elapsed time is read.
     pub preset: Option<Preset>,
     /// A few words on what it measures.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
 }
 
 impl Timer {

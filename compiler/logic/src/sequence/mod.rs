@@ -16,12 +16,11 @@ mod prepared;
 
 use crate::analysis::Analysis;
 use crate::scan::{Elements, Program, Role, Statement, VarId, Variable};
-use ecow::EcoString;
 use ecow::eco_format;
 use expressions::Expressions;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use grafc_formula::{FormulaId, Pool};
-use grafc_model::chart::{StepId, Type, Value};
+use grafc_model::chart::{Note, StepId, Type, Value};
 use grafc_model::reaction::Profile;
 use grafc_net::Net;
 use index_vec::IndexVec;
@@ -79,7 +78,7 @@ pub struct SequenceStep {
     /// In the initial situation.
     pub initial: bool,
     /// The attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// The wires that it has a part in, by their place.
     pub wires: Vec<usize>,
     /// What it stores.
@@ -129,8 +128,8 @@ pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagn
     let steps: IndexVec<StepId, SequenceStep> = net.places.iter().map(|place| step(place, &mut variables)).collect();
     let mut expressions = Expressions::new(net, &steps, profile);
     let transitions = net.transitions.iter().map(|transition| SequenceTransition {
-        before: transition.pre.clone(),
-        after: transition.post.clone(),
+        before: transition.pre.to_vec(),
+        after: transition.post.to_vec(),
         condition: expressions.formula(transition.condition, own(&transition.pre), &mut reasons),
     });
     let transitions = transitions.collect();

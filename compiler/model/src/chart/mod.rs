@@ -9,6 +9,7 @@
 
 mod controls;
 mod expression;
+mod note;
 
 pub use controls::{ControlNames, Controls};
 use ecow::EcoString;
@@ -16,6 +17,8 @@ pub use expression::{Arithmetic, Comparison, DelayTime, Expr, ExprKind, below};
 use grafc_diagnostics::{Allowances, Span};
 pub use grafc_syntax::ast::Type;
 use index_vec::{IndexVec, define_index_type};
+pub use note::Note;
+use smallvec::SmallVec;
 use std::ops::Deref;
 
 macro_rules! ids {
@@ -99,7 +102,7 @@ pub struct Tables {
     /// The name in its heading, or the name that the caller chose (of the file).
     pub name: EcoString,
     /// The attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// Inputs, outputs, internal variables and constants, in order of declaration.
     pub variables: IndexVec<VariableId, Variable>,
     /// Steps, those of expansions included.
@@ -133,7 +136,7 @@ pub struct Variable {
     /// The name as declared, without backquotes.
     pub name: EcoString,
     /// The attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// Input, output, internal or constant.
     pub kind: VariableKind,
     /// The type.
@@ -145,7 +148,7 @@ pub struct Variable {
     /// Whether its value is kept over a restart of the controller (`retain`).
     pub retain: bool,
     /// `%IX0.0`, counted on where several names shared one.
-    pub address: Option<EcoString>,
+    pub address: Option<Note>,
     /// How it gets its value.
     pub mode: Mode,
     /// The name in its declaration.
@@ -209,7 +212,7 @@ pub struct Step {
     /// The label: `X` + label is its activity, `T` + label its duration.
     pub label: EcoString,
     /// The attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// The partial grafcet that it belongs to; steps of an expansion belong to their macro-step's (M1).
     pub grafcet: GrafcetId,
     /// The macro-step whose expansion holds it directly.
@@ -230,7 +233,7 @@ pub struct MacroStep {
     /// The label: `X` + label is its activity.
     pub label: EcoString,
     /// The attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// The partial grafcet that it belongs to.
     pub grafcet: GrafcetId,
     /// The macro-step whose expansion holds it directly.
@@ -252,19 +255,22 @@ pub enum Node {
     Macro(MacroId),
 }
 
+/// The ends of the arcs of a transition on one side: mostly few, which then lie in the transition itself.
+pub type Nodes = SmallVec<[Node; 2]>;
+
 /// A transition.
 #[derive(Clone, Debug)]
 pub struct Transition {
     /// The designation in parentheses.
-    pub designation: Option<EcoString>,
+    pub designation: Option<Note>,
     /// The attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// The partial grafcet that it belongs to.
     pub grafcet: GrafcetId,
     /// The immediately preceding steps, without repetition.
-    pub pre: Vec<Node>,
+    pub pre: Nodes,
     /// The immediately succeeding steps, without repetition.
-    pub post: Vec<Node>,
+    pub post: Nodes,
     /// The transition-condition; Boolean.
     pub condition: ExprId,
     /// The whole item.
@@ -277,7 +283,7 @@ pub struct Grafcet {
     /// The name: `X` + name is its activity.
     pub name: EcoString,
     /// The attached comment.
-    pub comment: Option<EcoString>,
+    pub comment: Option<Note>,
     /// The step that encloses it.
     pub enclosing_step: Option<StepId>,
     /// Longest chain of orders and enclosures above it (M2); 0 at the top.

@@ -50,7 +50,6 @@ pub mod testing;
 mod transient_step_with_continuous_action;
 mod transition_without_steps;
 mod truth;
-mod usage;
 
 use crate::resolve::Resolved;
 use grafc_diagnostics::Diagnostics;

@@ -6,16 +6,16 @@
 //! Warned of: `input spare : bool`, and no condition or value names it
 //! Not warned of: `output V : bool`, which is set and not read
 
-use super::usage::{Usage, usage};
 use crate::chart::VariableKind;
 use crate::resolve::Resolved;
+use crate::symbols::Usage;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 
 /// One warning per name.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
-    for (variable, usage) in chart.variables.iter().zip(usage(resolved)) {
-        let Usage { read: None, set } = usage else { continue };
+    for (variable, usage) in chart.variables.iter().zip(&resolved.symbols.usage) {
+        let Usage { read: None, set } = *usage else { continue };
         let name = &variable.name;
         let what = match variable.kind {
             VariableKind::Input => format!("the input `{name}` is never read"),

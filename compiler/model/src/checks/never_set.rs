@@ -6,7 +6,6 @@
 //! Warned of: `output V : bool`, and no action names it; `var n : int`, `transition 1 -> 2 : [n > 3]`
 //! Not warned of: an input
 
-use super::usage::usage;
 use crate::chart::VariableKind;
 use crate::dump::literal;
 use crate::resolve::Resolved;
@@ -15,7 +14,7 @@ use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 /// One warning per name.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
-    for (variable, usage) in chart.variables.iter().zip(usage(resolved)) {
+    for (variable, usage) in chart.variables.iter().zip(&resolved.symbols.usage) {
         if usage.set.is_some() {
             continue;
         }

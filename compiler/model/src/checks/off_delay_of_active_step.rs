@@ -15,7 +15,7 @@ use grafc_syntax::dump::plain_or_quoted;
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     for transition in &chart.transitions {
-        let mut before: Vec<Node> = transition.pre.clone();
+        let mut before: Vec<Node> = transition.pre.to_vec();
         before.sort_unstable();
         look(chart, transition.condition, &|node| before.binary_search(&node).is_ok(), diagnostics);
     }

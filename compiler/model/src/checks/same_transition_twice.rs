@@ -13,17 +13,16 @@ use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
-/// What makes two transitions with one condition the same: steps in any order, actions.
-type Key = (Vec<Node>, Vec<Node>, Vec<(VariableId, usize)>);
+/// What makes two transitions the same: the condition, steps in any order, actions.
+type Key = (usize, Vec<Node>, Vec<Node>, Vec<(VariableId, usize)>);
 
 /// One warning per transition that was there before.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
-    let likeness: IndexVec<ExprId, usize> = likeness(&chart.exprs);
-    // Only those that are alike at a glance are looked at more closely; nearly always there are none.
+    // Only those that are alike at a glance are looked at more closely.
     let glance = |id: &TransitionId| {
         let transition = &chart.transitions[*id];
-        (likeness[transition.condition], transition.pre.iter().min(), transition.post.iter().min())
+        (transition.pre.iter().min(), transition.post.iter().min())
     };
     let mut order: Vec<TransitionId> = chart.transitions.indices().collect();
     order.sort_by_key(glance);
@@ -32,6 +31,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     if alike.is_empty() {
         return;
     }
+    let likeness: IndexVec<ExprId, usize> = likeness(&chart.exprs);
     let mut actions: FxHashMap<TransitionId, Vec<(VariableId, usize)>> = FxHashMap::default();
     for action in &chart.stored {
         if let Event::Clearing(t) = action.event {
@@ -47,7 +47,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         let mut first_of: FxHashMap<Key, TransitionId> = FxHashMap::default();
         for id in alike.iter().copied() {
             let transition = &chart.transitions[id];
-            let key = (sorted(&transition.pre), sorted(&transition.post), actions.remove(&id).unwrap_or_default());
+            let actions = actions.remove(&id).unwrap_or_default();
+            let key = (likeness[transition.condition], sorted(&transition.pre), sorted(&transition.post), actions);
             let first = *first_of.entry(key).or_insert(id);
             if first != id {
                 diagnostics.push(

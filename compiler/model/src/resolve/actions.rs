@@ -38,7 +38,7 @@ pub fn interpret<'a>(
     for holder in &parts.holders {
         match *holder {
             Holder::Step(index) => {
-                let part = &parts.steps[index];
+                let part = &parts.steps[index as usize];
                 interpretation.step = Some(&part.ast.label.text);
                 let mut actions = part.ast.actions.iter();
                 while let Some(action) = actions.next() {
@@ -56,6 +56,9 @@ pub fn interpret<'a>(
         }
     }
     let complete = interpretation.complete;
+    // The stages after this one keep them.
+    chart.continuous.shrink_to_fit();
+    chart.stored.shrink_to_fit();
     set_modes(chart);
     complete
 }

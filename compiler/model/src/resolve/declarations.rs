@@ -4,6 +4,7 @@
 //! found in the order of dependence, with a stack of our own.
 
 use super::addresses;
+use super::comment;
 use super::expressions::{Context, Need, Scratch, note_names};
 use super::fold::fold;
 use super::parts::Parts;
@@ -26,7 +27,7 @@ pub fn variables(parts: &Parts) -> IndexVec<VariableId, Variable> {
         for declared in &declaration.names {
             variables.push(Variable {
                 name: declared.name.text.clone(),
-                comment: declared.comment.as_ref().map(|comment| comment.text.clone()),
+                comment: comment(&declared.comment),
                 kind: addresses::kind(declaration.kind),
                 ty: declaration.ty.unwrap_or(STAND_IN),
                 initial: types::zero(declaration.ty.unwrap_or(STAND_IN)),

@@ -11,6 +11,7 @@ mod definitions;
 mod expressions;
 pub mod fold;
 mod habits;
+mod names;
 pub mod parts;
 pub mod scope;
 mod structure;
@@ -19,9 +20,8 @@ pub mod types;
 
 pub use definitions::definitions;
 
-use crate::chart::{MacroId, Tables};
+use crate::chart::{MacroId, Note, Tables};
 use crate::symbols::Symbols;
-use ecow::EcoString;
 use grafc_diagnostics::Diagnostics;
 use grafc_syntax::ast;
 use index_vec::IndexVec;
@@ -40,17 +40,22 @@ pub struct Resolved<'a> {
     pub chart: Tables,
     /// Whether no stand-in is in it.
     pub complete: bool,
-    /// What names were taken for; declarations are not among it yet.
+    /// What names were taken for, if somebody asks; declarations are not among it yet.
     pub symbols: Symbols,
 }
 
-/// Resolves a syntax tree.
-pub fn resolve<'a>(tree: &'a ast::Chart, default_name: &str, diagnostics: &mut Diagnostics) -> Resolved<'a> {
+/// Resolves a syntax tree; in `symbols` it is noted what names were taken for.
+pub fn resolve<'a>(
+    tree: &'a ast::Chart,
+    default_name: &str,
+    mut symbols: Symbols,
+    diagnostics: &mut Diagnostics,
+) -> Resolved<'a> {
     let mut parts = Parts::collect(tree);
     let scope = Scope::declare(&parts, diagnostics);
     let mut variables = declarations::variables(&parts);
     addresses::assign(&parts, &mut variables, diagnostics);
-    let mut symbols = Symbols::default();
+    symbols.expect(variables.len(), tree.exprs.len() + 2 * parts.transitions.len());
     let values = declarations::evaluate(&tree.exprs, &parts, &scope, &mut variables, &mut symbols, diagnostics);
     let mut chart = Tables {
         name: tree.heading.as_ref().map_or_else(|| default_name.into(), |heading| heading.name.text.clone()),
@@ -59,7 +64,6 @@ pub fn resolve<'a>(tree: &'a ast::Chart, default_name: &str, diagnostics: &mut D
         ..Tables::default()
     };
     chart.exprs.reserve(tree.exprs.len());
-    symbols.uses.reserve(tree.exprs.len() + 2 * parts.transitions.len());
     let expanded = structure::build(&mut parts, &scope, &mut chart, &mut symbols, diagnostics);
     let interpreted =
         actions::interpret(&tree.exprs, &parts, &scope, &values.constants, &mut chart, &mut symbols, diagnostics);
@@ -67,6 +71,6 @@ pub fn resolve<'a>(tree: &'a ast::Chart, default_name: &str, diagnostics: &mut D
     Resolved { parts, scope, expanded, chart, complete: values.complete && interpreted, symbols }
 }
 
-fn comment(text: &Option<ast::Text>) -> Option<EcoString> {
-    text.as_ref().map(|text| text.text.clone())
+fn comment(text: &Option<Box<ast::Text>>) -> Option<Note> {
+    text.as_ref().map(|text| text.text.clone().into())
 }

@@ -35,9 +35,9 @@ pub struct Parts<'a> {
     /// Steps, macro-steps among them.
     pub steps: Vec<StepPart<'a>>,
     /// Where in `steps` each step is.
-    step_places: IndexVec<StepId, usize>,
+    step_places: IndexVec<StepId, u32>,
     /// Where in `steps` each macro-step is.
-    macro_places: IndexVec<MacroId, usize>,
+    macro_places: IndexVec<MacroId, u32>,
     /// Transitions.
     pub transitions: IndexVec<TransitionId, TransitionPart<'a>>,
     /// Steps and transitions in source order: the order in which their actions count.
@@ -87,11 +87,14 @@ pub struct TransitionPart<'a> {
     pub frame: Frame,
 }
 
+/// A block of so many items is large.
+const LARGE: usize = 1024;
+
 /// An item that holds actions.
 #[derive(Clone, Copy)]
 pub enum Holder {
     /// A place in [`Parts::steps`].
-    Step(usize),
+    Step(u32),
     /// A transition.
     Transition(TransitionId),
 }
@@ -117,6 +120,7 @@ impl<'a> Parts<'a> {
         };
         let has_blocks = chart.items.iter().any(|item| matches!(item, ast::Item::Grafcet(_)));
         let top = (!has_blocks).then(|| Frame::Grafcet(parts.grafcets.push(GrafcetPart { ast: None, span: start })));
+        parts.expect(&chart.items);
         let mut open = vec![(chart.items.iter(), top, chart.span)];
         while let Some((items, frame, block)) = open.last_mut() {
             let (frame, block) = (*frame, *block);
@@ -128,15 +132,17 @@ impl<'a> Parts<'a> {
                 ast::Item::Declaration(declaration) => parts.declarations.push(declaration),
                 ast::Item::Grafcet(grafcet) => {
                     let id = parts.grafcets.push(GrafcetPart { ast: Some(grafcet), span: grafcet.name.span });
+                    parts.expect(&grafcet.items);
                     open.push((grafcet.items.iter(), Some(Frame::Grafcet(id)), grafcet.span));
                 }
                 ast::Item::Expansion(expansion) => {
                     let id = parts.expansions.push(ExpansionPart { ast: expansion, within: frame });
+                    parts.expect(&expansion.items);
                     open.push((expansion.items.iter(), Some(Frame::Expansion(id)), expansion.span));
                 }
                 ast::Item::Step(step) => {
                     let frame = frame.unwrap_or_else(|| parts.bare_item(step.label.span));
-                    let place = parts.steps.len();
+                    let place = parts.steps.len() as u32;
                     let node = match step.kind {
                         ast::StepKind::Plain | ast::StepKind::Enclosing => Node::Step(parts.step_places.push(place)),
                         ast::StepKind::Macro => Node::Macro(parts.macro_places.push(place)),
@@ -157,12 +163,28 @@ impl<'a> Parts<'a> {
         parts
     }
 
+    /// Makes room for the items of a large block: lists that grow by doubling are half empty in the end.
+    fn expect(&mut self, items: &[ast::Item]) {
+        if items.len() < LARGE {
+            return;
+        }
+        let count = |wanted: fn(&ast::Item) -> bool| items.iter().filter(|item| wanted(item)).count();
+        let steps = count(|item| matches!(item, ast::Item::Step(_)));
+        let transitions = count(|item| matches!(item, ast::Item::Transition(_)));
+        self.declarations.reserve_exact(count(|item| matches!(item, ast::Item::Declaration(_))));
+        self.steps.reserve_exact(steps);
+        self.step_places.raw.reserve_exact(steps);
+        self.transitions.raw.reserve_exact(transitions);
+        self.holders.reserve_exact(steps + transitions);
+    }
+
     /// The step or macro-step as written.
     pub fn step(&self, node: Node) -> &StepPart<'a> {
-        &self.steps[match node {
+        let place = match node {
             Node::Step(id) => self.step_places[id],
             Node::Macro(id) => self.macro_places[id],
-        }]
+        };
+        &self.steps[place as usize]
     }
 
     /// The steps, and then the macro-steps.

@@ -4,6 +4,7 @@
 //! two equal ones the first keeps the name (E0202), and what an implicit variable is called nobody may declare (E0204).
 
 use super::habits;
+use super::names::Names;
 use super::parts::Parts;
 use super::suggest::Suggestions;
 use crate::chart::{GrafcetId, MacroId, Node, StepId, VariableId};
@@ -67,15 +68,12 @@ pub const IMPLIED_GRAFCET: &str = "G1";
 
 /// Who has which name.
 pub struct Scope<'a> {
-    variables: FxHashMap<&'a str, VariableId>,
-    labels: FxHashMap<&'a str, Label>,
+    variables: Names<'a, VariableId>,
+    labels: Names<'a, Label>,
     /// The variables whose types could not be read.
     untyped: FxHashSet<VariableId>,
     /// The labels that were given twice (E0202): who names one may mean another than the first.
     ambiguous: FxHashSet<&'a str>,
-    /// Both again in order of declaration, for suggestions.
-    variable_names: Vec<&'a str>,
-    label_names: Vec<(&'a str, Label)>,
     suggestions: Suggestions,
 }
 
@@ -83,12 +81,10 @@ impl<'a> Scope<'a> {
     /// The names of a chart. Variables have their places in the declarations as ids.
     pub fn declare(parts: &Parts<'a>, diagnostics: &mut Diagnostics) -> Self {
         let mut scope = Scope {
-            variables: FxHashMap::default(),
-            labels: FxHashMap::default(),
+            variables: Names::with_capacity(0),
+            labels: Names::with_capacity(0),
             untyped: FxHashSet::default(),
             ambiguous: FxHashSet::default(),
-            variable_names: Vec::new(),
-            label_names: Vec::new(),
             suggestions: Suggestions::new(),
         };
         let suspects = scope.declare_variables(parts, diagnostics);
@@ -100,8 +96,7 @@ impl<'a> Scope<'a> {
     fn declare_variables(&mut self, parts: &Parts<'a>, diagnostics: &mut Diagnostics) -> Vec<&'a ast::Name> {
         let count = parts.declarations.iter().map(|declaration| declaration.names.len()).sum();
         let mut first_of: FxHashMap<Cow<str>, &'a ast::Name> = hash_map(count);
-        self.variables = hash_map(count);
-        self.variable_names.reserve(count);
+        self.variables = Names::with_capacity(count);
         let mut suspects = Vec::new();
         let names = parts.declarations.iter().flat_map(|item| item.names.iter().map(|name| (item.ty, name)));
         for (index, (ty, declared)) in names.enumerate() {
@@ -123,10 +118,7 @@ impl<'a> Scope<'a> {
                     }
                 }
             }
-            if let Entry::Vacant(place) = self.variables.entry(&name.text) {
-                place.insert(VariableId::new(index));
-                self.variable_names.push(&name.text);
-            }
+            self.variables.enter(&name.text, VariableId::new(index));
         }
         suspects
     }
@@ -135,8 +127,7 @@ impl<'a> Scope<'a> {
     fn declare_labels(&mut self, parts: &Parts<'a>, suspects: &[&ast::Name], diagnostics: &mut Diagnostics) {
         let count = parts.grafcets.len() + parts.steps.len();
         let mut first_of: FxHashMap<Cow<str>, (&'a str, Label, Span)> = hash_map(count);
-        self.labels = hash_map(count);
-        self.label_names.reserve(count);
+        self.labels = Names::with_capacity(count);
         for (text, label, span) in labels(parts) {
             match first_of.entry(folded(text)) {
                 Entry::Occupied(first) if first.get().0 == text => {
@@ -153,8 +144,7 @@ impl<'a> Scope<'a> {
                 }
                 Entry::Vacant(place) => _ = place.insert((text, label, span)),
             }
-            self.labels.entry(text).or_insert(label);
-            self.label_names.push((text, label));
+            self.labels.enter(text, label);
         }
         for name in suspects {
             let (letter, rest) = name.text.split_at(1);
@@ -171,7 +161,7 @@ impl<'a> Scope<'a> {
 
     /// What a label stands for.
     pub fn label(&self, text: &str) -> Option<Label> {
-        self.labels.get(text).copied()
+        self.labels.get(text)
     }
 
     /// The step or macro-step of a label.
@@ -196,7 +186,7 @@ impl<'a> Scope<'a> {
 
     /// What a name in an expression stands for.
     pub fn reference(&self, text: &str) -> Option<Reference> {
-        if let Some(&variable) = self.variables.get(text) {
+        if let Some(variable) = self.variables.get(text) {
             return Some(Reference::Variable(variable));
         }
         if let Some(label) = text.strip_prefix('X').and_then(|rest| self.label(rest)) {
@@ -240,7 +230,7 @@ impl<'a> Scope<'a> {
                 .help(habit.words)
                 .fix(Fix::maybe(format!("write `{}`", habit.instead)).replace(span, habit.instead));
         }
-        if let Some(near) = self.suggestions.nearest(text, self.variable_names.iter().copied()) {
+        if let Some(near) = self.suggestions.nearest(text, self.variables.iter().map(|&(name, _)| name)) {
             return diagnostic.help(format!("did you mean `{near}`?")).fix(name_instead(span, near));
         }
         let declaration = format!("declare it, as in `{word} {} : …`", written(text));
@@ -250,7 +240,7 @@ impl<'a> Scope<'a> {
                 .note("every variable is declared: `input`, `output`, `var` or `const`")
                 .help(declaration);
         };
-        let candidates = self.label_names.iter().filter(|(_, label)| prefix == 'X' || matches!(label, Label::Step(_)));
+        let candidates = self.labels.iter().filter(|(_, label)| prefix == 'X' || matches!(label, Label::Step(_)));
         match self.suggestions.nearest(rest, candidates.map(|&(name, _)| name)) {
             Some(near) => {
                 let near = format!("{prefix}{near}");
@@ -277,7 +267,7 @@ impl<'a> Scope<'a> {
         {
             return diagnostic.help(format!("a step is named by its label: `{rest}`")).fix(name_instead(span, rest));
         }
-        let candidates = self.label_names.iter().filter(|(_, label)| !matches!(label, Label::Grafcet(_)));
+        let candidates = self.labels.iter().filter(|(_, label)| !matches!(label, Label::Grafcet(_)));
         let declaration = format!("declare it, as in `step {}`", written(text));
         let diagnostic = self.with_suggestion(diagnostic, text, candidates, declaration);
         if diagnostic.fixes.is_empty() { self.with_neighbours(diagnostic, text) } else { diagnostic }
@@ -293,7 +283,7 @@ impl<'a> Scope<'a> {
             Some(Label::Grafcet(_)) | None => diagnostic,
         };
         let is_meant = |label: &Label| matches!(label, Label::Grafcet(id) if Some(*id) != own);
-        let candidates = self.label_names.iter().filter(|(_, label)| is_meant(label));
+        let candidates = self.labels.iter().filter(|(_, label)| is_meant(label));
         let declaration = match self.label(text) {
             Some(_) => "name a grafcet, as in `force G2{INIT}`".to_owned(),
             None => format!("what is forced is a block of its own: `grafcet {} {{ … }}`", written(text)),
@@ -306,7 +296,7 @@ impl<'a> Scope<'a> {
         if !self.suggestions.is_patient() {
             return diagnostic;
         }
-        let steps = self.label_names.iter().filter(|(_, label)| !matches!(label, Label::Grafcet(_)));
+        let steps = self.labels.iter().filter(|(_, label)| !matches!(label, Label::Grafcet(_)));
         let mut near: Vec<&str> = match text.parse::<u64>() {
             Ok(wanted) => {
                 let numbers = steps.filter_map(|(name, _)| Some((name.parse::<u64>().ok()?.abs_diff(wanted), *name)));
@@ -328,7 +318,7 @@ impl<'a> Scope<'a> {
     }
 
     fn steps_from_the_first(&self) -> Vec<&'a str> {
-        let steps = self.label_names.iter().filter(|(_, label)| !matches!(label, Label::Grafcet(_)));
+        let steps = self.labels.iter().filter(|(_, label)| !matches!(label, Label::Grafcet(_)));
         steps.map(|&(name, _)| name).take(NEIGHBOURS).collect()
     }
 

@@ -5,7 +5,7 @@
 use super::comment;
 use super::parts::{ExpansionId, Frame, Parts};
 use super::scope::{IMPLIED_GRAFCET, Label, Scope};
-use crate::chart::{ExprId, Grafcet, GrafcetId, MacroId, MacroStep, Node, Step, Tables, Transition};
+use crate::chart::{ExprId, Grafcet, GrafcetId, MacroId, MacroStep, Node, Nodes, Step, Tables, Transition};
 use crate::symbols::{Form, Role, Symbols, Wanted};
 use grafc_diagnostics::Diagnostics;
 use grafc_syntax::ast;
@@ -193,7 +193,7 @@ fn transitions(
 ) {
     let mut seen = FxHashSet::default();
     let mut nodes = |names: &[ast::Name], role: Role| {
-        let mut nodes = Vec::with_capacity(names.len());
+        let mut nodes = Nodes::with_capacity(names.len());
         seen.clear();
         for name in names {
             match scope.node(&name.text) {
@@ -214,7 +214,7 @@ fn transitions(
     for part in &parts.transitions {
         let transition = part.ast;
         chart.transitions.push(Transition {
-            designation: transition.designation.as_ref().map(|name| name.text.clone()),
+            designation: transition.designation.as_ref().map(|name| name.text.clone().into()),
             comment: comment(&transition.comment),
             grafcet: match part.frame {
                 Frame::Grafcet(grafcet) => grafcet,

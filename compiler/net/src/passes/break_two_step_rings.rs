@@ -15,6 +15,7 @@ use ecow::EcoString;
 use grafc_diagnostics::Diagnostics;
 use grafc_model::chart::{Expr, ExprId, ExprKind, StepId, TransitionId, Type, Value};
 use index_vec::IndexVec;
+use smallvec::smallvec;
 use std::collections::HashSet;
 
 pub const PASS: Pass = Pass {
@@ -109,8 +110,8 @@ fn insert(net: &mut Net, ring: &Ring, always: ExprId, labels: &mut HashSet<EcoSt
         designation: None,
         comment: None,
         grafcet,
-        pre: vec![between],
-        post: vec![ring.first],
+        pre: smallvec![between],
+        post: smallvec![ring.first],
         within,
         condition: always,
         span,

@@ -15,8 +15,9 @@ use crate::analysis::together::questions::Questions;
 use crate::analysis::together::witness::{self, SearchResult};
 use grafc_model::chart::{ExprId, ExprKind, StepId, TransitionId, below};
 use grafc_net::Net;
-use grafc_net::net::Forced;
+use grafc_net::net::{Forced, Steps};
 use index_vec::{IndexVec, index_vec};
+use rustc_hash::FxHashMap;
 
 /// Of the steps that a transition needs, so many are compared with each other.
 const COMPARED: usize = 8;
@@ -123,7 +124,7 @@ fn reads_steps(net: &Net, condition: ExprId) -> bool {
 }
 
 /// The steps that must be active when a transition clears: those before it, and those that its condition asks for.
-fn needed(net: &Net, t: TransitionId) -> Vec<StepId> {
+fn needed(net: &Net, t: TransitionId) -> Steps {
     let transition = &net.transitions[t];
     let mut needed = transition.pre.clone();
     needed.extend(transition.within);
@@ -156,6 +157,9 @@ fn needed(net: &Net, t: TransitionId) -> Vec<StepId> {
     needed
 }
 
+/// Steps that another one activates; most activate none.
+type Placed = FxHashMap<StepId, Vec<StepId>>;
+
 /// What may be active and clear, as far as it has been found.
 struct Possible<'n> {
     net: &'n Net,
@@ -167,18 +171,17 @@ struct Possible<'n> {
     /// The transitions that need a step.
     waiting: IndexVec<StepId, Vec<TransitionId>>,
     /// The steps with a link within a step.
-    linked: IndexVec<StepId, Vec<StepId>>,
+    linked: Placed,
     /// The steps that the orders of a step place.
-    placed: IndexVec<StepId, Vec<StepId>>,
+    placed: Placed,
     /// The steps that wait for what encloses them only.
-    enclosed: IndexVec<StepId, Vec<StepId>>,
+    enclosed: Placed,
     new: Vec<StepId>,
 }
 
 impl<'n> Possible<'n> {
     fn new(asked: &Questions<'n>) -> Self {
         let net = asked.analysis.net();
-        let lists = || -> IndexVec<StepId, Vec<StepId>> { net.places.iter().map(|_| Vec::new()).collect() };
         let mut possible = Possible {
             net,
             active: index_vec![false; net.places.len()],
@@ -186,9 +189,9 @@ impl<'n> Possible<'n> {
             refuted: IndexVec::new(),
             missing: index_vec![0; net.transitions.len()],
             waiting: net.places.iter().map(|_| Vec::new()).collect(),
-            linked: lists(),
-            placed: lists(),
-            enclosed: lists(),
+            linked: Placed::default(),
+            placed: Placed::default(),
+            enclosed: Placed::default(),
             new: Vec::new(),
         };
         for t in net.transitions.indices() {
@@ -198,12 +201,12 @@ impl<'n> Possible<'n> {
         }
         for (step, place) in net.places.iter_enumerated().filter(|(_, place)| place.activated) {
             if let Some(around) = place.within {
-                possible.linked[around].push(step);
+                possible.linked.entry(around).or_default().push(step);
             }
         }
         for order in net.grafcets.iter().flat_map(|grafcet| &grafcet.orders) {
             if let Forced::Steps(steps) = &order.forced {
-                possible.placed[order.step].extend(steps);
+                possible.placed.entry(order.step).or_default().extend(steps);
             }
         }
         possible
@@ -220,7 +223,7 @@ impl<'n> Possible<'n> {
 
     fn activate(&mut self, step: StepId) {
         match self.net.places[step].within {
-            Some(around) if !self.active[around] => self.enclosed[around].push(step),
+            Some(around) if !self.active[around] => self.enclosed.entry(around).or_default().push(step),
             Some(_) | None if !self.active[step] => {
                 self.active[step] = true;
                 self.new.push(step);
@@ -245,8 +248,8 @@ impl<'n> Possible<'n> {
                 self.missing[t] -= 1;
                 self.try_to_clear(t);
             }
-            for list in [&mut self.linked[step], &mut self.placed[step], &mut self.enclosed[step]].map(std::mem::take) {
-                list.into_iter().for_each(|step| self.activate(step));
+            for list in [&mut self.linked, &mut self.placed, &mut self.enclosed].map(|lists| lists.remove(&step)) {
+                list.into_iter().flatten().for_each(|step| self.activate(step));
             }
         }
         count

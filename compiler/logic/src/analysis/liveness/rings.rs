@@ -288,7 +288,7 @@ impl<'q, 'a> Search<'q, 'a> {
     /// else decides stay uncleared, as they may.
     fn goes_on(&mut self, path: &[TransitionId], inputs: &FxHashMap<VariableId, bool>) -> bool {
         let net = self.net;
-        let mut situation = net.transitions[path[0]].pre.clone();
+        let mut situation = net.transitions[path[0]].pre.to_vec();
         situation.sort_unstable();
         let mut seen: FxHashSet<Vec<StepId>> = FxHashSet::default();
         for _ in 0..4 * path.len() + 8 {

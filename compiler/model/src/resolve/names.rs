@@ -1,0 +1,46 @@
+//! Names and what they stand for: found by the name, listed in the order in which they were entered.
+//!
+//! The table holds places in the list, not the names once more: a chart has as many names as elements.
+
+use hashbrown::HashTable;
+use hashbrown::hash_table::Entry;
+use rustc_hash::FxBuildHasher;
+use std::hash::BuildHasher;
+
+/// Names, each of which stands for something.
+pub struct Names<'a, T> {
+    list: Vec<(&'a str, T)>,
+    places: HashTable<u32>,
+}
+
+impl<'a, T: Copy> Names<'a, T> {
+    /// Room for so many.
+    pub fn with_capacity(count: usize) -> Self {
+        Names { list: Vec::with_capacity(count), places: HashTable::with_capacity(count) }
+    }
+
+    /// What a name stands for.
+    pub fn get(&self, name: &str) -> Option<T> {
+        let place = self.places.find(hash(name), |place| self.list[*place as usize].0 == name)?;
+        Some(self.list[*place as usize].1)
+    }
+
+    /// Enters a name, unless it is there.
+    pub fn enter(&mut self, name: &'a str, meaning: T) {
+        let Names { list, places } = self;
+        let of = |place: &u32| list[*place as usize].0;
+        if let Entry::Vacant(entry) = places.entry(hash(name), |place| of(place) == name, |place| hash(of(place))) {
+            entry.insert(list.len() as u32);
+            list.push((name, meaning));
+        }
+    }
+
+    /// All of them.
+    pub fn iter(&self) -> impl Iterator<Item = &(&'a str, T)> {
+        self.list.iter()
+    }
+}
+
+fn hash(name: &str) -> u64 {
+    FxBuildHasher.hash_one(name)
+}
