@@ -8,6 +8,7 @@ pub mod command_line;
 mod commands;
 mod map;
 mod meant;
+pub mod memory;
 mod progress;
 mod report;
 mod results;

@@ -8,6 +8,7 @@ use std::io::Write;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    grafc_cli::memory::give_back_large_tables();
     let command_line = match CommandLine::from_arguments(std::env::args_os()) {
         Ok(command_line) => command_line,
         Err(answer) => {
