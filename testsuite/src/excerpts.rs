@@ -1,7 +1,7 @@
 //! Listings of generated code in Markdown pages: whether they are what the compiler writes now, and how they become it.
 
 use crate::markdown::FencedBlock;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Compares all blocks `excerpt=NAME` and `part=NAME` of a page with the files that its commands wrote; says what differs.
 pub fn compare(blocks: &[FencedBlock], read: impl Fn(&str) -> String) -> Vec<String> {
@@ -25,10 +25,15 @@ pub fn compare(blocks: &[FencedBlock], read: impl Fn(&str) -> String) -> Vec<Str
     faults
 }
 
-/// The page with its blocks `excerpt=NAME` brought up to date. A block goes from the place of its first line in the file to
-/// that of the next block's; if a first line is gone, the error names it.
+/// The page with its blocks brought up to date; an error names a first line that the file has no more.
+///
+/// A block `excerpt=NAME` goes from the place of its first line in the file to that of the next block's. A block
+/// `part=NAME` that is not in the file goes from its first line, where most of the others follow, to its last line, or if
+/// that is gone as far as before.
 pub fn renew(page: &str, blocks: &[FencedBlock], read: impl Fn(&str) -> String) -> Result<String, String> {
     let mut page: Vec<String> = page.lines().map(str::to_string).collect();
+    // By the line of the page: what takes its place, and how many lines that are.
+    let mut pieces: BTreeMap<usize, (usize, Vec<String>)> = BTreeMap::new();
     for name in names(blocks) {
         let written: Vec<String> = read(name).lines().map(str::to_string).collect();
         let mut starts = Vec::new();
@@ -44,14 +49,51 @@ pub fn renew(page: &str, blocks: &[FencedBlock], read: impl Fn(&str) -> String) 
             from = at + 1;
         }
         starts.push(written.len());
-        // From the last block up, so that the lines above keep their numbers.
-        for (block, start) in excerpts(blocks, name).zip(starts.windows(2)).collect::<Vec<_>>().into_iter().rev() {
+        for (block, start) in excerpts(blocks, name).zip(starts.windows(2)) {
             let piece = written[start[0]..start[1]].join("\n");
-            let piece = piece.trim_end().lines().map(str::to_string);
-            page.splice(block.line..block.line + block.text.lines().count(), piece);
+            let piece = piece.trim_end().lines().map(str::to_string).collect();
+            pieces.insert(block.line, (block.text.lines().count(), piece));
         }
     }
+    for block in blocks {
+        let Some(name) = block.value("part") else { continue };
+        if let Some(piece) = part(block, name, &read(name))? {
+            pieces.insert(block.line, (block.text.lines().count(), piece));
+        }
+    }
+    // From the last block up, so that the lines above keep their numbers.
+    for (line, (length, piece)) in pieces.into_iter().rev() {
+        page.splice(line..line + length, piece);
+    }
     Ok(page.join("\n") + "\n")
+}
+
+/// The lines of a file that a block of a page shows, if it shows others.
+fn part(block: &FencedBlock, name: &str, written: &str) -> Result<Option<Vec<String>>, String> {
+    let shown = unindented(&block.text);
+    // Empty lines do not count.
+    let lines: Vec<(usize, &str)> =
+        written.lines().map(str::trim).enumerate().filter(|(_, line)| !line.is_empty()).collect();
+    let (Some(first), Some(last)) = (shown.first(), shown.last()) else { return Ok(None) };
+    if lines.windows(shown.len()).any(|window| window.iter().zip(&shown).all(|((_, line), shown)| line == shown)) {
+        return Ok(None);
+    }
+    // Where more lines are the same at once, and then where more of them are there at all.
+    let like = |at: usize| {
+        let window = || lines[at..].iter().take(shown.len()).map(|(_, line)| *line);
+        let same = window().zip(&shown).take_while(|(line, shown)| line == shown).count();
+        (same, window().filter(|line| shown.iter().any(|shown| shown == line)).count())
+    };
+    let starts = (0..lines.len()).filter(|at| lines[*at].1 == first);
+    let start = starts.max_by_key(|at| (like(*at), std::cmp::Reverse(*at)));
+    let start = start.ok_or_else(|| format!("{name} has no line {first:?}"))?;
+    let usual = start + shown.len() - 1;
+    let ends = (start + 1..(start + 2 * shown.len()).min(lines.len())).filter(|at| lines[*at].1 == last);
+    let end = ends.min_by_key(|at| at.abs_diff(usual)).unwrap_or(usual.min(lines.len() - 1));
+    let piece: Vec<&str> = written.lines().take(lines[end].0 + 1).skip(lines[start].0).collect();
+    let indent = |line: &&str| line.len() - line.trim_start().len();
+    let common = piece.iter().filter(|line| !line.trim().is_empty()).map(indent).min().unwrap_or_default();
+    Ok(Some(piece.iter().map(|line| line.get(common..).unwrap_or_default().trim_end().to_owned()).collect()))
 }
 
 fn names(blocks: &[FencedBlock]) -> BTreeSet<&str> {
@@ -92,5 +134,22 @@ mod tests {
         let expected = PAGE.replace("two", "2\n2a").replace("three", "three\nfour");
         assert_eq!(renewed, Ok(expected));
         assert!(renew(PAGE, &blocks(PAGE), |_| "other\n".into()).is_err());
+    }
+
+    #[test]
+    fn parts_are_renewed_where_they_are_no_more_in_the_file() {
+        let page =
+            "```iecst,part=a.st\nIF x THEN\n  one;\n  two;\nEND_IF;\n```\ntext\n```iecst,part=a.st\nlast;\n```\n";
+        let written = "IF x THEN\n  other;\nEND_IF;\n  IF x THEN\n    one;\n\n    2;\n    two;\n  END_IF;\n  last;\n";
+        let old = blocks(page);
+        assert_eq!(compare(&old, |_| written.into()).len(), 1);
+        let renewed = renew(page, &old, |_| written.into()).unwrap();
+        assert_eq!(renewed, page.replace("  one;\n", "  one;\n\n  2;\n"));
+        assert!(compare(&blocks(&renewed), |_| written.into()).is_empty());
+        // What is right stays as it is laid out; of what has another last line, as much is shown as before.
+        assert_eq!(renew(&renewed, &blocks(&renewed), |_| written.into()), Ok(renewed.clone()));
+        let shorter = "IF x THEN\n  one;\n  two;\nELSE\nlast;\n";
+        assert_eq!(renew(page, &old, |_| shorter.into()), Ok(page.replace("END_IF", "ELSE").replace("ELSE;", "ELSE")));
+        assert!(renew(page, &old, |_| "other\n".into()).is_err());
     }
 }
