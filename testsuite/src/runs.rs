@@ -2,8 +2,8 @@
 
 use crate::charts;
 use grafc_diagnostics::{Code, Diagnostics};
-use grafc_logic::scan::Program;
 use grafc_logic::scan::evaluate::Evaluator;
+use grafc_logic::scan::{Observed, Program};
 use grafc_logic::{Analysis, Options};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{Profile, Response, Stimulus};
@@ -26,6 +26,14 @@ pub fn compile_saved(chart: &Chart, options: &Options) -> Result<Program, String
     made(chart, lowered_by(chart, options, grafc_logic::compile_saved))
 }
 
+/// The same, and what is shown of micro-steps.
+pub fn compile_observed(chart: &Chart, options: &Options, observed: Observed) -> Result<Program, String> {
+    made(
+        chart,
+        lowered_by(chart, options, |analysis, options| grafc_logic::compile_observed(analysis, options, observed)),
+    )
+}
+
 fn made(chart: &Chart, (program, diagnostics): (Program, Diagnostics)) -> Result<Program, String> {
     if diagnostics.has_errors() { Err(charts::render(&chart.name, "", &diagnostics)) } else { Ok(program) }
 }
@@ -38,7 +46,7 @@ pub fn lowered(chart: &Chart, options: &Options) -> (Program, Diagnostics) {
 fn lowered_by(
     chart: &Chart,
     options: &Options,
-    compile: fn(Analysis, &Options) -> (Program, Diagnostics),
+    compile: impl FnOnce(Analysis, &Options) -> (Program, Diagnostics),
 ) -> (Program, Diagnostics) {
     let mut diagnostics = Diagnostics::new();
     let mut net = grafc_net::build(chart);

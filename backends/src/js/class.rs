@@ -1,8 +1,8 @@
 //! The class: what can be done with a chart.
 
-use super::Options;
 use super::names::Names;
 use super::places::Places;
+use super::shows_all;
 use super::tables::list;
 use super::text::{comment, member, quoted};
 use crate::writer::Writer;
@@ -10,7 +10,7 @@ use ecow::EcoString;
 use grafc_logic::scan::{Program, Role, VarId};
 
 /// Writes it.
-pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places, options: &Options) {
+pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: &Places) {
     out.blank();
     let about = program.comment.as_deref().map(comment).unwrap_or_default();
     out.comment(&about);
@@ -27,14 +27,13 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
         out.close("}");
     }
     out.blank();
-    Class { out, program, places, options }.write();
+    Class { out, program, places }.write();
 }
 
 struct Class<'o, 'p> {
     out: &'o mut Writer,
     program: &'p Program,
     places: &'p Places<'p>,
-    options: &'p Options,
 }
 
 impl Class<'_, '_> {
@@ -49,7 +48,7 @@ impl Class<'_, '_> {
         if !retained.is_empty() {
             self.retained(&retained);
         }
-        if self.options.observed {
+        if shows_all(self.program) {
             self.lines(include_str!("runtime/observed.js"));
         }
         self.out.close("}");

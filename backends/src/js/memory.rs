@@ -2,6 +2,7 @@
 
 use super::expressions::stored;
 use super::places::{Places, flag_name};
+use super::shows_all;
 use super::text::{comment, key};
 use crate::writer::Writer;
 use ecow::EcoString;
@@ -122,7 +123,7 @@ impl Memory<'_> {
             _ => Some(EcoString::from(format!("{name}: Array({length}).fill(false)"))),
         };
         let transitions = observing.transitions.len();
-        let all = observing.transitions.first().is_some_and(|seen| seen.satisfied.is_some());
+        let all = shows_all(self.program);
         let lists = [
             list("enabled", transitions),
             list("cleared", transitions),

@@ -40,7 +40,7 @@ use text::comment;
 pub struct Options {
     /// The first lines of the file, as a comment: which chart, which version, which options.
     pub header: Vec<String>,
-    /// Whether the module shows all that is to be seen of a chart that runs, as a page does that draws it.
+    /// Whether a program is asked for that shows all that is to be seen of a chart that runs, as a page does that draws it.
     pub observed: bool,
 }
 
@@ -67,12 +67,17 @@ fn write(program: &Program, options: &Options, traced: bool) -> Result<((String,
     let expressions = Expressions::new(&places);
     let mut out = Writer::new(&writer::JS).traced(traced);
     head(&mut out, program, options);
-    tables::write(&mut out, program, &places, options);
+    tables::write(&mut out, program, &places);
     memory::write(&mut out, program, &places);
     scan::write(&mut out, program, &places, &expressions);
     runtime::write(&mut out, program);
-    class::write(&mut out, program, &names, &places, options);
+    class::write(&mut out, program, &names, &places);
     Ok((out.finish_traced(), types::write(program, &names, options)))
+}
+
+/// Whether a program shows all that is to be seen of it.
+fn shows_all(program: &Program) -> bool {
+    program.observing.as_ref().is_some_and(|observing| observing.observed == Observed::All)
 }
 
 fn head(out: &mut Writer, program: &Program, options: &Options) {

@@ -1,9 +1,9 @@
 //! What never changes: constants, names of transitions, types of inputs, and what a page has to know beside.
 
-use super::Options;
 use super::expressions::{literal, preset};
 use super::memory::{about, type_name};
 use super::places::Places;
+use super::shows_all;
 use super::text::{key, quoted};
 use crate::writer::Writer;
 use ecow::{EcoString, eco_format};
@@ -11,8 +11,8 @@ use grafc_logic::scan::{Origin, Program, Role, SeenDelay, TransitionId};
 use rustc_hash::FxHashSet;
 
 /// Writes them.
-pub(super) fn write(out: &mut Writer, program: &Program, places: &Places, options: &Options) {
-    constants(out, program, options.observed);
+pub(super) fn write(out: &mut Writer, program: &Program, places: &Places) {
+    constants(out, program, shows_all(program));
     let inputs: Vec<EcoString> =
         program.of_role(Role::Input).map(|(_, v)| eco_format!("{}: \"{}\"", key(&v.name), type_name(v.ty))).collect();
     out.blank();
@@ -29,7 +29,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, places: &Places, option
     let transitions: Vec<EcoString> = observing.transitions.iter().map(|seen| name(seen.transition)).collect();
     out.comment("the transitions: their designations, or their numbers in order of declaration");
     list(out, "const TRANSITIONS =", &transitions);
-    if !options.observed {
+    if !shows_all(program) {
         return;
     }
     let grafcets: Vec<EcoString> =

@@ -3,6 +3,7 @@
 use super::Options;
 use super::memory::about;
 use super::names::Names;
+use super::shows_all;
 use super::text::{comment, quoted, type_key};
 use crate::writer::{self, Writer};
 use grafc_formula::Type;
@@ -40,7 +41,7 @@ pub(super) fn write(program: &Program, names: &Names, options: &Options) -> Stri
     if program.variables.iter().any(|variable| variable.retain) {
         text = text.replace("    // restart\n", RESTART);
     }
-    if options.observed {
+    if shows_all(program) {
         text = text.replace("    // observed\n", include_str!("runtime/observed.d.ts"));
     }
     for line in text.lines().filter(|line| !matches!(line.trim(), "// restart" | "// observed")) {

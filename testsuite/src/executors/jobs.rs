@@ -4,10 +4,10 @@
 //! order of the program. Reals come with as many digits as their type needs to be read back exactly.
 
 use super::task::{Outcome, Task};
-use crate::runs::{caught, compile, compile_saved};
+use crate::runs::{caught, compile, compile_observed, compile_saved};
 use crate::ways::exact;
 use grafc_logic::Options;
-use grafc_logic::scan::{Flag, Program, Role, VarId, Variable};
+use grafc_logic::scan::{Flag, Observed, Program, Role, VarId, Variable};
 use grafc_model::chart::{Chart, Type, Value};
 use grafc_model::reaction::{Flags, Response, Stimulus};
 
@@ -30,7 +30,14 @@ impl Job {
         Self::by(task, compile_saved)
     }
 
-    fn by(task: &Task, compile: fn(&Chart, &Options) -> Result<Program, String>) -> Result<Job, String> {
+    /// The same for a target that shows micro-steps: sometimes all that can be shown.
+    pub(crate) fn observed(task: &Task) -> Result<Job, String> {
+        let turn = task.turn / exact(task.profile).len();
+        let observed = if turn % 2 == 0 { Observed::Transitions } else { Observed::All };
+        Self::by(task, |chart, options| compile_observed(chart, options, observed))
+    }
+
+    fn by(task: &Task, compile: impl FnOnce(&Chart, &Options) -> Result<Program, String>) -> Result<Job, String> {
         let ways = exact(task.profile);
         let program = caught(|| compile(task.chart, &ways[task.turn % ways.len()].1))?;
         Ok(Job { program, stimuli: task.stimuli.to_vec() })

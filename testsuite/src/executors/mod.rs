@@ -11,6 +11,7 @@ mod c_driver;
 pub(crate) mod function_block;
 pub mod ironplc;
 pub mod jobs;
+pub mod js;
 pub mod matiec;
 mod net;
 pub mod rust;
@@ -29,6 +30,7 @@ pub fn all() -> Vec<Box<dyn Executor>> {
     all.extend(net::executors());
     all.extend(scan::executors());
     all.push(Box::new(rust::Rust::find()));
+    all.push(Box::new(js::JavaScript::find()));
     all.extend(matiec::executors());
     all.push(Box::new(ironplc::Ironplc::find()));
     all.push(Box::new(strucpp::Strucpp::find()));

@@ -3,7 +3,7 @@
 //! Shares nothing with the reference simulator. Formulas are walked with a stack of our own, each shared part once, so
 //! that no evaluation recurses and a scan costs what the program holds.
 
-use crate::scan::{Division, Flag, Program, Role, Statement, TimerId, VarId};
+use crate::scan::{Division, Flag, Program, Role, Statement, TimerId, VarId, Variable};
 use grafc_formula::number::{arithmetic, compare, divide, negate};
 use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_model::chart::StepId;
@@ -93,9 +93,17 @@ impl<'p> Evaluator<'p> {
         }
     }
 
+    /// From here on somebody looks at what the program shows.
+    pub fn look_on(&mut self) {
+        if let Some(wanted) = self.program.observing.as_ref().and_then(|observing| observing.wanted) {
+            self.values[wanted] = Value::Bool(true);
+        }
+    }
+
     /// What a restart of the controller leaves: the variables that are retained.
     fn restart(&mut self) {
-        for (id, variable) in self.program.variables.iter_enumerated().filter(|(_, variable)| !variable.retain) {
+        let goes = |variable: &Variable| !variable.retain && variable.role != Role::Observed;
+        for (id, variable) in self.program.variables.iter_enumerated().filter(|(_, variable)| goes(variable)) {
             self.values[id] = variable.initial;
         }
         self.timers.iter_mut().for_each(|timer| *timer = Timer::default());

@@ -21,6 +21,8 @@ pub enum Observed {
 /// The variables that show it.
 #[derive(Clone, Debug, Default)]
 pub struct Observing {
+    /// How much it is.
+    pub observed: Observed,
     /// What is shown of transitions is written only while this is true, which the program itself never writes; none where it
     /// always is.
     pub wanted: Option<VarId>,
@@ -73,7 +75,7 @@ pub struct SeenDelay {
 impl Observing {
     /// All variables that it names.
     pub(crate) fn each_variable(&mut self, mut visit: impl FnMut(&mut VarId)) {
-        let Observing { wanted, transitions, frozen, forced, orders, actions, delays } = self;
+        let Observing { observed: _, wanted, transitions, frozen, forced, orders, actions, delays } = self;
         wanted.iter_mut().for_each(&mut visit);
         for seen in transitions {
             [&mut seen.enabled, &mut seen.cleared].into_iter().chain(&mut seen.satisfied).for_each(&mut visit);

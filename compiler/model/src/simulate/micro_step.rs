@@ -3,6 +3,7 @@
 use super::context::{DividedByZero, evaluate, levels};
 use super::flat::entered;
 use super::plan::{Memory, Plan, Valued};
+use super::seen::Seen;
 use super::settle::{Conflict, Phase, settle};
 use super::stored::{Happened, allocate};
 use super::{Activity, Simulator};
@@ -20,6 +21,7 @@ impl Simulator<'_> {
         let levels = self.levels(t);
 
         // R3, R4
+        let enabled = self.seen.is_some().then(|| self.enabled());
         let cleared = self.clearable();
         let before = self.state.active.clone();
         let mut next = before.clone();
@@ -46,6 +48,10 @@ impl Simulator<'_> {
         let (after, cleared) = (&next, &self.cleared);
         let happened = Happened { before: &before, after, cleared, levels: &levels, input_event };
         let triggered = happened.triggered(self.chart, &self.values);
+        if let Some(enabled) = enabled {
+            let seen = Seen::new(self.chart, enabled, &happened, &self.values);
+            self.see(seen);
+        }
         let mut changed = false;
         if !triggered.is_empty() {
             let right_sides = self.plan.beyond_context(self.chart, triggered.iter().map(|stored| stored.value));
@@ -61,6 +67,7 @@ impl Simulator<'_> {
             self.state.since[step] = t;
         }
         self.state.active = next;
+        self.begins = false;
         for &(edge, operand) in &self.plan.edges {
             self.state.edges[edge] = self.values.holds(operand);
         }

@@ -27,6 +27,7 @@ mod plan;
 mod probe;
 mod reaction;
 mod run;
+mod seen;
 mod settle;
 mod stored;
 #[cfg(test)]
@@ -42,6 +43,7 @@ use orders::Orders;
 use plan::Plan;
 pub use probe::Probe;
 pub use run::{Call, Calls, MOST_CALLS, Onlooker, Run};
+pub use seen::Seen;
 
 /// Whether each step is active.
 pub type Activity = IndexVec<StepId, bool>;
@@ -77,6 +79,10 @@ pub struct Simulator<'a> {
     shown: Vec<Value>,
     /// The transitions that the latest micro-step cleared.
     cleared: IndexVec<TransitionId, bool>,
+    /// What is seen of the latest micro-step, if somebody looks on.
+    seen: Option<Box<Seen>>,
+    /// Whether the next micro-step is the first one after the start, whose actions are seen with it.
+    begins: bool,
     /// Values of the latest context; those that a context reads it has written before.
     values: Values,
     /// The same with all edges replaced by 0.
@@ -120,6 +126,8 @@ impl<'a> Simulator<'a> {
             flags: Flags::default(),
             shown: Vec::new(),
             cleared: chart.transitions.iter().map(|_| false).collect(),
+            seen: None,
+            begins: false,
             values: Values::new(chart),
             level_values: Values::new(chart),
         }

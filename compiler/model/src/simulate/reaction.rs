@@ -137,6 +137,8 @@ impl<'a> Simulator<'a> {
         let Conflict(conflict) = settle(self.chart, &self.orders, Phase::Start, &before, &mut initial);
         self.flags.force_conflict |= conflict;
         self.state.active = initial;
+        self.begins = true;
+        self.forget();
         for since in &mut self.state.since {
             *since = t;
         }
@@ -146,6 +148,9 @@ impl<'a> Simulator<'a> {
                 Event::Event(..) | Event::Deactivation(_) | Event::Clearing(_) => false,
             };
             let triggered: Vec<&Stored> = self.chart.stored.iter().filter(on_activation).collect();
+            if let Some(seen) = &mut self.seen {
+                seen.done = self.chart.stored.iter().map(|stored| on_activation(&stored)).collect();
+            }
             let nodes = self.plan.before_first_context(self.chart, triggered.iter().map(|stored| stored.value));
             self.evaluate(&nodes, Memory::Fresh, t);
             let allocated = allocate(&triggered, &self.values, &mut self.state);

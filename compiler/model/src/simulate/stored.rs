@@ -25,20 +25,25 @@ impl Happened<'_> {
     pub fn triggered<'c>(&self, chart: &'c Chart, values: &Values) -> Vec<&'c Stored> {
         let mut classes: [Vec<&Stored>; 4] = Default::default();
         for (stored, &level) in chart.stored.iter().zip(self.levels) {
-            let (class, happened) = match stored.event {
-                // A level occurs once at an input event; an edge whenever it is seen.
-                Event::Event(step, expression) => {
-                    (0, self.before[step] && values.holds(expression) && (!level || self.input_event))
-                }
-                Event::Deactivation(step) => (1, self.before[step] && !self.after[step]),
-                Event::Clearing(transition) => (2, self.cleared[transition]),
-                Event::Activation(step) => (3, self.after[step] && !self.before[step]),
-            };
-            if happened {
+            if let Some(class) = self.class(stored, level, values) {
                 classes[class].push(stored);
             }
         }
         classes.into_iter().flatten().collect()
+    }
+
+    /// The class of an action, if it was triggered.
+    pub fn class(&self, stored: &Stored, level: bool, values: &Values) -> Option<usize> {
+        let (class, happened) = match stored.event {
+            // A level occurs once at an input event; an edge whenever it is seen.
+            Event::Event(step, expression) => {
+                (0, self.before[step] && values.holds(expression) && (!level || self.input_event))
+            }
+            Event::Deactivation(step) => (1, self.before[step] && !self.after[step]),
+            Event::Clearing(transition) => (2, self.cleared[transition]),
+            Event::Activation(step) => (3, self.after[step] && !self.before[step]),
+        };
+        happened.then_some(class)
     }
 }
 

@@ -39,7 +39,7 @@ impl Watch {
     pub(crate) fn new(observed: Observed) -> Option<Watch> {
         (observed != Observed::Nothing).then(|| Watch {
             observed,
-            observing: Observing::default(),
+            observing: Observing { observed, ..Observing::default() },
             done: Done::default(),
             acting: Acting::default(),
         })
