@@ -2,14 +2,14 @@
 //! lands.
 //!
 //! `NAME.st`, `.il` and `.awl` are the code in the default encoding, `ENCODING/NAME.st` and so on that in another,
-//! `rust/` holds some of it in Rust, `plcopen/` a body in instructions and a ladder, `dumps/NAME/` what lies between the
+//! `rust/` holds some of it in Rust, `js/` in JavaScript with the declarations for TypeScript, `plcopen/` a body in instructions and a ladder, `dumps/NAME/` what lies between the
 //! stages. A golden file proves nothing about
 //! meaning; that is what the other tests are for. `UPDATE_EXPECT=1` rewrites them.
 
 use expect_test::expect_file;
 use grafc::{Options, Product};
 use grafc_backends::plcopen::{self, Body};
-use grafc_backends::{Target, awl, il, rust, st};
+use grafc_backends::{Target, awl, il, js, rust, st};
 use grafc_diagnostics::FileId;
 use grafc_logic::{Encoding, Options as Lowering};
 use grafc_net::passes;
@@ -25,6 +25,9 @@ const STAGE_BY_STAGE: [&str; 3] = ["figure_12_6", "lock_12_2", "weigh_mix_b5"];
 
 /// Charts whose code is kept in Rust as well: delays and branches in parallel, enclosures and orders.
 const IN_RUST: [&str; 2] = ["weigh_mix_b4", "weigh_mix_b5"];
+
+/// The chart whose code is kept in JavaScript: orders, stored actions, delays; and how much of it is to be seen.
+const IN_JAVASCRIPT: (&str, [(&str, bool); 2]) = ("weigh_mix_b5", [("", false), ("_observed", true)]);
 
 /// Charts of which a PLCopen project is kept, and its body: instructions with a delay, a small ladder.
 const AS_PROJECT: [(&str, Body, &str); 2] = [("press_a", Body::Il, "il"), ("lock_extended", Body::Ld, "ld")];
@@ -77,6 +80,17 @@ impl Golden {
         self.expect(file, &text);
     }
 
+    /// The same in JavaScript, and the file beside it.
+    fn javascript(&mut self, case: &Case, encoding: Encoding, observed: bool, file: &str) {
+        let header = vec![format!("from {}.gct", case.name)];
+        let product = Product::Code(Target::Js(js::Options { header, observed }));
+        let options = Options::new(Lowering { profile: case.profile, encoding, simplify: true }, product);
+        let (made, diagnostics) = grafc::compile(FileId::default(), &case.text, &case.name, &options);
+        let made = made.unwrap_or_else(|| panic!("{}: {diagnostics:?}", case.name));
+        self.expect(format!("{file}.mjs"), &made.text);
+        self.expect(format!("{file}.d.mts"), made.beside.as_deref().expect("a file beside it"));
+    }
+
     /// A PLCopen project of the neutral dialect.
     fn project(&mut self, case: &Case, body: Body, file: String) {
         let header = vec![format!("from {}.gct", case.name)];
@@ -126,6 +140,14 @@ fn what_the_compiler_writes_is_as_it_was_read_last() {
                 golden.rust(&case, encoding, format!("rust/{}_{}.rs", case.name, encoding.name().replace('-', "_")));
             }
         }
+        if case.name == IN_JAVASCRIPT.0 {
+            for encoding in [Encoding::SinglePhase, Encoding::Switch] {
+                for (ending, observed) in IN_JAVASCRIPT.1 {
+                    let file = format!("js/{}_{}{ending}", case.name, encoding.name().replace('-', "_"));
+                    golden.javascript(&case, encoding, observed, &file);
+                }
+            }
+        }
         for (_, body, language) in AS_PROJECT.into_iter().filter(|(name, ..)| *name == case.name) {
             golden.project(&case, body, format!("plcopen/{}_{language}.xml", case.name));
         }
@@ -137,6 +159,7 @@ fn what_the_compiler_writes_is_as_it_was_read_last() {
     assert!(golden.files.iter().filter(|file| !file.contains('/')).count() >= 3 * 16, "charts are missing");
     assert_eq!(count("switch/"), 3 * IN_EVERY_ENCODING.len());
     assert_eq!(count("rust/"), IN_RUST.len() * Encoding::ALL.len());
+    assert_eq!(count("js/"), 2 * 2 * IN_JAVASCRIPT.1.len());
     assert_eq!(count("plcopen/"), AS_PROJECT.len());
     assert_eq!(count("dumps/"), STAGE_BY_STAGE.len() * (6 + passes::ORDER.len()));
     assert_eq!(present(), golden.files, "golden files without a chart");

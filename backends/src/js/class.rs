@@ -17,15 +17,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, names: &Names, places: 
     out.open(&format!("export class {} {{", names.class));
     let labels: Vec<EcoString> = program.steps.iter().map(|step| quoted(&step.label)).collect();
     out.comment("the labels of all steps, in order of declaration");
-    let flat = labels.join(", ");
-    if flat.len() + 34 <= out.width() {
-        out.line(&format!("static steps = Object.freeze([{flat}]);"));
-    } else {
-        list(out, "static steps =", &labels);
-        out.open("static {");
-        out.line("Object.freeze(this.steps);");
-        out.close("}");
-    }
+    list(out, "static steps = Object.freeze(", &labels, ");");
     out.blank();
     Class { out, program, places }.write();
 }

@@ -70,7 +70,7 @@ fn write(program: &Program, options: &Options, traced: bool) -> Result<((String,
     tables::write(&mut out, program, &places);
     memory::write(&mut out, program, &places);
     scan::write(&mut out, program, &places, &expressions);
-    runtime::write(&mut out, program);
+    runtime::write(&mut out, program, &places);
     class::write(&mut out, program, &names, &places);
     Ok((out.finish_traced(), types::write(program, &names, options)))
 }

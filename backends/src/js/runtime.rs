@@ -1,9 +1,12 @@
 //! What a module needs at run time, each piece where something uses it.
 
+use super::places::Places;
+use super::tables::list;
 use super::text::quoted;
 use crate::writer::Writer;
+use ecow::EcoString;
 use grafc_formula::{Arithmetic, Formula, Type};
-use grafc_logic::scan::{Program, Statement};
+use grafc_logic::scan::{Program, Role, Statement, VarId};
 
 /// A delay: an on-delay in the sense of TON, over a clock that wraps around.
 const DELAYS: &str = include_str!("runtime/delays.js");
@@ -23,7 +26,7 @@ const NUMBERS: [(Type, &str); 6] = [
 ];
 
 /// Writes what a program needs.
-pub(super) fn write(out: &mut Writer, program: &Program) {
+pub(super) fn write(out: &mut Writer, program: &Program, places: &Places) {
     let used = computed(program);
     let functions: Vec<&str> = NUMBERS.iter().filter(|(ty, _)| used.contains(ty)).map(|(_, text)| *text).collect();
     if !functions.is_empty() {
@@ -39,7 +42,24 @@ pub(super) fn write(out: &mut Writer, program: &Program) {
     out.comment("which program saved data belong to: another chart, or encoding, has another");
     out.line(&format!("const PROGRAM = \"{:016x}\";", program.fingerprint()));
     out.line(&format!("const CHART = {};", quoted(&program.name)));
+    following(out, program, places);
     piece(out, SAVED);
+}
+
+/// What need not be saved: outputs and internal variables that the situation decides on.
+fn following(out: &mut Writer, program: &Program, places: &Places) {
+    let group = |role: Role| match role {
+        Role::Output => "outputs",
+        Role::Internal => "variables",
+        Role::Flag(_) => "flags",
+        Role::Input | Role::Constant | Role::Step | Role::State | Role::Memory | Role::Temporary | Role::Observed => {
+            "m"
+        }
+    };
+    let of = |v: VarId| quoted(&format!("{}.{}", group(program.variables[v].role), places.names.variables[v]));
+    let items: Vec<EcoString> = program.derived().into_iter().map(of).collect();
+    out.comment("what follows from the rest of the memory");
+    list(out, "const FOLLOWING = new Set(", &items, ");");
 }
 
 fn piece(out: &mut Writer, text: &str) {

@@ -28,7 +28,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, places: &Places) {
     };
     let transitions: Vec<EcoString> = observing.transitions.iter().map(|seen| name(seen.transition)).collect();
     out.comment("the transitions: their designations, or their numbers in order of declaration");
-    list(out, "const TRANSITIONS =", &transitions);
+    list(out, "const TRANSITIONS = ", &transitions, ";");
     if !shows_all(program) {
         return;
     }
@@ -37,10 +37,10 @@ pub(super) fn write(out: &mut Writer, program: &Program, places: &Places) {
     let steps: Vec<EcoString> = observing.forced.iter().map(|(s, _)| quoted(program.label(*s))).collect();
     let numbers = |list: &[(usize, _)]| list.iter().map(|(k, _)| eco_format!("{k}")).collect::<Vec<_>>();
     out.comment("what can be frozen or forced; orders and actions, numbered as the chart declares them");
-    list(out, "const FROZEN =", &grafcets);
-    list(out, "const FORCED =", &steps);
-    list(out, "const ORDERS =", &numbers(&observing.orders));
-    list(out, "const ACTIONS =", &numbers(&observing.actions));
+    list(out, "const FROZEN = ", &grafcets, ";");
+    list(out, "const FORCED = ", &steps, ";");
+    list(out, "const ORDERS = ", &numbers(&observing.orders), ";");
+    list(out, "const ACTIONS = ", &numbers(&observing.actions), ";");
     let delays: Vec<EcoString> = observing.delays.iter().map(|seen| delay(program, places, seen)).collect();
     lines(out, "const DELAYS =", &delays);
 }
@@ -106,13 +106,13 @@ fn object(out: &mut Writer, head: &str, items: &[EcoString]) {
     enclosed(out, head, items, ["{ ", " }", "{", "}"]);
 }
 
-/// A list, as many items on a line as there is room for.
-pub(super) fn list(out: &mut Writer, head: &str, items: &[EcoString]) {
+/// A list, as many items on a line as there is room for; `tail` is behind it.
+pub(super) fn list(out: &mut Writer, head: &str, items: &[EcoString], tail: &str) {
     let flat = items.join(", ");
-    if out.indent() + head.len() + flat.len() + 4 <= out.width() {
-        return out.line(&format!("{head} [{flat}];"));
+    if out.indent() + head.len() + flat.chars().count() + tail.len() + 3 <= out.width() {
+        return out.line(&format!("{head}[{flat}]{tail}"));
     }
-    out.open(&format!("{head} ["));
+    out.open(&format!("{head}["));
     let mut line = String::new();
     for item in items {
         if !line.is_empty() && out.indent() + line.chars().count() + item.chars().count() + 2 > out.width() {
@@ -123,7 +123,7 @@ pub(super) fn list(out: &mut Writer, head: &str, items: &[EcoString]) {
         line.push(',');
     }
     out.line(&line);
-    out.close("];");
+    out.close(&format!("]{tail}"));
 }
 
 /// A list with an item a line.

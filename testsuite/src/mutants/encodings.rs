@@ -201,4 +201,32 @@ pub(super) const FAULTS: &[Fault] = &[
         text: "Statement::assign(Origin::Chart, timed, is)",
         instead: "Statement::assign(Origin::Chart, timed, was)",
     },
+    Fault {
+        name: "seen-order-before-counts-not",
+        at: COMPILER,
+        breaks: "an order is shown to be in force beside the one that wins (R2)",
+        text: "before.map(|before| lowering.pool.not(before))",
+        instead: "None",
+    },
+    Fault {
+        name: "seen-activity-is-activation",
+        at: COMPILER,
+        breaks: "an action on activation is shown to be done as long as its step is active (R7)",
+        text: "lowering.pool.and([now, new])",
+        instead: "now",
+    },
+    Fault {
+        name: "seen-without-enclosure",
+        at: COMPILER,
+        breaks: "a transition is shown to be enabled in an enclosure that is not active (R3)",
+        text: "lowering.pool.and(around.chain(free))",
+        instead: "lowering.pool.and(around.skip(usize::from(transition.within.is_some())).chain(free))",
+    },
+    Fault {
+        name: "seen-held-by-all-orders",
+        at: COMPILER,
+        breaks: "a step is shown to be forced that no order in force names",
+        text: "lowering.pool.and([lowering.active(s), any])",
+        instead: "lowering.active(s)",
+    },
 ];

@@ -18,6 +18,7 @@ mod backends;
 mod bodies;
 mod calls;
 mod encodings;
+mod javascript;
 mod lowering;
 mod net;
 mod proofs;
@@ -51,13 +52,15 @@ pub enum Part {
     Chart,
     /// Rust.
     Rust,
+    /// JavaScript.
+    JavaScript,
     /// What backends share.
     Shared,
 }
 
 impl Part {
     /// All of them.
-    pub const ALL: [Part; 8] = [
+    pub const ALL: [Part; 9] = [
         Part::Compiler,
         Part::StructuredText,
         Part::InstructionList,
@@ -65,6 +68,7 @@ impl Part {
         Part::Ladder,
         Part::Chart,
         Part::Rust,
+        Part::JavaScript,
         Part::Shared,
     ];
 
@@ -78,6 +82,7 @@ impl Part {
             Part::Ladder => &["backends/src/plcopen/ld"],
             Part::Chart => &["backends/src/plcopen/sfc"],
             Part::Rust => &["backends/src/rust"],
+            Part::JavaScript => &["backends/src/js"],
             Part::Shared => &["backends/src"],
         }
     }
@@ -120,7 +125,7 @@ pub struct Fault {
 /// All of them, along the way of a chart through the compiler.
 pub fn all() -> impl Iterator<Item = &'static Fault> {
     let compiler = [net::FAULTS, lowering::FAULTS, encodings::FAULTS, proofs::FAULTS, warnings::FAULTS];
-    compiler.into_iter().chain([backends::FAULTS, bodies::FAULTS, calls::FAULTS]).flatten()
+    compiler.into_iter().chain([backends::FAULTS, bodies::FAULTS, calls::FAULTS, javascript::FAULTS]).flatten()
 }
 
 impl Fault {

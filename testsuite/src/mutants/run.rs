@@ -50,6 +50,7 @@ const COMPILER: &[Suite] = &[
     tests("controls"),
     tests("livelock"),
     tests("warnings"),
+    tests("observed"),
 ];
 
 /// The unit tests judge the statements that no chart leads to, and what is right only for other tools.
@@ -75,6 +76,12 @@ const RUST: &[Suite] = &[
     Suite { only: Some("vectors"), ..tests("rust") },
     tests("rust"),
 ];
+const JAVASCRIPT: &[Suite] = &[
+    with(Tool::Node, "js", None),
+    with(Tool::Node, "observed", Some("modules")),
+    with(Tool::Node, "edges_of_types", None),
+    BACKENDS,
+];
 
 /// What has to catch a fault.
 pub fn suites(fault: &Fault) -> &'static [Suite] {
@@ -85,6 +92,7 @@ pub fn suites(fault: &Fault) -> &'static [Suite] {
         Part::StatementList => STATEMENT_LIST,
         Part::Ladder => LADDER,
         Part::Chart => CHART,
+        Part::JavaScript => JAVASCRIPT,
         Part::Rust | Part::Shared => RUST,
     }
 }

@@ -1,5 +1,10 @@
 const KEPT = ["inputs", "outputs", "variables", "flags", "m"];
 
+// the values of a group that do not follow from others
+function names(s, group) {
+    return Object.keys(s[group]).filter((name) => !FOLLOWING.has(`${group}.${name}`));
+}
+
 // a value that JSON can carry
 function plain(value) {
     if (typeof value === "bigint") {
@@ -23,12 +28,12 @@ function full(value, like) {
     }
 }
 
-// all that has to be saved: the values of the groups and of delays, and outputs that are published while a scan goes on
+// all that has to be saved: values and delays, and the outputs that are published while a scan goes on
 function saved(s, published) {
     const state = { scanning: s.scanning, delays: {} };
     for (const group of KEPT) {
         state[group] = {};
-        for (const name of Object.keys(s[group])) {
+        for (const name of names(s, group)) {
             put(state[group], name, plain(s[group][name]));
         }
     }
@@ -53,7 +58,7 @@ function seal(state) {
     const like = fresh();
     const values = [state.scanning];
     for (const group of [...KEPT, "delays"]) {
-        for (const name of Object.keys(like[group])) {
+        for (const name of names(like, group)) {
             values.push(Object.hasOwn(state[group], name) ? state[group][name] : null);
         }
     }
@@ -88,7 +93,7 @@ function restored(data, now) {
     const { state } = data;
     const s = fresh();
     for (const group of KEPT) {
-        for (const name of Object.keys(s[group])) {
+        for (const name of names(s, group)) {
             put(s[group], name, full(state[group][name], s[group][name]));
         }
     }
@@ -96,6 +101,10 @@ function restored(data, now) {
         const [running, elapsed] = state.delays[name];
         s.delays[name] = { running, elapsed, last: now };
     }
+    // What is computed for this raises no flag.
+    const flags = { ...s.flags };
+    restoring(s);
+    s.flags = flags;
     s.now = now;
     s.scanning = state.scanning;
     return s;

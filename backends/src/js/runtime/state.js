@@ -37,7 +37,6 @@ restore(data, now_ms) {
             put(this.#shown, name, full(data.state.published[name], this.#shown[name]));
         }
     } else {
-        restoring(s);
         shown(s.outputs, this.#shown);
     }
     this.#s = s;

@@ -22,6 +22,7 @@ function flush() {
 
 function play(job, Chart) {
     let chart = new Chart();
+    equal(chart.situation, []);
     // What the chart has been given: what has not changed is left out.
     let known = new Map();
     job.rows.forEach(([t, restart, values], row) => {

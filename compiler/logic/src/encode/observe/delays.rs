@@ -4,18 +4,33 @@ use super::actions::places;
 use crate::lower::{LoweredDelay, Lowering};
 use crate::scan::{ActionId, Origin, Preset, SeenDelay};
 use crate::spell::in_signs;
-use grafc_model::chart::{Comparison, ExprId, ExprKind, StepId, Value, VariableKind};
+use grafc_model::chart::{Comparison, ExprId, ExprKind, StepId, Value, VariableId, VariableKind};
 use grafc_net::Net;
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// All of them as they are seen.
 pub(super) fn seen(lowering: &Lowering) -> Vec<SeenDelay> {
     let net = &*lowering.net;
     let places = places(net);
+    let targets = net.continuous.iter().map(|a| a.target).chain(net.stored.iter().map(|a| a.target));
+    let mut first: FxHashMap<VariableId, ActionId> = FxHashMap::default();
+    for (a, target) in targets.enumerate() {
+        first.entry(target).or_insert(ActionId::from(a));
+    }
     let mut seen: Vec<SeenDelay> = Vec::new();
     for LoweredDelay { expr, origin, timer, held } in &lowering.delays {
         let total = lowering.timers[*timer].given_preset();
-        let origin = one_action(net, *origin);
+        // Of all actions on a variable the first.
+        let origin = match origin {
+            Origin::Actions(v) => first.get(v).map_or(*origin, |a| Origin::Action(*a)),
+            Origin::Chart
+            | Origin::Step(_)
+            | Origin::Transition(_)
+            | Origin::Action(_)
+            | Origin::Order(_)
+            | Origin::Orders(_)
+            | Origin::Declaration(_) => *origin,
+        };
         let action = match origin {
             Origin::Action(a) => places.get(a.index()).copied(),
             Origin::Chart
@@ -45,13 +60,6 @@ pub(super) fn seen(lowering: &Lowering) -> Vec<SeenDelay> {
         }
     }
     seen
-}
-
-/// Of all actions on a variable the first.
-fn one_action(net: &Net, origin: Origin) -> Origin {
-    let Origin::Actions(v) = origin else { return origin };
-    let targets = net.continuous.iter().map(|a| a.target).chain(net.stored.iter().map(|a| a.target));
-    targets.enumerate().find(|(_, target)| *target == v).map_or(origin, |(a, _)| Origin::Action(ActionId::from(a)))
 }
 
 /// A comparison of the duration of a step with a constant.

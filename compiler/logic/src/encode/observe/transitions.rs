@@ -28,11 +28,8 @@ pub(super) fn statements(
     // Those that a pass has added come last, one for each place of its own.
     for (t, transition) in net.transitions.iter_enumerated().take(net.transitions.len() - auxiliary) {
         let around = transition.within.iter().chain(&transition.pre).map(|s| active[*s]);
-        let mut factors: Vec<FormulaId> = around.collect();
-        if let Some(frozen) = frozen[transition.grafcet] {
-            factors.push(lowering.pool.not(frozen));
-        }
-        let value = lowering.pool.and(factors);
+        let free = frozen[transition.grafcet].map(|frozen| lowering.pool.not(frozen));
+        let value = lowering.pool.and(around.chain(free));
         let enabled = set(lowering, "enabled", t, value, Told::All, &mut body);
         let is_enabled = lowering.symbols.read(&mut lowering.pool, enabled);
         let (satisfied, condition) = match observed {
