@@ -126,7 +126,7 @@ const most : dint := 10
 grafcet Main {
   initial step 1 { close }
   step 2 \"opening\" { open   strokes := strokes + 1 on activation   full if [level > most] }
-  step 3 { open   seen := seen + rate on deactivation   waited := waited + pause on activation }
+  step 3 { open   seen := seen + rate on deactivation   waited := waited + pause on activation   full if [waited = 7ms] }
   step 4
   transition (go1) 1 -> 2 : ↑go
   transition 2 -> 3 : 500ms/X2
@@ -174,7 +174,7 @@ assert.equal(outputs.full, false);
 c.scan({ pause: 7, rate: 0.1 }, 599);
 assert.deepEqual(c.situation, ['2']);
 c.scan({}, 600);
-assert.deepEqual([c.situation, outputs.waited], [['3'], 7]);
+assert.deepEqual([c.situation, outputs.waited, outputs.full], [['3'], 7, true]);
 assert.deepEqual(c.flags, { livelock: false, alloc_conflict: false, force_conflict: false, div0: false });
 const before = c.save();
 for (const [given, said] of [
@@ -247,8 +247,8 @@ for (const saved of saves) {
     [null, undefined, 1, 'x', {}, [], { ...saved, state: null }, { ...saved, program: '0' }, { ...saved, chart: 'x' }].forEach(refused);
     // Every value of it is another, or is gone.
     for (const [group, values] of Object.entries(saved.state)) {
-        if (group === 'scanning') {
-            refused({ ...saved, state: { ...saved.state, scanning: !values } });
+        if (typeof values === 'boolean') {
+            refused({ ...saved, state: { ...saved.state, [group]: !values } });
             continue;
         }
         for (const [name, value] of Object.entries(values)) {

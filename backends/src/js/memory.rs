@@ -27,8 +27,9 @@ pub(super) fn write(out: &mut Writer, program: &Program, places: &Places) {
     memory.group(out, "active steps, and memory from scan to scan", "m", |id| places.is_kept(id));
     memory.delays(out);
     memory.seen(out);
-    out.comment("the time of the scan, and whether one is under way");
+    out.comment("the time of the scan, whether there has been one, and whether one is under way");
     out.line("now: 0,");
+    out.line("begun: false,");
     out.line("scanning: false,");
     out.close("};");
     out.close("}");

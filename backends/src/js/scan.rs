@@ -98,17 +98,12 @@ fn again(out: &mut Writer, places: &Places, repeat: Option<Repeat>) {
     out.line("return false;");
 }
 
-/// The active steps; none is before the first scan.
+/// The active steps, once a scan has begun.
 fn situation(out: &mut Writer, program: &Program, places: &Places, expressions: &Expressions) {
     out.blank();
     out.comment("the labels of the active steps");
     out.open("function situation({ m }) {");
     out.line("const active = [];");
-    if let Some(started) = program.started {
-        out.open(&format!("if (!{}) {{", places.read(started)));
-        out.line("return active;");
-        out.close("}");
-    }
     for step in &program.steps {
         let active = expressions.text(out, step.active);
         out.line(&format!("if ({active}) active.push({});", quoted(&step.label)));

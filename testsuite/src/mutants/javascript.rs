@@ -69,13 +69,6 @@ pub(super) const FAULTS: &[Fault] = &[
         instead: "program.variables.indices().filter(|v| program.variables[*v].role == Role::Output).map(of).collect()",
     },
     Fault {
-        name: "js-active-before-the-start",
-        at: JS,
-        breaks: "a state names a step before the first scan",
-        text: "format!(\"if (!{}) {{\", places.read(started))",
-        instead: "\"if (false) {\".to_owned()",
-    },
-    Fault {
         name: "js-enabled-is-cleared",
         at: JS,
         breaks: "transitions that are enabled are told to clear (R3)",

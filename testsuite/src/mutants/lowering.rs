@@ -56,14 +56,14 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "initial-actions-of-all-steps",
-        at: COMPILER,
+        at: COMPILER.within("first_call"),
         breaks: "actions on activation of all steps are done at the start (R10)",
         text: "net.places[s].initial",
         instead: "true",
     },
     Fault {
         name: "initial-actions-always",
-        at: COMPILER,
+        at: COMPILER.within("first_call"),
         breaks: "initial actions are done although the profile says otherwise (R10)",
         text: "profile.initial_actions",
         instead: "true",

@@ -21,6 +21,7 @@ scan(inputs, now_ms) {
     for (const [name, value] of values) {
         s.inputs[name] = value;
     }
+    s.begun = true;
     s.scanning = true;
     begin(s);
 }

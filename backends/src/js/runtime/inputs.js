@@ -52,12 +52,20 @@ function clock(now_ms) {
     return Math.floor(now_ms) >>> 0;
 }
 
+// sets a property, whatever it is called
+function put(object, name, value) {
+    if (Object.hasOwn(object, name)) {
+        object[name] = value;
+    } else {
+        Object.defineProperty(object, name, { value, writable: true, enumerable: true, configurable: true });
+    }
+}
+
 // values as they are seen from outside: a time is a number of milliseconds
 function shown(values, into = {}) {
     for (const name of Object.keys(values)) {
         const value = values[name];
-        const seen = typeof value === "bigint" ? Number(value) : value;
-        Object.defineProperty(into, name, { value: seen, writable: true, enumerable: true, configurable: true });
+        put(into, name, typeof value === "bigint" ? Number(value) : value);
     }
     return into;
 }

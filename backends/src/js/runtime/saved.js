@@ -30,7 +30,7 @@ function full(value, like) {
 
 // all that has to be saved: values and delays, and the outputs that are published while a scan goes on
 function saved(s, published) {
-    const state = { scanning: s.scanning, delays: {} };
+    const state = { begun: s.begun, scanning: s.scanning, delays: {} };
     for (const group of KEPT) {
         state[group] = {};
         for (const name of names(s, group)) {
@@ -49,14 +49,10 @@ function saved(s, published) {
     return { chart: CHART, program: PROGRAM, state, seal: seal(state) };
 }
 
-function put(object, name, value) {
-    Object.defineProperty(object, name, { value, writable: true, enumerable: true, configurable: true });
-}
-
 // a number that a change of any value changes, in the order of this program whatever the order of what was saved
 function seal(state) {
     const like = fresh();
-    const values = [state.scanning];
+    const values = [state.begun, state.scanning];
     for (const group of [...KEPT, "delays"]) {
         for (const name of names(like, group)) {
             values.push(Object.hasOwn(state[group], name) ? state[group][name] : null);
@@ -101,11 +97,14 @@ function restored(data, now) {
         const [running, elapsed] = state.delays[name];
         s.delays[name] = { running, elapsed, last: now };
     }
-    // What is computed for this raises no flag.
-    const flags = { ...s.flags };
-    restoring(s);
-    s.flags = flags;
+    if (state.begun) {
+        // What is computed for this raises no flag.
+        const flags = { ...s.flags };
+        restoring(s);
+        s.flags = flags;
+    }
     s.now = now;
+    s.begun = state.begun;
     s.scanning = state.scanning;
     return s;
 }

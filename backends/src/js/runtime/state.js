@@ -3,9 +3,9 @@ get outputs() {
     return this.#shown;
 }
 
-// the labels of the active steps, in order of declaration
+// the labels of the active steps, in order of declaration; none is before the first scan
 get situation() {
-    return situation(this.#s);
+    return this.#s.begun ? situation(this.#s) : [];
 }
 
 // what has gone wrong since the start, or since the flags were cleared

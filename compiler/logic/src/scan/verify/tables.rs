@@ -3,7 +3,7 @@
 use crate::scan::{Flag, Held, Limit, Origin, Program, Repeat, Role, Statement, Step, Told, VarId};
 use grafc_formula::{Comparison, Formula, Type, Value};
 
-/// Checks steps, timers, the initial reaction and the stability loop.
+/// Checks steps, timers, the initial reaction, what is shown, and the stability loop.
 pub(super) fn verify(program: &Program) -> Result<(), String> {
     for step in &program.steps {
         holds(program, step)?;
@@ -15,6 +15,7 @@ pub(super) fn verify(program: &Program) -> Result<(), String> {
     }
     come_from_something(program)?;
     starts(program)?;
+    shown(program)?;
     program.repeat.map_or(Ok(()), |repeat| ends(program, repeat))
 }
 
@@ -91,6 +92,22 @@ fn starts(program: &Program) -> Result<(), String> {
         return Ok(());
     }
     Err(format!("{started} does not guard the initial reaction"))
+}
+
+/// What is shown stands in variables that are there for nothing else.
+fn shown(program: &Program) -> Result<(), String> {
+    let Some(observing) = &program.observing else { return Ok(()) };
+    let transitions = observing
+        .transitions
+        .iter()
+        .flat_map(|seen| [Some(seen.enabled), Some(seen.cleared), seen.satisfied].into_iter().flatten());
+    let situation = observing.frozen.iter().map(|(_, v)| *v).chain(observing.forced.iter().map(|(_, v)| *v));
+    let numbered = observing.orders.iter().chain(&observing.actions).map(|(_, v)| *v);
+    let mut all = observing.wanted.into_iter().chain(transitions).chain(situation).chain(numbered);
+    match all.find(|v| program.variables.get(*v).is_none_or(|v| v.role != Role::Observed || v.ty != Type::Bool)) {
+        Some(v) => Err(format!("{v} shows something, and is no variable for that")),
+        None => Ok(()),
+    }
 }
 
 /// The stability loop asks a bit, and counts to its bound in a variable that holds it.
