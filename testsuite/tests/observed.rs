@@ -16,6 +16,7 @@ use grafc_testsuite::executors::js;
 use grafc_testsuite::random::{ChartKind, checked, profile, trace};
 use grafc_testsuite::runs::{caught, compile_observed, overlapping};
 use grafc_testsuite::ways::exact;
+use std::collections::BTreeSet;
 
 /// What is seen after a micro-step.
 #[derive(Clone, PartialEq, Debug)]
@@ -48,12 +49,13 @@ struct Run {
 fn simulated(chart: &Chart, profile: Profile, stimuli: &[Stimulus], all: bool) -> Run {
     let mut run = Run::default();
     let mut simulator = Simulator::new(chart, profile);
+    simulator.look_on();
     for (reaction, stimulus) in stimuli.iter().enumerate() {
         simulator.react_observed(stimulus, &mut |s| {
             if s.is_at_start() {
                 return;
             }
-            let seen = s.seen();
+            let seen = s.seen().expect("somebody looks on");
             let rest = all.then(|| Rest {
                 satisfied: seen.satisfied.iter().copied().collect(),
                 frozen: s.frozen().into_iter().collect(),
@@ -294,9 +296,11 @@ fn modules_tell_what_is_seen() {
         let observed = if turn / ways.len() % 2 == 0 { Observed::Transitions } else { Observed::All };
         let program = compile_observed(chart, &ways[turn % ways.len()].1, observed).expect("a program");
         let run = simulated(chart, profile, &stimuli, false);
+        let mut known = BTreeSet::new();
+        let repeated = !chart.transitions.iter().filter_map(|t| t.designation.as_ref()).all(|name| known.insert(name));
         let name = |(t, transition): (usize, &grafc_model::chart::Transition)| match &transition.designation {
-            Some(designation) => designation.to_string(),
-            None => format!("#{}", t + 1),
+            Some(designation) if !repeated => designation.to_string(),
+            Some(_) | None => format!("#{}", t + 1),
         };
         let names: Vec<String> = chart.transitions.iter().enumerate().map(name).collect();
         let labels: Vec<String> = chart.steps.iter().map(|step| step.label.to_string()).collect();

@@ -50,7 +50,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, places: &Places, expres
         }
         out.close("}");
     }
-    situation(out, program, places, expressions);
+    situation(out, program, expressions);
 }
 
 fn head(name: &str, used: &[bool]) -> String {
@@ -99,7 +99,7 @@ fn again(out: &mut Writer, places: &Places, repeat: Option<Repeat>) {
 }
 
 /// The active steps, once a scan has begun.
-fn situation(out: &mut Writer, program: &Program, places: &Places, expressions: &Expressions) {
+fn situation(out: &mut Writer, program: &Program, expressions: &Expressions) {
     out.blank();
     out.comment("the labels of the active steps");
     out.open("function situation({ m }) {");

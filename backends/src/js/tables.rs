@@ -7,7 +7,8 @@ use super::shows_all;
 use super::text::{key, quoted};
 use crate::writer::Writer;
 use ecow::{EcoString, eco_format};
-use grafc_logic::scan::{Origin, Program, Role, SeenDelay, TransitionId};
+use grafc_logic::scan::{Origin, Program, Role, SeenDelay, Transition, TransitionId};
+use index_vec::IndexVec;
 use rustc_hash::FxHashSet;
 
 /// Writes them.
@@ -18,15 +19,9 @@ pub(super) fn write(out: &mut Writer, program: &Program, places: &Places) {
     out.blank();
     object(out, "const INPUTS =", &inputs);
     let Some(observing) = &program.observing else { return };
-    // A page has to tell apart what the chart calls the same: then all go by their numbers.
-    let all = &program.elements.transitions;
-    let by_number =
-        options.observed && all.indices().map(|t| designation(program, t)).collect::<FxHashSet<_>>().len() < all.len();
-    let name = |t: TransitionId| match by_number {
-        true => eco_format!("\"#{}\"", t.index() + 1),
-        false => quoted(&designation(program, t)),
-    };
-    let transitions: Vec<EcoString> = observing.transitions.iter().map(|seen| name(seen.transition)).collect();
+    let named = names_of_transitions(program);
+    let transitions: Vec<EcoString> =
+        observing.transitions.iter().map(|seen| quoted(&named[seen.transition])).collect();
     out.comment("the transitions: their designations, or their numbers in order of declaration");
     list(out, "const TRANSITIONS = ", &transitions, ";");
     if !shows_all(program) {
@@ -41,7 +36,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, places: &Places) {
     list(out, "const FORCED = ", &steps, ";");
     list(out, "const ORDERS = ", &numbers(&observing.orders), ";");
     list(out, "const ACTIONS = ", &numbers(&observing.actions), ";");
-    let delays: Vec<EcoString> = observing.delays.iter().map(|seen| delay(program, places, seen)).collect();
+    let delays: Vec<EcoString> = observing.delays.iter().map(|seen| delay(program, places, &named, seen)).collect();
     lines(out, "const DELAYS =", &delays);
 }
 
@@ -71,16 +66,22 @@ fn constants(out: &mut Writer, program: &Program, shown: bool) {
     out.close("};");
 }
 
-/// A transition as a drawing designates it: by its designation, or by its number.
-pub(super) fn designation(program: &Program, t: TransitionId) -> EcoString {
-    let designation = program.elements.transitions[t].designation.as_ref();
-    designation.map_or_else(|| eco_format!("#{}", t.index() + 1), |designation| designation.text().clone())
+/// What transitions are called: their designations, or their numbers; by these all go where the chart calls two the same.
+pub(super) fn names_of_transitions(program: &Program) -> IndexVec<TransitionId, EcoString> {
+    let all = &program.elements.transitions;
+    let mut known: FxHashSet<&EcoString> = FxHashSet::default();
+    let by_number = !all.iter().filter_map(|t| t.designation.as_ref()).all(|name| known.insert(name.text()));
+    let name = |(t, transition): (TransitionId, &Transition)| match &transition.designation {
+        Some(designation) if !by_number => designation.text().clone(),
+        Some(_) | None => eco_format!("#{}", t.index() + 1),
+    };
+    all.iter_enumerated().map(name).collect()
 }
 
 /// A delay as a page shows it.
-fn delay(program: &Program, places: &Places, seen: &SeenDelay) -> EcoString {
+fn delay(program: &Program, places: &Places, named: &IndexVec<TransitionId, EcoString>, seen: &SeenDelay) -> EcoString {
     let (of, owner) = match seen.origin {
-        Origin::Transition(t) => ("transition", designation(program, t)),
+        Origin::Transition(t) => ("transition", named[t].clone()),
         Origin::Step(s) => ("step", program.label(s).into()),
         Origin::Action(_) => ("action", eco_format!("{}", seen.action.unwrap_or_default())),
         Origin::Chart | Origin::Actions(_) | Origin::Order(_) | Origin::Orders(_) | Origin::Declaration(_) => {

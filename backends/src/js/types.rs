@@ -28,9 +28,9 @@ pub(super) fn write(program: &Program, names: &Names, options: &Options) -> Stri
     variables(&mut out, program, &format!("{class}Outputs"), "The outputs of the chart.", Role::Output);
     let steps: Vec<_> = program.steps.iter().map(|step| quoted(&step.label)).collect();
     named(&mut out, &format!("{class}Step"), "The label of a step.", &steps);
+    let names_of = super::tables::names_of_transitions(program);
     let transitions = program.observing.iter().flat_map(|observing| &observing.transitions);
-    let transitions: Vec<_> =
-        transitions.map(|seen| quoted(&super::tables::designation(program, seen.transition))).collect();
+    let transitions: Vec<_> = transitions.map(|seen| quoted(&names_of[seen.transition])).collect();
     named(
         &mut out,
         &format!("{class}Transition"),

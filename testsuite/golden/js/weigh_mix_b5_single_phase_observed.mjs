@@ -93,8 +93,9 @@ function fresh() {
             orders: Array(2).fill(false),
             actions: Array(10).fill(false),
         },
-        // the time of the scan, and whether one is under way
+        // the time of the scan, whether there has been one, and whether one is under way
         now: 0,
+        begun: false,
         scanning: false,
     };
 }
@@ -316,9 +317,6 @@ function restoring({ outputs, m, seen }) {
 // the labels of the active steps
 function situation({ m }) {
     const active = [];
-    if (!m.started) {
-        return active;
-    }
     if (m.XD1) active.push("D1");
     if (m.XA6) active.push("A6");
     if (m.XF1) active.push("F1");
@@ -477,7 +475,7 @@ function full(value, like) {
 
 // all that has to be saved: values and delays, and the outputs that are published while a scan goes on
 function saved(s, published) {
-    const state = { scanning: s.scanning, delays: {} };
+    const state = { begun: s.begun, scanning: s.scanning, delays: {} };
     for (const group of KEPT) {
         state[group] = {};
         for (const name of names(s, group)) {
@@ -499,7 +497,7 @@ function saved(s, published) {
 // a number that a change of any value changes, in the order of this program whatever the order of what was saved
 function seal(state) {
     const like = fresh();
-    const values = [state.scanning];
+    const values = [state.begun, state.scanning];
     for (const group of [...KEPT, "delays"]) {
         for (const name of names(like, group)) {
             values.push(Object.hasOwn(state[group], name) ? state[group][name] : null);
@@ -544,11 +542,14 @@ function restored(data, now) {
         const [running, elapsed] = state.delays[name];
         s.delays[name] = { running, elapsed, last: now };
     }
-    // What is computed for this raises no flag.
-    const flags = { ...s.flags };
-    restoring(s);
-    s.flags = flags;
+    if (state.begun) {
+        // What is computed for this raises no flag.
+        const flags = { ...s.flags };
+        restoring(s);
+        s.flags = flags;
+    }
     s.now = now;
+    s.begun = state.begun;
     s.scanning = state.scanning;
     return s;
 }
@@ -583,6 +584,7 @@ export class Weigh_mix_b5 {
         for (const [name, value] of values) {
             s.inputs[name] = value;
         }
+        s.begun = true;
         s.scanning = true;
         begin(s);
     }
@@ -613,9 +615,9 @@ export class Weigh_mix_b5 {
         return this.#shown;
     }
 
-    // the labels of the active steps, in order of declaration
+    // the labels of the active steps, in order of declaration; none is before the first scan
     get situation() {
-        return situation(this.#s);
+        return this.#s.begun ? situation(this.#s) : [];
     }
 
     // what has gone wrong since the start, or since the flags were cleared
