@@ -18,7 +18,8 @@ pub(super) fn write(out: &mut Writer, program: &Program, places: &Places) {
         program.of_role(Role::Input).map(|(_, v)| eco_format!("{}: \"{}\"", key(&v.name), type_name(v.ty))).collect();
     out.blank();
     object(out, "const INPUTS =", &inputs);
-    let Some(observing) = &program.observing else { return };
+    // A program that shows nothing has none that can be told of.
+    let Some(observing) = &program.observing else { return out.line("const TRANSITIONS = [];") };
     let named = names_of_transitions(program);
     let transitions: Vec<EcoString> =
         observing.transitions.iter().map(|seen| quoted(&named[seen.transition])).collect();
