@@ -297,7 +297,8 @@ fn modules_tell_what_is_seen() {
         let program = compile_observed(chart, &ways[turn % ways.len()].1, observed).expect("a program");
         let run = simulated(chart, profile, &stimuli, false);
         let mut known = BTreeSet::new();
-        let repeated = !chart.transitions.iter().filter_map(|t| t.designation.as_ref()).all(|name| known.insert(name));
+        let repeated =
+            !chart.transitions.iter().filter_map(|t| t.designation.as_ref()).all(|name| known.insert(name.text()));
         let name = |(t, transition): (usize, &grafc_model::chart::Transition)| match &transition.designation {
             Some(designation) if !repeated => designation.to_string(),
             Some(_) | None => format!("#{}", t + 1),
