@@ -6,7 +6,10 @@
 use crate::SPACING;
 use crate::cells::Cells;
 use crate::columns::Columns;
+use crate::graph::Side;
 use crate::lanes::Lanes;
+use crate::order::{Position, positions};
+use crate::ports::Ports;
 use std::collections::BTreeMap;
 
 /// The coordinates.
@@ -23,8 +26,11 @@ const TO_BOX: i32 = 20;
 /// The axes of branches are so far apart at least.
 const TO_BRANCH: i32 = 80;
 
-/// The order from left to right: columns and the channels between, within a channel the lanes.
-type Position = (usize, usize);
+/// What a box takes from its axis to the left and to the right.
+type Sides = (i32, i32);
+
+/// What is there at a line, in order: how often, since the end of one piece may be the beginning of the next; and the box.
+type Here = BTreeMap<(Position, usize), (usize, Sides)>;
 
 /// What moves as a whole: a stem, or a lane.
 struct Units {
@@ -33,23 +39,19 @@ struct Units {
     left: Vec<Vec<(usize, i32)>>,
 }
 
-pub(crate) fn across(cells: &Cells, columns: &Columns, lanes: &Lanes) -> Across {
+pub(crate) fn across(cells: &Cells, columns: &Columns, lanes: &Lanes, ports: &Ports) -> Across {
     let stems = columns.stems.len();
-    let mut position: Vec<Position> = columns.stems.iter().map(|stem| (2 * stem.column + 1, 0)).collect();
-    // Those that belong to the left come first, the nearest one first; of the others the nearest comes last.
-    let most = lanes.lanes.iter().map(|lane| lane.track).max().unwrap_or(0) + 1;
-    position.extend(lanes.lanes.iter().map(|lane| {
-        let place = if lane.is_left { 2 * most - lane.track } else { lane.track };
-        (2 * lane.channel, place)
-    }));
+    let position = positions(columns, lanes);
     let left = vec![Vec::new(); position.len()];
     let mut units = Units { position, left };
+    let main = columns.stems.iter().position(|stem| stem.column == 0);
     for (stem, about) in columns.stems.iter().enumerate() {
-        if let Some(parent) = about.parent {
+        // What begins elsewhere stands beside the main sequence, not nearly over it.
+        if let Some(parent) = about.parent.or(main.filter(|_| about.column > 0)) {
             units.left[stem].push((parent, TO_BRANCH));
         }
     }
-    units.sweep(cells, columns, lanes, stems);
+    units.sweep(cells, columns, lanes, ports);
     let places = units.places(lanes, stems);
     let origin = columns.of.iter().position(|column| *column == 0).map_or(0, |cell| places[columns.stem_of[cell]]);
     Across {
@@ -60,11 +62,12 @@ pub(crate) fn across(cells: &Cells, columns: &Columns, lanes: &Lanes) -> Across 
 
 impl Units {
     /// Rows have odd numbers, the channels between them even ones.
-    fn sweep(&mut self, cells: &Cells, columns: &Columns, lanes: &Lanes, stems: usize) {
+    fn sweep(&mut self, cells: &Cells, columns: &Columns, lanes: &Lanes, ports: &Ports) {
         let lines = 2 * cells.rows + 1;
+        let stems = columns.stems.len();
         let mut begin: Vec<Vec<usize>> = vec![Vec::new(); lines];
         let mut end: Vec<Vec<usize>> = vec![Vec::new(); lines];
-        let mut boxes: Vec<Vec<usize>> = vec![Vec::new(); cells.rows];
+        let mut boxes: Vec<Vec<(usize, Sides)>> = vec![Vec::new(); lines];
         for cell in 0..cells.cells.len() {
             let (row, unit) = (cells.row(cell), columns.stem_of[cell]);
             let top = match columns.parent[cell] {
@@ -79,36 +82,38 @@ impl Units {
             };
             begin[top].push(unit);
             end[bottom].push(unit);
-            boxes[row].push(cell);
+            let size = cells.cells[cell].size;
+            let mut sides = (size.left, size.right);
+            // The links that a short double line joins or forks spread in the channel beside it.
+            for (side, line) in [(Side::Over, 2 * row), (Side::Under, 2 * row + 2)] {
+                if let Some(&(left, right)) = ports.reach.get(&(cell, side)) {
+                    sides = (sides.0.max(left), sides.1.max(right));
+                    boxes[line].push((unit, (left, right)));
+                }
+            }
+            boxes[2 * row + 1].push((unit, sides));
         }
         for (lane, about) in lanes.lanes.iter().enumerate() {
             begin[2 * about.first].push(stems + lane);
             end[2 * about.last].push(stems + lane);
         }
-        // What is there at a line: how often, since the end of one piece may be the beginning of the next; and the box.
-        let mut here: BTreeMap<(Position, usize), (usize, Option<usize>)> = BTreeMap::new();
+        let mut here = Here::new();
         for line in 0..lines {
             for &unit in &begin[line] {
                 let key = (self.position[unit], unit);
-                let count = &mut here.entry(key).or_insert((0, None)).0;
+                let count = &mut here.entry(key).or_insert((0, (0, 0))).0;
                 *count += 1;
                 if *count == 1 {
-                    self.keep_apart(cells, &here, key);
+                    self.keep_apart(&here, key);
                 }
             }
-            if line % 2 == 1 {
-                let cells_here = &boxes[line / 2];
-                let key = |cell: &usize| (self.position[columns.stem_of[*cell]], columns.stem_of[*cell]);
-                let keys: Vec<_> = cells_here.iter().map(key).collect();
-                for (key, cell) in keys.iter().zip(cells_here) {
-                    here.entry(*key).and_modify(|(_, here)| *here = Some(*cell));
-                }
-                for key in &keys {
-                    self.keep_apart(cells, &here, *key);
-                }
-                for key in &keys {
-                    here.entry(*key).and_modify(|(_, here)| *here = None);
-                }
+            let keys: Vec<_> = boxes[line].iter().map(|(unit, _)| (self.position[*unit], *unit)).collect();
+            for (key, (_, sides)) in keys.iter().zip(&boxes[line]) {
+                here.entry(*key).and_modify(|(_, here)| *here = (here.0.max(sides.0), here.1.max(sides.1)));
+            }
+            keys.iter().for_each(|key| self.keep_apart(&here, *key));
+            for key in &keys {
+                here.entry(*key).and_modify(|(_, here)| *here = (0, 0));
             }
             for &unit in &end[line] {
                 let key = (self.position[unit], unit);
@@ -123,21 +128,15 @@ impl Units {
     }
 
     /// Keeps one from its neighbours.
-    fn keep_apart(
-        &mut self,
-        cells: &Cells,
-        here: &BTreeMap<(Position, usize), (usize, Option<usize>)>,
-        key: (Position, usize),
-    ) {
-        let size = |cell: Option<usize>| cell.map(|cell| cells.cells[cell].size).unwrap_or_default();
-        let own = here.get(&key).and_then(|(_, cell)| *cell);
-        if let Some(((_, left), (_, cell))) = here.range(..key).next_back() {
-            self.left[key.1].push((*left, distance(size(*cell).right, size(own).left)));
+    fn keep_apart(&mut self, here: &Here, key: (Position, usize)) {
+        let own = here.get(&key).map_or((0, 0), |(_, sides)| *sides);
+        if let Some(((_, left), (_, sides))) = here.range(..key).next_back() {
+            self.left[key.1].push((*left, distance(sides.1, own.0)));
         }
         let mut after = here.range(key..);
         after.next();
-        if let Some(((_, right), (_, cell))) = after.next() {
-            self.left[*right].push((key.1, distance(size(own).right, size(*cell).left)));
+        if let Some(((_, right), (_, sides))) = after.next() {
+            self.left[*right].push((key.1, distance(own.1, sides.0)));
         }
     }
 

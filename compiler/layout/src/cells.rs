@@ -3,7 +3,7 @@
 //! After this, of a piece that goes down either one end is where a line is joined or forked, or none.
 
 use crate::crowd::Way;
-use crate::graph::{Graph, Kind, Size, Start};
+use crate::graph::{Graph, Kind, Side, Size, Start};
 
 /// What stands in a row: a box of the graph, a joint, or a label for a link.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +45,13 @@ pub(crate) struct Cells {
     pub into: Vec<Vec<usize>>,
     /// How many rows there are; the first is 0.
     pub rows: usize,
+    /// For each box, whether its double line stands right over and right under it, as a part of it, with the links coming
+    /// to it and leaving it side by side.
+    pub short: Vec<[bool; 2]>,
 }
+
+/// What a short double line adds to its box.
+const SHORT: i32 = 10;
 
 impl Cells {
     pub(crate) fn new(graph: &Graph, rows: Vec<i32>, ways: &[Way]) -> Cells {
@@ -58,9 +64,12 @@ impl Cells {
             out[from] += 1;
             into[to] += usize::from(*way != Way::Label);
         }
-        let mut made = Cells { cells, wires: Vec::new(), pieces: Vec::new(), out: vec![], into: vec![], rows: 0 };
+        let short = vec![[false; 2]; cells.len()];
+        let main = graph.main();
+        let mut made =
+            Cells { cells, wires: Vec::new(), pieces: Vec::new(), out: vec![], into: vec![], rows: 0, short };
         for (link, (&(from, to), way)) in graph.links.iter().zip(ways).enumerate() {
-            let (forks, joins) = (out[from] > 1, into[to] > 1);
+            let (forks, joins) = (out[from] > 1, into[to] > 1 || main == Some(to));
             let below = made.cells[from].row + 1;
             let pieces = match *way {
                 Way::Down if forks && joins => {
@@ -118,6 +127,27 @@ impl Cells {
         self.cells.iter_mut().for_each(|cell| cell.row -= least);
         self.rows = self.cells.iter().map(|cell| cell.row as usize + 1).max().unwrap_or(0);
         self
+    }
+
+    /// Draws a double line short, so that nothing can run through it.
+    pub(crate) fn shorten(&mut self, node: usize, side: Side) {
+        let size = &mut self.cells[node].size;
+        let (place, more) = match side {
+            Side::Over => (0, &mut size.above),
+            Side::Under => (1, &mut size.below),
+        };
+        if !std::mem::replace(&mut self.short[node][place], true) {
+            *more += SHORT;
+        }
+    }
+
+    /// Whether a double line over or under it is short.
+    pub(crate) fn is_short(&self, cell: usize, side: Side) -> bool {
+        let place = match side {
+            Side::Over => 0,
+            Side::Under => 1,
+        };
+        self.short.get(cell).is_some_and(|short| short[place])
     }
 
     pub(crate) fn row(&self, cell: usize) -> usize {

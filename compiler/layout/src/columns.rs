@@ -91,8 +91,10 @@ impl Tree {
             kept: vec![None; count],
         };
         let is_source = |cell: &usize| cells.into[*cell].iter().all(|wire| cells.wires[*wire].lane.is_some());
-        let mut starts: Vec<usize> = (0..count).filter(is_source).collect();
-        starts.sort_by_key(|cell| (cells.cells[*cell].start, cells.cells[*cell].start == Start::Plain, *cell));
+        // The main sequence is that of the first initial step, whatever else leads to it.
+        let main = (0..count).find(|cell| cells.cells[*cell].start == Start::Initial);
+        let mut starts: Vec<usize> = (0..count).filter(|cell| is_source(cell) || main == Some(*cell)).collect();
+        starts.sort_by_key(|cell| (cells.cells[*cell].start, *cell));
         let mut met = vec![false; count];
         let mut open: Vec<(usize, Option<usize>)> = starts.into_iter().rev().map(|cell| (cell, None)).collect();
         while let Some((cell, parent)) = open.pop() {
@@ -109,7 +111,12 @@ impl Tree {
             }
             tree.order.push(cell);
             let mut below: Vec<usize> = cells.down(cell).map(|wire| cells.wires[wire].to).collect();
-            below.sort_by_key(|next| rank(cells, *next));
+            // Of branches that lead to what stands already the one that ends first is inside.
+            let met_row = |next: usize| {
+                let after = cells.down(next).map(|wire| cells.wires[wire].to);
+                after.map(|after| if met[after] { cells.row(after) } else { 0 }).max().unwrap_or(0)
+            };
+            below.sort_by_key(|next| (rank(cells, *next), met_row(*next)));
             open.extend(below.into_iter().rev().map(|next| (next, Some(cell))));
         }
         tree

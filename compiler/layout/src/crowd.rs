@@ -28,13 +28,14 @@ pub(crate) fn ways(graph: &Graph, rows: &[i32], up: &[bool]) -> Vec<Way> {
     let mut nets: Vec<Net> = Vec::new();
     let mut net_of: FxHashMap<(usize, bool), usize> = FxHashMap::default();
     for (link, &(from, to)) in graph.links.iter().enumerate() {
+        let up_to_it = up[link] && rows[from] >= rows[to];
         let is_long = graph.nodes[to].kind == Kind::Step && rows[to] - rows[from] > LONGEST;
         if !up[link] && !is_long {
             ways.push(Way::Down);
             continue;
         }
-        ways.push(Way::Lane { up: up[link] });
-        let net = *net_of.entry((to, up[link])).or_insert_with(|| {
+        ways.push(Way::Lane { up: up_to_it });
+        let net = *net_of.entry((to, up_to_it)).or_insert_with(|| {
             nets.push(Net { first: rows[to], last: rows[to], links: Vec::new() });
             nets.len() - 1
         });

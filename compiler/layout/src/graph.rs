@@ -119,7 +119,7 @@ impl Bar {
 }
 
 /// Over or under.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Side {
     /// Joins what comes before.
     Over,
@@ -180,6 +180,11 @@ pub(crate) struct Neighbours {
 }
 
 impl Graph {
+    /// The step under which the main sequence is: its column is its own, whatever leads to it.
+    pub(crate) fn main(&self) -> Option<usize> {
+        self.nodes.iter().position(|node| node.start == Start::Initial)
+    }
+
     pub(crate) fn neighbours(&self) -> Neighbours {
         let (mut out, mut into) = (vec![Vec::new(); self.nodes.len()], vec![Vec::new(); self.nodes.len()]);
         for (link, &(from, to)) in self.links.iter().enumerate() {

@@ -1,12 +1,13 @@
 //! Lanes: the vertical pieces of links that do not go straight down, in channels between columns.
 //!
-//! Channel n is left of column n. What returns from the last column in use takes the channel left of the column that it
-//! returns to; what returns while others go on takes the one right of itself, so that it crosses nothing. Links to one
-//! box from one side share a lane.
+//! Channel n is left of column n. A lane is left of the column that it leads to, or right of all that it comes from: where
+//! it crosses less, and around double lines rather than through them. Links to one box from one side share a lane.
 
 use crate::cells::Cells;
 use crate::columns::Columns;
+use crate::crossings::Crossings;
 use rustc_hash::FxHashMap;
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 /// One lane, with all links that share it.
@@ -31,25 +32,23 @@ pub(crate) struct Lanes {
     pub of: Vec<Option<usize>>,
 }
 
-/// So many columns are looked at to find out whether the way to the left is free.
-const LOOKED_AT: usize = 32;
-
 impl Lanes {
     pub(crate) fn new(cells: &Cells, columns: &Columns) -> Lanes {
-        let passed = Passed::new(cells, columns);
+        let crossings = Crossings::new(cells, columns);
         let mut lanes: Vec<Lane> = Vec::new();
         let mut of = vec![None; cells.wires.len()];
         let mut known: FxHashMap<(usize, bool, bool), usize> = FxHashMap::default();
         for (wire, ends) in cells.wires.iter().enumerate() {
             let Some(up) = ends.lane else { continue };
             let (from, to) = (columns.of[ends.from], columns.of[ends.to]);
-            let below = cells.row(ends.from) + 1;
-            let is_left = up
-                && (from <= to
-                    || from - to <= LOOKED_AT && !(to..from).any(|column| passed.at(column, below, ends.to)));
-            let entry = cells.row(ends.to);
+            let (entry, below) = (cells.row(ends.to), cells.row(ends.from) + 1);
+            let is_known = |is_left: bool| known.contains_key(&(ends.to, up, is_left));
+            let right = crossings.way(ends.to, from, (entry, below), (from.max(to) + 1, false), is_known(false));
+            let left = up.then(|| crossings.way(ends.to, from, (entry, below), (to, true), is_known(true)));
+            let left = left.filter(|left| left.cost == 0 || left.cost < right.cost);
+            let (is_left, channel) = left.map_or((false, right.channel), |left| (true, left.channel));
             let lane = *known.entry((ends.to, up, is_left)).or_insert_with(|| {
-                let (channel, track, first, last) = (to, 0, entry, entry);
+                let (track, first, last) = (0, entry, entry);
                 lanes.push(Lane { up, wires: Vec::new(), channel, is_left, track, first, last });
                 lanes.len() - 1
             });
@@ -58,19 +57,21 @@ impl Lanes {
             lane.wires.push(wire);
             lane.first = lane.first.min(below);
             lane.last = lane.last.max(below);
-            if !is_left {
-                lane.channel = lane.channel.max(from + 1);
-            }
+            lane.channel = if is_left { lane.channel.min(channel) } else { lane.channel.max(channel) };
         }
-        pack(&mut lanes);
+        pack(&mut lanes, |lane| columns.of[cells.wires[lane.wires[0]].to]);
         Lanes { lanes, of }
     }
 }
 
-/// Gives each lane the first track that is free all along it, the shortest lanes first.
-fn pack(lanes: &mut [Lane]) {
+/// Gives each lane the first track that is free all along it, the shortest lanes first; of equal ones on the right the
+/// one that leads furthest to the right, so that it does not cross the others.
+fn pack(lanes: &mut [Lane], column: impl Fn(&Lane) -> usize) {
     let mut order: Vec<usize> = (0..lanes.len()).collect();
-    order.sort_by_key(|lane| (lanes[*lane].channel, lanes[*lane].is_left, lanes[*lane].last - lanes[*lane].first));
+    order.sort_by_key(|lane| {
+        let lane = &lanes[*lane];
+        (lane.channel, lane.is_left, lane.last - lane.first, Reverse(column(lane)))
+    });
     // For the channel at hand: the lanes of each track, from first to last.
     let mut tracks: Vec<BTreeMap<usize, usize>> = Vec::new();
     let mut at = None;
@@ -90,42 +91,5 @@ fn pack(lanes: &mut [Lane]) {
         });
         tracks[track].insert(first, last);
         lanes[lane].track = track;
-    }
-}
-
-/// Where lines go straight down, by column, and where others leave for a lane.
-struct Passed {
-    down: Vec<Vec<(usize, usize)>>,
-    /// By column and channel, what is led to.
-    leaving: FxHashMap<(usize, usize), usize>,
-}
-
-impl Passed {
-    fn new(cells: &Cells, columns: &Columns) -> Passed {
-        let mut down = vec![Vec::new(); columns.of.iter().max().map_or(0, |most| most + 1)];
-        let mut leaving = FxHashMap::default();
-        for cell in 0..cells.cells.len() {
-            let row = cells.row(cell);
-            let column = columns.of[cell];
-            if let Some(parent) = columns.parent[cell] {
-                down[column].push((cells.row(parent) + 1, row));
-            }
-            if let Some(kept) = columns.kept[cell] {
-                down[column].push((row + 1, kept));
-            }
-            for wire in cells.out[cell].iter().filter(|wire| cells.wires[**wire].lane.is_some()) {
-                leaving.insert((column, row + 1), cells.wires[*wire].to);
-            }
-        }
-        down.iter_mut().for_each(|column| column.sort_unstable());
-        Passed { down, leaving }
-    }
-
-    /// Whether, in the channel above a row, a line goes down in a column that does not lead to the same.
-    fn at(&self, column: usize, channel: usize, to: usize) -> bool {
-        let passed = &self.down[column];
-        let after = passed.partition_point(|(first, _)| *first <= channel);
-        let leaves_elsewhere = self.leaving.get(&(column, channel)).is_some_and(|other| *other != to);
-        leaves_elsewhere || after > 0 && passed[after - 1].1 >= channel
     }
 }

@@ -5,15 +5,16 @@ use crate::cells::{Cells, What};
 use crate::channels::Down;
 use crate::graph::{Bar, Bounds, Graph, Label, Layout, Point, Route, Side};
 use crate::lanes::Lanes;
+use crate::ports::Ports;
 
 /// So far below its upper corner a lane has its arrow, if it is long.
 const TO_ARROW: i32 = 40;
 /// A lane that is longer has an arrow at its lower end, too.
 const LONG: i32 = 600;
 
-pub(crate) fn draw(graph: &Graph, cells: &Cells, lanes: &Lanes, across: &Across, down: &Down) -> Layout {
+pub(crate) fn draw(graph: &Graph, cells: &Cells, lanes: &Lanes, across: &Across, ports: &Ports, down: &Down) -> Layout {
     let place = |cell: usize| Point { x: across.cells[cell], y: down.tops[cell] };
-    let drawn = Drawn { cells, lanes, across, down };
+    let drawn = Drawn { cells, lanes, across, ports, down };
     let mut layout = Layout { places: (0..graph.nodes.len()).map(place).collect(), ..Layout::default() };
     for (link, pieces) in cells.pieces.iter().enumerate() {
         let mut route = Route::default();
@@ -39,7 +40,7 @@ pub(crate) fn draw(graph: &Graph, cells: &Cells, lanes: &Lanes, across: &Across,
                 Side::Under => cells.out[node].iter().map(|wire| across.cells[cells.wires[*wire].to]).collect(),
             }
         };
-        let over = down.entries.get(&node).filter(|_| cells.joins(node)).map(|y| (Side::Over, *y));
+        let over = down.entries.get(&node).filter(|_| cells.joins(node)).map(|y| (Side::Over, y[0]));
         let under = down.forks.get(&node).map(|y| (Side::Under, *y));
         for (side, y) in over.into_iter().chain(under) {
             let ends = ends(side);
@@ -47,6 +48,12 @@ pub(crate) fn draw(graph: &Graph, cells: &Cells, lanes: &Lanes, across: &Across,
             let left = ends.iter().copied().min().unwrap_or(x).min(x) - overhang;
             let right = ends.iter().copied().max().unwrap_or(x).max(x) + overhang;
             layout.bars.push(Bar { node, side, is_double, left, right, y });
+        }
+        for side in [Side::Over, Side::Under] {
+            if let Some(&(left, right)) = ports.reach.get(&(node, side)) {
+                let y = drawn.short_line(node, side);
+                layout.bars.push(Bar { node, side, is_double, left: x - left, right: x + right, y });
+            }
         }
     }
     layout.bounds = bounds(graph, cells, &layout);
@@ -57,6 +64,7 @@ struct Drawn<'a> {
     cells: &'a Cells,
     lanes: &'a Lanes,
     across: &'a Across,
+    ports: &'a Ports,
     down: &'a Down,
 }
 
@@ -69,6 +77,15 @@ impl Drawn<'_> {
         }
     }
 
+    /// The height of a short double line: its outer line is the edge of the box.
+    fn short_line(&self, cell: usize, side: Side) -> i32 {
+        let (top, size) = (self.down.tops[cell], self.cells.cells[cell].size);
+        match side {
+            Side::Over => top - size.above + Bar::HALF,
+            Side::Under => top + size.body + size.below - Bar::HALF,
+        }
+    }
+
     /// Adds the corners of a piece, those in the middle of a line included.
     fn follow(&self, wire: usize, route: &mut Route) {
         let ends = self.cells.wires[wire];
@@ -77,24 +94,34 @@ impl Drawn<'_> {
         let bottom = self.down.tops[from] + self.cells.cells[from].size.body;
         let mut add = |x: i32, y: i32| route.points.push(Point { x, y });
         let mut at = x;
-        match self.down.forks.get(&from) {
-            Some(y) if self.cells.is_doubled(from) => {
+        match (self.ports.at(wire, Side::Under), self.down.forks.get(&from)) {
+            (Some(port), _) => {
+                add(x + port, self.short_line(from, Side::Under) + Bar::HALF);
+                if let Some(&turn) = self.down.turns.get(&(wire, Side::Under)) {
+                    add(x + port, turn);
+                    add(end, turn);
+                }
+                at = end;
+            }
+            (None, Some(y)) if self.cells.is_doubled(from) => {
                 at = end;
                 add(at, y + Bar::HALF);
             }
-            Some(y) => {
+            (None, Some(y)) => {
                 add(x, bottom);
                 add(x, *y);
                 at = end;
                 add(at, *y);
             }
-            None => add(x, bottom),
+            (None, None) => add(x, bottom),
         }
         let entry = self.down.entries.get(&to);
-        if let (Some(lane), Some(&entry)) = (self.lanes.of[wire], entry) {
+        if let (Some(lane), Some(entry)) = (self.lanes.of[wire], entry) {
             let about = &self.lanes.lanes[lane];
             let by = self.across.lanes[lane];
-            let exit = self.down.exits.get(&(lane, self.cells.row(from) + 1)).copied().unwrap_or(bottom);
+            let entry = entry[usize::from(by > end)];
+            let exit = self.down.exits.get(&(lane, self.cells.row(from) + 1));
+            let exit = exit.map_or(bottom, |exit| exit[usize::from(at > by)]);
             add(at, exit);
             add(by, exit);
             add(by, entry);
@@ -112,13 +139,22 @@ impl Drawn<'_> {
             }
         }
         let mut add = |x: i32, y: i32| route.points.push(Point { x, y });
+        if let Some(port) = self.ports.at(wire, Side::Over) {
+            if let Some(&turn) = self.down.turns.get(&(wire, Side::Over)) {
+                add(at, turn);
+                add(end + port, turn);
+            }
+            add(end + port, self.short_line(to, Side::Over) - Bar::HALF);
+            return;
+        }
         if let Some(y) = entry {
+            let y = y[usize::from(at > end)];
             if self.cells.joins(to) && self.cells.is_doubled(to) {
                 add(at, y - Bar::HALF);
                 return;
             }
-            add(at, *y);
-            add(end, *y);
+            add(at, y);
+            add(end, y);
         }
         add(end, self.down.tops[to]);
     }
