@@ -1,10 +1,13 @@
 //! The steps and transitions of a grafcet or of an expansion, with places.
 
+mod connected;
 mod elements;
 mod once;
+mod outside;
 mod parts;
 
 pub(crate) use elements::{Element, Elements};
+pub(crate) use outside::{Elsewhere, Where};
 pub(crate) use parts::{Part, Parts};
 
 use crate::picture::Group;
@@ -16,30 +19,17 @@ use rustc_hash::FxHashMap;
 pub(crate) struct Diagram {
     pub groups: Vec<Group>,
     pub bounds: Bounds,
-    /// Where each element stands, and what it takes.
-    pub places: Vec<(Element, Bounds)>,
+    /// Where each element stands.
+    pub places: Vec<Place>,
 }
 
-/// Where an element is that is not in this diagram, if it is in another one of the same part.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Where {
-    /// Beside it, on the same page.
-    Here,
-    /// On the page of this number.
-    Page(usize),
-}
-
-/// Tells where other elements are.
-pub(crate) type Elsewhere<'a> = &'a dyn Fn(Element) -> Option<Where>;
-
-impl Where {
-    /// Behind the name of what is there.
-    pub(crate) fn words(self) -> String {
-        match self {
-            Where::Here => String::new(),
-            Where::Page(number) => format!(", page {number}"),
-        }
-    }
+/// Where an element stands, and what it takes.
+#[derive(Clone, Copy)]
+pub(crate) struct Place {
+    pub element: Element,
+    /// The axis that what follows it straight has as well.
+    pub axis: i32,
+    pub bounds: Bounds,
 }
 
 /// From one unconnected part to the next.
@@ -50,7 +40,7 @@ const WIDE: f64 = 1.6;
 /// Draws elements, and labels for the links to those that are elsewhere.
 pub(crate) fn diagram(elements: &Elements<'_>, own: &[Element], elsewhere: Elsewhere<'_>) -> Diagram {
     let pieces: Vec<Diagram> =
-        connected(elements, own).into_iter().map(|piece| one(elements, &piece, elsewhere)).collect();
+        connected::connected(elements, own).into_iter().map(|piece| one(elements, &piece, elsewhere)).collect();
     let sizes: Vec<Bounds> = pieces.iter().map(|piece| piece.bounds).collect();
     let places = shelves(&sizes, APART, wide(&sizes, APART, WIDE));
     // The first piece keeps its axis.
@@ -66,7 +56,8 @@ pub(crate) fn diagram(elements: &Elements<'_>, own: &[Element], elsewhere: Elsew
             out.bounds = bounds;
         }
         out.bounds.include(bounds);
-        out.places.extend(piece.places.into_iter().map(|(element, bounds)| (element, moved(bounds, by))));
+        let moved_place = |place: Place| Place { axis: place.axis + by.x, bounds: moved(place.bounds, by), ..place };
+        out.places.extend(piece.places.into_iter().map(moved_place));
         out.groups.extend(
             piece
                 .groups
@@ -108,78 +99,90 @@ pub(crate) fn shelves(sizes: &[Bounds], apart: i32, wide: i32) -> Vec<Point> {
     places
 }
 
-/// The elements in pieces that links join, each piece in order.
-fn connected(elements: &Elements<'_>, own: &[Element]) -> Vec<Vec<Element>> {
-    let place: FxHashMap<Element, usize> = own.iter().enumerate().map(|(place, element)| (*element, place)).collect();
-    let mut root: Vec<usize> = (0..own.len()).collect();
-    let find = |root: &mut Vec<usize>, mut at: usize| {
-        while root[at] != at {
-            root[at] = root[root[at]];
-            at = root[at];
-        }
-        at
-    };
-    for (from, to) in own.iter().flat_map(|element| elements.links(*element)) {
-        if let (Some(&from), Some(&to)) = (place.get(&from), place.get(&to)) {
-            let (a, b) = (find(&mut root, from), find(&mut root, to));
-            root[a.max(b)] = a.min(b);
-        }
-    }
-    let mut pieces: Vec<Vec<Element>> = Vec::new();
-    let mut piece_of: FxHashMap<usize, usize> = FxHashMap::default();
-    for (at, element) in own.iter().enumerate() {
-        let root = find(&mut root, at);
-        let piece = *piece_of.entry(root).or_insert_with(|| {
-            pieces.push(Vec::new());
-            pieces.len() - 1
-        });
-        pieces[piece].push(*element);
-    }
-    pieces
-}
-
 /// What stands at a node of the graph.
 enum What {
     Element(Element, Symbol),
-    Label(Symbol),
+    /// A label, also where a part of a double line is drawn whose transition is elsewhere; then of that.
+    Label(Symbol, Option<Element>),
+}
+
+/// A graph with what is drawn at its nodes, and for each link what it stands for.
+#[derive(Default)]
+struct Drawn {
+    graph: Graph,
+    what: Vec<What>,
+    ends: Vec<Vec<(Element, Element)>>,
+}
+
+impl Drawn {
+    fn label(&mut self, symbol: Symbol, kind: Kind, start: Start, of: Option<Element>) -> usize {
+        self.graph.nodes.push(Node { kind, start, size: symbol.size, label: Size::default() });
+        self.what.push(What::Label(symbol, of));
+        self.graph.nodes.len() - 1
+    }
+
+    fn link(&mut self, pair: (usize, usize), ends: Vec<(Element, Element)>) {
+        self.graph.links.push(pair);
+        self.ends.push(ends);
+    }
 }
 
 /// One piece.
 fn one(elements: &Elements<'_>, own: &[Element], elsewhere: Elsewhere<'_>) -> Diagram {
-    let mut graph = Graph::default();
-    let mut drawn: Vec<What> = Vec::new();
-    let mut ends: Vec<(String, String)> = Vec::new();
+    let mut drawn = Drawn::default();
     let node: FxHashMap<Element, usize> = own.iter().enumerate().map(|(place, element)| (*element, place)).collect();
+    let links = links(elements, own, &node);
+    let entries = outside::entries(elements, &links, &node, elsewhere);
     for &element in own {
-        let symbol = elements.symbol(element);
+        let mut symbol = elements.symbol(element);
+        if let Some(entry) = entries.get(&element) {
+            symbol = label::entered(symbol, &entry.texts, entry.is_first);
+        }
         let kind = if element.is_transition() { Kind::Transition } else { Kind::Step };
         let label = label::onwards(&elements.onwards(element)).size;
-        graph.nodes.push(Node { kind, start: elements.start(element), size: symbol.size, label });
-        drawn.push(What::Element(element, symbol));
+        drawn.graph.nodes.push(Node { kind, start: elements.start(element), size: symbol.size, label });
+        drawn.what.push(What::Element(element, symbol));
     }
-    for (from, to) in links(elements, own, &node) {
-        let mut add = |symbol: Symbol, start: Start| {
-            graph.nodes.push(Node { kind: Kind::Label, start, size: symbol.size, label: Size::default() });
-            drawn.push(What::Label(symbol));
-            graph.nodes.len() - 1
-        };
-        let ends_at = match (node.get(&from), node.get(&to)) {
-            (Some(&from), Some(&to)) => Some((from, to)),
-            (Some(&here), None) => elsewhere(to).map(|at| {
-                (here, add(label::onwards(&format!("{}{}", elements.onwards(to), at.words())), Start::Plain))
-            }),
-            (None, Some(&here)) => elsewhere(from).map(|at| {
-                (add(label::from(&format!("from {}{}", elements.origin(from), at.words())), Start::Entered), here)
-            }),
-            (None, None) => None,
-        };
-        if let Some(pair) = ends_at {
-            graph.links.push(pair);
-            ends.push((elements.name(from), elements.name(to)));
+    for (pair, to_outside) in outside::together(&links, &node, elsewhere) {
+        let first = to_outside[0];
+        match pair {
+            outside::Ends::Both(from, to) => drawn.link((from, to), to_outside),
+            outside::Ends::OfTransition { here, at, comes } => {
+                // The links of one double line to one page are one.
+                let others: Vec<Element> =
+                    to_outside.iter().map(|(from, to)| if comes { *from } else { *to }).collect();
+                let text = format!("{}{}", outside::group_name(elements, &others), at.words());
+                if comes {
+                    let symbol = label::from(&format!("from {text}"));
+                    let label = drawn.label(symbol, Kind::Label, Start::Plain, None);
+                    drawn.link((label, here), to_outside);
+                } else {
+                    let label = drawn.label(label::onwards(&text), Kind::Label, Start::Plain, None);
+                    drawn.link((here, label), to_outside);
+                }
+            }
+            outside::Ends::OfSteps { at, comes: true } => {
+                // Of a double line that is elsewhere its part is drawn here; a single step has a label.
+                if to_outside.len() > 1 {
+                    let text = format!("from {}{}", elements.origin(first.0), at.words());
+                    let symbol = label::from(&text);
+                    let part = drawn.label(symbol, Kind::Transition, Start::Entered, Some(first.0));
+                    to_outside.iter().for_each(|link| drawn.link((part, node[&link.1]), vec![*link]));
+                }
+            }
+            outside::Ends::OfSteps { at, comes: false } => {
+                let text = format!("{}{}", elements.onwards(first.1), at.words());
+                let (kind, of) = match to_outside.len() {
+                    1 => (Kind::Label, None),
+                    _ => (Kind::Transition, Some(first.1)),
+                };
+                let part = drawn.label(label::onwards(&text), kind, Start::Plain, of);
+                to_outside.iter().for_each(|link| drawn.link((node[&link.0], part), vec![*link]));
+            }
         }
     }
-    let layout = grafc_layout::layout(&graph);
-    draw(elements, &graph, &layout, drawn, &ends)
+    let layout = grafc_layout::layout(&drawn.graph);
+    draw(elements, drawn, &layout)
 }
 
 /// The links of elements, those of transitions that are elsewhere included; a step names these once.
@@ -197,27 +200,30 @@ fn links(elements: &Elements<'_>, own: &[Element], node: &FxHashMap<Element, usi
 }
 
 /// Links under boxes, then what stands on them.
-fn draw(
-    elements: &Elements<'_>,
-    graph: &Graph,
-    layout: &Layout,
-    drawn: Vec<What>,
-    ends: &[(String, String)],
-) -> Diagram {
+fn draw(elements: &Elements<'_>, drawn: Drawn, layout: &Layout) -> Diagram {
+    let Drawn { graph, what: drawn, ends } = drawn;
     let mut groups = Vec::new();
     let mut once = once::Drawn::default();
-    for ((route, (from, to)), &(a, b)) in layout.routes.iter().zip(ends).zip(&graph.links) {
-        if !route.points.is_empty() {
-            let interrupted = [a, b].iter().any(|node| graph.nodes[*node].kind == Kind::Label);
-            let class = class(graph, (a, b), interrupted, !route.arrows.is_empty());
-            groups.push(link::link(&class, (from, to), once.rest(&route.points), &route.arrows));
+    let is_label = |node: usize| matches!(drawn[node], What::Label(..));
+    let name = |(from, to): (Element, Element)| (elements.name(from), elements.name(to));
+    for ((route, ends), &(a, b)) in layout.routes.iter().zip(&ends).zip(&graph.links) {
+        if route.points.is_empty() {
+            continue;
+        }
+        let mut arrows = route.arrows.as_slice();
+        for &(from, to) in ends {
+            let class = class(to, is_label(a) || is_label(b), !route.arrows.is_empty());
+            let (from, to) = name((from, to));
+            groups.push(link::link(&class, (&from, &to), once.rest(&route.points), arrows));
+            arrows = &[];
         }
     }
     for placed in &layout.labels {
-        let (from, to) = &ends[placed.link];
+        let Some(&link) = ends[placed.link].first() else { continue };
         let route = &placed.route;
-        let class = class(graph, graph.links[placed.link], true, false);
-        let mut group = link::link(&class, (from, to), once.rest(&route.points), &route.arrows);
+        let (from, to) = name(link);
+        let class = class(link.1, true, false);
+        let mut group = link::link(&class, (&from, &to), once.rest(&route.points), &route.arrows);
         let target = graph.links[placed.link].1;
         if let What::Element(element, _) = &drawn[target] {
             let label = label::onwards(&elements.onwards(*element)).group;
@@ -226,7 +232,7 @@ fn draw(
         groups.push(group);
     }
     for bar in layout.bars.iter().filter(|bar| bar.is_double) {
-        if let What::Element(element, _) = &drawn[bar.node] {
+        if let What::Element(element, _) | What::Label(_, Some(element)) = &drawn[bar.node] {
             let name = elements.name(*element);
             groups.push(link::double_line(bar, &name, layout.places[bar.node], transition::BAR));
         }
@@ -238,10 +244,10 @@ fn draw(
                 let size = symbol.size;
                 let (left, right) = (at.x - size.left, at.x + size.right);
                 let (top, bottom) = (at.y - size.above, at.y + size.body + size.below);
-                places.push((element, Bounds { left, top, right, bottom }));
+                places.push(Place { element, axis: at.x, bounds: Bounds { left, top, right, bottom } });
                 symbol.group
             }
-            What::Label(symbol) => symbol.group,
+            What::Label(symbol, _) => symbol.group,
         };
         groups.push(Group { at: *at, ..group });
     }
@@ -249,10 +255,8 @@ fn draw(
 }
 
 /// The classes of a link: where it is seen from its transition, and what is special.
-fn class(graph: &Graph, (from, to): (usize, usize), is_interrupted: bool, is_up: bool) -> String {
-    let is_transition = |node: usize| graph.nodes[node].kind == Kind::Transition;
-    let is_step = |node: usize| graph.nodes[node].kind == Kind::Step;
-    let side = if is_transition(to) || is_step(from) { "before" } else { "after" };
+fn class(to: Element, is_interrupted: bool, is_up: bool) -> String {
+    let side = if to.is_transition() { "before" } else { "after" };
     let special = if is_interrupted {
         " interrupted"
     } else if is_up {

@@ -12,15 +12,21 @@
 //! | `symbols` | the symbols, one kind a file, each around its axis |
 //! | `diagram` | the steps and transitions of a grafcet or expansion, with places |
 //! | `panel` | diagrams with their frames, and in these the enclosures and expansions |
+//! | `cut` | where a diagram is cut that is too large for a page |
+//! | `pages` | panels on pages |
+//! | `sheet` | one sheet, its paper and its margins |
 //! | `sheets` | panels on one sheet or on pages, with a title block |
 //! | `states` | graphs of states, for what is found of a chart |
 //! | `svg` | the text |
 
+mod cut;
 mod diagram;
 pub mod font;
+mod pages;
 mod panel;
 mod picture;
 mod rich;
+mod sheet;
 mod sheets;
 mod states;
 mod svg;
@@ -28,6 +34,7 @@ mod symbols;
 mod wording;
 
 pub use picture::{Anchor, Group, Picture, Shape, Style};
-pub use sheets::{Options, Page, Refusal, draw};
+pub use sheet::Page;
+pub use sheets::{Options, Refusal, draw};
 pub use states::{Arc, State, states};
 pub use svg::{svg, svg_in_html};

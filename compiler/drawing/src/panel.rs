@@ -114,7 +114,8 @@ fn frame<'a>(
         Part::Expansion(id) => {
             let about = &chart.macro_steps[id];
             // The comment of a macro-step stands beside the macro-step.
-            (Frame::Expansion { name: &about.label, comment: None }, ("data-expansion", about.label.to_string(), None))
+            let comment = about.expansion_comment.as_deref();
+            (Frame::Expansion { name: &about.label, comment }, ("data-expansion", about.label.to_string(), comment))
         }
     }
 }

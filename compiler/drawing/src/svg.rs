@@ -1,7 +1,7 @@
 //! The text of a picture: SVG that any viewer and any program can read, without scripts and without anything from outside.
 
 use crate::picture::{Anchor, Group, Picture, Shape, Style};
-use crate::sheets::Page;
+use crate::sheet::Page;
 use grafc_layout::{Bounds, Point};
 use std::fmt::Write as _;
 

@@ -68,7 +68,7 @@ fn write(chart: &Tables, root: ExprId, bracketed: bool) -> Vec<Token> {
                 Some(&height) => vec![Piece::Expr(a, Place { over: place.over | 1 << height, ..place })],
                 None => vec![word("¬("), Piece::Expr(a, place), word(")")],
             },
-            ExprKind::And(a, b) => infix(a, if place.bracketed { " and " } else { "·" }, b, own),
+            ExprKind::And(a, b) => infix(a, if place.bracketed { " and " } else { " · " }, b, own),
             ExprKind::Or(a, b) => infix(a, if place.bracketed { " or " } else { " + " }, b, own),
             ExprKind::Xor(a, b) => infix(a, if place.bracketed { " xor " } else { " ⊕ " }, b, own + 1),
             ExprKind::Rise(a) => [vec![word("↑")], operand(a, TIGHT)].concat_pieces(),

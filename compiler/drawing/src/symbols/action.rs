@@ -9,7 +9,7 @@ use grafc_layout::Point;
 pub(crate) enum When {
     /// Always while the step is active, or while a condition holds.
     While(Option<Vec<Token>>),
-    /// The step is activated: an arrow upwards at the left side.
+    /// The step is activated: an arrow upwards beside the left side.
     Activation,
     /// The step is deactivated: an arrow downwards.
     Deactivation,
@@ -46,6 +46,10 @@ pub(crate) const HEIGHT: i32 = 26;
 const MOST: i32 = 220;
 /// From the rectangle up to its condition, and how far a line leads there.
 const TICK: i32 = 8;
+/// From the left side to the arrow beside it, and how much that is shorter at both ends: those of rectangles that touch
+/// stay apart.
+const TO_SHAFT: i32 = 6;
+const SHORTER: i32 = 3;
 /// From a side to the text.
 const PADDING: i32 = 8;
 
@@ -109,8 +113,8 @@ impl Block {
         match self.kind {
             Kind::Plain => {}
             Kind::Order => shapes.push(Shape::rect(3, 3, wide - 6, high - 6, Style::Box)),
-            Kind::Rising => shapes.extend(arrow(&[(0, high), (0, 0)], 5)),
-            Kind::Falling => shapes.extend(arrow(&[(0, 0), (0, high)], 5)),
+            Kind::Rising => shapes.extend(arrow(&[(-TO_SHAFT, high - SHORTER), (-TO_SHAFT, SHORTER)], 4)),
+            Kind::Falling => shapes.extend(arrow(&[(-TO_SHAFT, SHORTER), (-TO_SHAFT, high - SHORTER)], 4)),
             Kind::Event => shapes.extend(arrow(&[(PADDING + 2, -TICK - 2), (PADDING + 2, 0)], 4)),
             Kind::Clearing => shapes.extend(arrow(&[(4, high / 2 + 8), (16, high / 2 - 8)], 5)),
         }
@@ -198,4 +202,29 @@ pub(crate) fn blocks(blocks: Vec<Block>, left: i32, middle: i32) -> Blocks {
         out.groups.push(block.place(left, top));
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arrows_of_stacked_actions_are_two() {
+        let action = |when| Block::action(vec![Token::plain("C := 1")], when, Group::default());
+        let placed = blocks(vec![action(When::Activation), action(When::Deactivation)], 0, 13);
+        let shafts: Vec<(i32, i32, i32)> = placed
+            .groups
+            .iter()
+            .flat_map(|group| group.shapes.iter().map(move |shape| (group.at.y, shape)))
+            .filter_map(|(top, shape)| {
+                let Shape::Path { lines, closed: false, .. } = shape else { return None };
+                let (a, b) = (lines[0][0], lines[0][1]);
+                Some((a.x, top + a.y.min(b.y), top + a.y.max(b.y)))
+            })
+            .collect();
+        let [(x, _, bottom), (other_x, top, _)] = shafts[..] else { panic!("two shafts: {shafts:?}") };
+        // Not on the edge of a rectangle, and apart from each other.
+        assert!(x <= -4 && other_x == x);
+        assert!(top - bottom >= 4, "{shafts:?}");
+    }
 }

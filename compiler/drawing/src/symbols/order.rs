@@ -12,9 +12,9 @@ pub(crate) fn order(chart: &Tables, order: &Order, number: usize) -> Block {
     match &order.situation {
         Situation::Steps(steps) => {
             for (place, step) in steps.iter().enumerate() {
-                let comma = if place > 0 { ", " } else { "" };
+                let comma = if place + 1 < steps.len() { ", " } else { "" };
                 let label = shown(&chart.steps[*step].label);
-                tokens.push(Token { may_break: place > 0, ..Token::plain(format!("{comma}{label}")) });
+                tokens.push(Token { may_break: place > 0, ..Token::plain(format!("{label}{comma}")) });
             }
         }
         Situation::Current => tokens.push(Token::plain("*")),

@@ -23,11 +23,18 @@ pub(crate) struct Step<'a> {
 const TO_ACTIONS: i32 = 20;
 /// From the outer square of an initial step to the inner one.
 const DOUBLED: i32 = 4;
+/// The middle of the dot of an active step.
+const DOT: i32 = 28;
 
 /// Draws a step with its actions.
 pub(crate) fn step(step: Step<'_>) -> Symbol {
     let label = shown(step.label);
-    let inner = if step.is_enclosing { 30 } else { 16 };
+    // The label keeps clear of the sides, and of the corners that are cut.
+    let inner = match (step.is_enclosing, step.is_initial) {
+        (true, true) => 22,
+        (true, false) => 18,
+        (false, _) => 16,
+    };
     let half = ((width(&label, LABEL) + inner + 1) / 2).max(STEP / 2);
     let mut class = "step".to_string();
     let kinds = [
@@ -62,10 +69,15 @@ pub(crate) fn step(step: Step<'_>) -> Symbol {
             shapes.push(Shape::line(&[(-half, y), (half, y)]));
         }
     }
-    let baseline = if step.is_initial || step.is_macro { 23 } else { 21 };
+    // In the upper half, under what is there; a dot has the lower half.
+    let baseline = match (step.is_macro, step.is_initial) {
+        (true, _) => 20,
+        (false, true) => 17,
+        (false, false) => 16,
+    };
     shapes.push(Shape::text((0, baseline), Anchor::Middle, "label", LABEL, label));
     if step.is_active {
-        shapes.push(Shape::Dot { at: Point { x: 0, y: baseline + 6 } });
+        shapes.push(Shape::Dot { at: Point { x: 0, y: DOT } });
     }
     let mut size = Size { left: half, right: half, above: 0, body: STEP, below: 0 };
     if step.is_activated {
@@ -94,4 +106,45 @@ pub(crate) fn step(step: Step<'_>) -> Symbol {
         size.below = size.below.max((comment.height + 1) / 2 - (STEP - middle));
     }
     Symbol { group, size }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn drawn(label: &str, is_macro: bool, is_initial: bool, is_enclosing: bool) -> Symbol {
+        let blocks = Vec::new();
+        let is_active = true;
+        step(Step { label, comment: None, is_macro, is_initial, is_enclosing, is_activated: false, is_active, blocks })
+    }
+
+    #[test]
+    fn the_label_is_in_the_upper_half_and_the_dot_clear_of_it() {
+        for (is_macro, is_initial) in [(false, false), (false, true), (true, false)] {
+            let group = drawn("jpg", is_macro, is_initial, false).group;
+            let label =
+                |shape: &Shape| if let Shape::Text { at, class: "label", .. } = shape { Some(at.y) } else { None };
+            let baseline = group.shapes.iter().find_map(label);
+            let baseline = baseline.expect("a label");
+            assert!(baseline <= STEP / 2);
+            // Letters go down by three, and the dot has a radius of four.
+            let dot = |shape: &Shape| if let Shape::Dot { at } = shape { Some(at.y) } else { None };
+            let dot = group.shapes.iter().find_map(dot);
+            assert!(dot.expect("a dot") - 4 > baseline + 3);
+        }
+    }
+
+    #[test]
+    fn two_digits_fit_a_square() {
+        for (is_macro, is_initial, is_enclosing) in [
+            (false, false, false),
+            (true, false, false),
+            (false, true, false),
+            (false, false, true),
+            (false, true, true),
+        ] {
+            let size = drawn("42", is_macro, is_initial, is_enclosing).size;
+            assert_eq!((size.left, size.right, size.body), (STEP / 2, STEP / 2, STEP));
+        }
+    }
 }

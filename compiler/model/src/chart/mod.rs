@@ -238,6 +238,8 @@ pub struct MacroStep {
     pub grafcet: GrafcetId,
     /// The macro-step whose expansion holds it directly.
     pub expansion_of: Option<MacroId>,
+    /// The comment attached to its expansion.
+    pub expansion_comment: Option<Note>,
     /// Where arcs into it lead; a [`Chart`] has it.
     pub entry: Option<StepId>,
     /// Where arcs out of it start; a [`Chart`] has it.

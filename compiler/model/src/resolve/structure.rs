@@ -154,6 +154,7 @@ fn steps(
                     comment: comment(&step.comment),
                     grafcet,
                     expansion_of,
+                    expansion_comment: None,
                     entry: None,
                     exit: None,
                     span: step.label.span,
@@ -172,6 +173,8 @@ fn entries_and_exits(
 ) {
     for (expansion, part) in parts.expansions.iter_enumerated() {
         let Some(macro_step) = expanded[expansion] else { continue };
+        let about = &mut chart.macro_steps[macro_step].expansion_comment;
+        *about = about.take().or_else(|| comment(&part.ast.comment));
         let Some(rest) = part.ast.macro_step.text.strip_prefix('M') else { continue };
         let step_of = |letter: char| match scope.label(&format!("{letter}{rest}")) {
             Some(Label::Step(id)) => (chart.steps[id].expansion_of == Some(macro_step)).then_some(id),
