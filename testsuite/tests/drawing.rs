@@ -1,6 +1,6 @@
 //! Drawings: the lint over every chart there is, and what a drawing promises besides.
 
-use grafc_drawing::{Options, Page, draw, svg};
+use grafc_drawing::{Group, Options, Page, Picture, Shape, draw, svg};
 use grafc_model::chart::{Chart, Tables};
 use grafc_testsuite::charts::{charts_folder, check, vectors_folder};
 use grafc_testsuite::drawing_lint::lint;
@@ -31,7 +31,9 @@ fn charts(folder: &Path) -> Vec<(String, Chart)> {
 fn faults(name: &str, chart: &Tables) -> Vec<String> {
     let mut found = Vec::new();
     for page in [None, Some(Page::A4), Some(Page::A3)] {
-        let options = Options { page, revision: page.map(|_| "A".to_string()), ..SINGLE };
+        // All steps are active: their dots must have room.
+        let situation = chart.steps.iter().map(|step| step.label.to_string()).collect();
+        let options = Options { page, revision: page.map(|_| "A".to_string()), situation, ..SINGLE };
         let pictures = draw(chart, &options).expect("nothing was asked for that is not there");
         found.extend(lint(chart, &pictures).into_iter().map(|fault| format!("{name}, {page:?}: {fault}")));
         let texts = pictures.iter().map(|picture| svg(picture, page));
@@ -81,6 +83,17 @@ fn charts_vectors_and_imports_are_drawn_without_faults() {
     assert!(all.len() > 130, "only {} charts", all.len());
     let found: Vec<String> = all.iter().flat_map(|(name, chart)| faults(name, chart)).collect();
     assert_no_faults(&found);
+}
+
+#[test]
+fn pages_are_never_drawn_much_smaller() {
+    // A step is a centimetre wide on paper; what misses a page by less than half is drawn smaller, the rest is cut.
+    let folders = [charts_folder(), vectors_folder()];
+    for (name, chart) in folders.iter().flat_map(|folder| charts(folder)) {
+        let pictures = draw(&chart, &Options { page: Some(Page::A4), ..SINGLE }).expect("nothing was asked for");
+        let most = f64::from(Page::A4.millimetres().0 * 4) * 1.5 + 1.0;
+        assert!(pictures.iter().all(|picture| f64::from(picture.bounds.width()) <= most), "{name}");
+    }
 }
 
 #[test]
@@ -166,4 +179,133 @@ fn a_step_that_is_added_moves_nothing_above_it() {
         }
     }
     assert!(tried > 30, "only {tried} steps were added");
+}
+
+/// The drawing of a chart on pages of A4.
+fn on_a4(name: &str, text: &str) -> (Chart, Vec<Picture>) {
+    let chart = check(name, text).unwrap_or_else(|error| panic!("{error}"));
+    let pictures = draw(&chart, &Options { page: Some(Page::A4), ..SINGLE }).expect("a drawing");
+    (chart, pictures)
+}
+
+/// All texts of a class, with where they stand.
+fn texts(picture: &Picture, wanted: &str) -> Vec<(String, i32, i32)> {
+    fn of(group: &Group, x: i32, y: i32, wanted: &str, found: &mut Vec<(String, i32, i32)>) {
+        let (x, y) = (x + group.at.x, y + group.at.y);
+        for shape in &group.shapes {
+            if let Shape::Text { at, class, text, .. } = shape {
+                if *class == wanted {
+                    found.push((text.clone(), x + at.x, y + at.y));
+                }
+            }
+        }
+        group.groups.iter().for_each(|inner| of(inner, x, y, wanted, found));
+    }
+    let mut found = Vec::new();
+    picture.groups.iter().for_each(|group| of(group, 0, 0, wanted, &mut found));
+    found
+}
+
+#[test]
+fn a_wide_parallel_region_is_cut_beside_its_branches() {
+    // Fourteen branches of two steps, much wider than a page.
+    let mut text = String::from("input a : bool\noutput V : bool\ninitial step 1\nstep 99\n");
+    for branch in 10..24 {
+        text.push_str(&format!("step {branch} \"a branch\" {{ V if a }}\nstep {}\n", branch + 20));
+        text.push_str(&format!("transition ({branch}) {branch} -> {} : a\n", branch + 20));
+    }
+    let all = |first: usize| (first..first + 14).map(|step| step.to_string()).collect::<Vec<_>>().join(", ");
+    text.push_str(&format!("transition (1) 1 -> {} : a\ntransition (2) {} -> 99 : a\n", all(10), all(30)));
+    text.push_str("transition (3) 99 -> 1 : a\n");
+    let (chart, pictures) = on_a4("Wide", &text);
+    assert_eq!(lint(&chart, &pictures), Vec::<String>::new());
+    let pages: Vec<Vec<String>> =
+        pictures.iter().map(|picture| texts(picture, "label").into_iter().map(|(label, ..)| label).collect()).collect();
+    for branch in 10..24 {
+        let page = |step: usize| pages.iter().position(|labels| labels.contains(&step.to_string()));
+        assert_eq!(page(branch), page(branch + 20), "the branch {branch} is on two pages");
+    }
+    // Each page that has a part of the region has a double line over it and one under it.
+    for picture in &pictures {
+        let mut syncs =
+            picture.groups.iter().flat_map(|frame| &frame.groups).filter(|group| group.class.starts_with("sync"));
+        assert!(syncs.clone().count() >= 2 && syncs.all(|sync| ["1", "2"].contains(&sync.data[0].1.as_str())));
+    }
+    // One label stands for all links of a double line to another page.
+    let labels: Vec<String> = texts(&pictures[0], "label-text").into_iter().map(|(text, ..)| text).collect();
+    assert!(labels.iter().any(|text| text.ends_with(" to 23, page 2")), "{labels:?}");
+    assert!(labels.len() <= 4, "{labels:?}");
+}
+
+#[test]
+fn a_label_of_where_a_link_comes_from_stands_right_at_its_step() {
+    // Six branches of forty steps, and from the end of the last one a jump into the first.
+    let mut text = String::from("input a : bool\ninitial step 1\n");
+    let branch = |branch: usize| (0..40).map(move |step| 100 * branch + step);
+    for step in (1..7).flat_map(branch) {
+        text.push_str(&format!("step {step} \"of a branch\"\n"));
+        if step % 100 < 39 {
+            text.push_str(&format!("transition ({step}) {step} -> {} : a\n", step + 1));
+        }
+    }
+    text.push_str("transition (1) 1 -> 100, 200, 300, 400, 500, 600 : a\ntransition (J) 639 -> 110 : a\n");
+    let (chart, pictures) = on_a4("Long", &text);
+    assert_eq!(lint(&chart, &pictures), Vec::<String>::new());
+    let mut tried = 0;
+    for picture in &pictures {
+        let steps = texts(picture, "label");
+        for (label, x, y) in texts(picture, "label-text").into_iter().filter(|(text, ..)| text.starts_with("from ")) {
+            let near = |(_, step_x, step_y): &&(String, i32, i32)| {
+                (x - step_x).abs() <= 40 && (0..=90).contains(&(step_y - y))
+            };
+            assert!(steps.iter().any(|step| near(&step)), "{label} at {x} {y}");
+            tried += 1;
+        }
+    }
+    assert!(tried > 6, "{tried}");
+}
+
+#[test]
+fn title_blocks_are_equal_on_all_pages() {
+    let plain: String = (2..30).map(|n| format!("transition ({n}) {} -> {n} : a\nstep {n}\n", n - 1)).collect();
+    let mut wide = String::from("initial step 100\n");
+    for n in 101..107 {
+        wide.push_str(&format!("step {n} \"a rather long comment\"\ntransition ({n}) 100 -> {n} : a\n"));
+    }
+    let text = format!("input a : bool\ngrafcet G1 {{ initial step 1\n{plain} }}\ngrafcet G2 {{ {wide} }}");
+    let (_, pictures) = on_a4("Blocks", &text);
+    let times: Vec<f64> = pictures.iter().map(|picture| f64::from(picture.bounds.width()) / 840.0).collect();
+    assert!(times.iter().any(|times| *times > 1.1) && times.contains(&1.0), "{times:?}");
+    for (picture, times) in pictures.iter().zip(&times) {
+        let block = picture.groups.iter().find(|group| group.class == "title-block").expect("a title block");
+        let on_paper = |length: i32| f64::from(length) / times;
+        assert!((on_paper(block.at.x) - 40.0).abs() < 1.0, "{}", block.at.x);
+        let Some(Shape::Rect { bounds, .. }) = block.shapes.first() else { panic!("a frame") };
+        assert!((on_paper(bounds.width()) - 760.0).abs() < 2.0 && (on_paper(bounds.height()) - 36.0).abs() < 1.0);
+    }
+}
+
+#[test]
+fn the_comment_of_an_expansion_is_beside_its_name() {
+    let text = "input a : bool initial step 1 macro step M2 \"load\" transition 1 -> M2 : a transition M2 -> 1 : a
+        expansion M2 \"from the left\" { step E2 step S2 transition E2 -> S2 : a }";
+    let chart = check("Expansion", text).unwrap_or_else(|error| panic!("{error}"));
+    let picture = &draw(&chart, &SINGLE).expect("a drawing")[0];
+    let comments: Vec<String> = texts(picture, "comment").into_iter().map(|(text, ..)| text).collect();
+    assert_eq!(comments, ["\"load\"", "\"from the left\""]);
+    let frame = picture.groups.iter().find(|group| group.data[0].0 == "data-expansion").expect("a frame");
+    assert_eq!(frame.title.as_deref(), Some("from the left"));
+}
+
+#[test]
+fn a_list_of_steps_is_broken_behind_a_comma() {
+    let steps: String = (100..130).map(|n| format!("step {n} transition 1 -> {n} : a ")).collect();
+    let list = (100..130).map(|n| n.to_string()).collect::<Vec<_>>().join(", ");
+    let text = format!(
+        "input a : bool grafcet G1 {{ initial step 9 {{ force G2{{{list}}} }} }} grafcet G2 {{ initial step 1 {steps} }}"
+    );
+    let chart = check("List", &text).unwrap_or_else(|error| panic!("{error}"));
+    let picture = &draw(&chart, &Options { grafcet: Some("G1".to_string()), ..SINGLE }).expect("a drawing")[0];
+    let lines: Vec<String> = texts(picture, "text").into_iter().map(|(text, ..)| text).collect();
+    assert!(lines.len() > 1 && lines.iter().all(|line| !line.trim_start().starts_with(',')), "{lines:?}");
 }

@@ -123,7 +123,11 @@ impl Flat {
                         self.labels.push(between(moved(pair[0]), moved(pair[1])));
                     }
                 }
-                Shape::Path { .. } | Shape::Dot { .. } => {}
+                Shape::Dot { at } => {
+                    let (a, b) = (Point { x: at.x - 4, y: at.y - 4 }, Point { x: at.x + 4, y: at.y + 4 });
+                    self.boxes.push(Area { owner: number, bounds: between(moved(a), moved(b)), text: None });
+                }
+                Shape::Path { .. } => {}
             }
         }
         let inner = if is_frame { None } else { Some(root) };

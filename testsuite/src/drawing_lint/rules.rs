@@ -87,6 +87,8 @@ pub fn geometry(flat: &Flat) -> Vec<String> {
         }
     }
     found.extend(loose_ends(flat, &name));
+    found.extend(through_double_lines(flat, &name));
+    found.extend(crosses_that_join(flat, &name));
     found.extend(crossings(flat, &name));
     found
 }
@@ -105,6 +107,47 @@ fn loose_ends(flat: &Flat, name: &dyn Fn(usize) -> String) -> Vec<String> {
     }
     let loose = flat.ends.iter().zip(held).filter(|(_, held)| !held);
     loose.map(|((owner, at), _)| format!("{} ends in nothing at {} {}", name(*owner), at.x, at.y)).collect()
+}
+
+/// No link runs through a double line: it would look like one that is joined there.
+fn through_double_lines(flat: &Flat, name: &dyn Fn(usize) -> String) -> Vec<String> {
+    let is_sync = |line: &&Line| flat.owners[line.owner].is("sync");
+    let double: Vec<Line> =
+        flat.links.iter().filter(is_sync).filter(|line| line.from.y == line.to.y).copied().collect();
+    let downwards: Vec<Line> = flat.links.iter().filter(|line| line.from.x == line.to.x).copied().collect();
+    let bounds = |lines: &[Line]| lines.iter().map(|line| wide(*line)).collect::<Vec<Bounds>>();
+    let mut found = Vec::new();
+    for (a, b) in meeting(&bounds(&double), &bounds(&downwards)) {
+        let (line, link) = (double[a], downwards[b]);
+        let (top, bottom) = (link.from.y.min(link.to.y), link.from.y.max(link.to.y));
+        if top < line.from.y - 1 && bottom > line.from.y + 1 {
+            found.push(format!("{} runs through the double line of {}", name(link.owner), name(line.owner)));
+        }
+    }
+    found
+}
+
+/// Links that join do not meet from all four sides, which is how a crossing looks.
+fn crosses_that_join(flat: &Flat, name: &dyn Fn(usize) -> String) -> Vec<String> {
+    let links: Vec<Line> = flat.links.iter().filter(|line| !flat.owners[line.owner].is("sync")).copied().collect();
+    let ends: Vec<(usize, Point)> =
+        links.iter().flat_map(|line| [(line.owner, line.from), (line.owner, line.to)]).collect();
+    let at = |point: Point| Bounds { left: point.x - 1, top: point.y - 1, right: point.x + 1, bottom: point.y + 1 };
+    let points: Vec<Bounds> = ends.iter().map(|(_, point)| at(*point)).collect();
+    let areas: Vec<Bounds> = links.iter().map(|line| wide(*line)).collect();
+    let mut arms = vec![[false; 4]; ends.len()];
+    for (end, line) in meeting(&points, &areas) {
+        let (Point { x, y }, Line { from, to, .. }) = (ends[end].1, links[line]);
+        let (left, right) = (from.x.min(to.x), from.x.max(to.x));
+        let (top, bottom) = (from.y.min(to.y), from.y.max(to.y));
+        let (is_on_row, is_on_column) = (top == y && bottom == y, left == x && right == x);
+        arms[end][0] |= is_on_row && left < x && right >= x;
+        arms[end][1] |= is_on_row && right > x && left <= x;
+        arms[end][2] |= is_on_column && top < y && bottom >= y;
+        arms[end][3] |= is_on_column && bottom > y && top <= y;
+    }
+    let crosses = ends.iter().zip(arms).filter(|(_, arms)| *arms == [true; 4]);
+    crosses.map(|((owner, at), _)| format!("{} joins in a cross at {} {}", name(*owner), at.x, at.y)).collect()
 }
 
 /// Links cross at right angles, and touch or run along each other only where they join.

@@ -76,6 +76,33 @@ fn lines_through_boxes_and_along_each_other() {
 }
 
 #[test]
+fn lines_through_double_lines_and_crosses_that_join() {
+    // A link of the double line is moved, so that it goes down through the double line that forks.
+    let through = |pictures: &mut [Picture]| {
+        let is_it =
+            |group: &&mut Group| group.class == "link after" && group.data[0].1 == "1" && group.data[1].1 == "2";
+        let link = pictures[0].groups[0].groups.iter_mut().find(is_it).expect("the link");
+        for shape in &mut link.shapes {
+            if let Shape::Path { lines, .. } = shape {
+                lines.iter_mut().flatten().for_each(|point| point.y -= 6);
+            }
+        }
+    };
+    notices(through, "through the double line");
+    let cross = |pictures: &mut [Picture]| {
+        let point = |x: i32, y: i32| grafc_layout::Point { x: 400 + x, y };
+        let lines = vec![
+            vec![point(0, 0), point(0, 40)],
+            vec![point(-20, 20), point(0, 20)],
+            vec![point(20, 20), point(0, 20)],
+        ];
+        let link = pictures[0].groups[0].groups.iter_mut().find(|group| group.class == "link after").expect("a link");
+        link.shapes.push(Shape::Path { lines, closed: false, style: grafc_drawing::Style::Line });
+    };
+    notices(cross, "joins in a cross");
+}
+
+#[test]
 fn what_leaves_its_frame_or_the_sheet() {
     notices(|pictures| find(pictures, "step", "9").at.x += 45, "cuts");
     notices(|pictures| find(pictures, "step", "9").at.x += 2000, "outside of the sheet");
