@@ -74,12 +74,9 @@ fn computed(program: &Program) -> Vec<Type> {
     let mut types = Vec::new();
     for id in program.pool.ids() {
         match program.pool.get(id) {
-            Formula::Arithmetic(op, ..) => {
-                // A product of 32 bits with a sign needs no other function.
-                if !(*op == Arithmetic::Multiply && program.pool.ty(id) == Type::Dint) {
-                    types.push(program.pool.ty(id));
-                }
-            }
+            // A product of 32 bits with a sign needs no other function.
+            Formula::Arithmetic(Arithmetic::Multiply, ..) if program.pool.ty(id) == Type::Dint => {}
+            Formula::Arithmetic(..) => types.push(program.pool.ty(id)),
             Formula::Negate(_) if !matches!(program.pool.ty(id), Type::Real | Type::Lreal) => {
                 types.push(program.pool.ty(id));
             }
