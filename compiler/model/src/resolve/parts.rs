@@ -25,6 +25,7 @@ pub enum Frame {
 /// All items of a file.
 pub struct Parts<'a> {
     /// The name that the file gives the chart.
+    #[cfg(feature = "names")]
     pub name: Option<&'a ast::Name>,
     /// Declarations.
     pub declarations: Vec<&'a ast::Declaration>,
@@ -104,6 +105,7 @@ impl<'a> Parts<'a> {
     pub fn collect(chart: &'a ast::Chart) -> Self {
         let start = Span::new(chart.span.file, chart.span.start as usize, chart.span.start as usize);
         let mut parts = Parts {
+            #[cfg(feature = "names")]
             name: chart.heading.as_ref().map(|heading| &heading.name),
             declarations: Vec::new(),
             grafcets: IndexVec::new(),
