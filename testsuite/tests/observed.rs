@@ -322,7 +322,7 @@ fn modules_tell_what_is_seen() {
     let told = js::watch(&tools, &jobs).unwrap_or_else(|fault| panic!("{fault}"));
     for ((run, names, labels, text), told) in expected.iter().zip(&told) {
         let of = |holds: &[bool]| -> Vec<String> {
-            names.iter().zip(holds).filter_map(|(name, holds)| holds.then(|| name.clone())).collect()
+            names.iter().zip(holds).filter(|(_, holds)| **holds).map(|(name, _)| name.clone()).collect()
         };
         assert_eq!(run.sights.len(), told.len(), "{text}");
         for (place, (sight, told)) in run.sights.iter().zip(told).enumerate() {

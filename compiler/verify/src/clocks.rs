@@ -1,6 +1,6 @@
 //! The timers of a program, and which of them measure the same operand.
 
-use crate::machine::Beyond;
+use crate::beyond::Beyond;
 use grafc_formula::{Formula, FormulaId, TimerId, Value};
 use grafc_logic::scan::{Program, Statement};
 use index_vec::IndexVec;

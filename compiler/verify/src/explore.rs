@@ -1,7 +1,8 @@
 //! All paths from all states, breadth first.
 
 use crate::atom::Atom;
-use crate::machine::{Beyond, End, Machine, State};
+use crate::beyond::Beyond;
+use crate::machine::{End, Machine, State};
 use grafc_logic::scan::{Program, TransitionId};
 use indexmap::{IndexMap, IndexSet};
 use rustc_hash::FxBuildHasher;

@@ -1,8 +1,9 @@
 //! The graph of reachable situations, or of states.
 
 use crate::atom::Atom;
+use crate::beyond::Beyond;
 use crate::explore::{Answers, Explored, explore};
-use crate::machine::{Beyond, Machine};
+use crate::machine::Machine;
 use crate::when::When;
 use grafc_logic::scan::{Program, TransitionId};
 use indexmap::{IndexMap, IndexSet};

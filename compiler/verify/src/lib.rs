@@ -15,6 +15,7 @@
 //! | file | what |
 //! | --- | --- |
 //! | `atom` | what a reaction can ask of inputs and time, and what follows from the answers so far |
+//! | `beyond` | what cannot be followed |
 //! | `clocks` | the timers of a program, and which of them measure the same operand |
 //! | `live` | the variables that make a state |
 //! | `machine` | one path through one reaction |
@@ -23,6 +24,7 @@
 //! | `graph` | the graph of reachable situations, or of states |
 
 mod atom;
+mod beyond;
 mod clocks;
 mod explore;
 mod graph;
@@ -30,5 +32,5 @@ mod live;
 mod machine;
 mod when;
 
+pub use beyond::Beyond;
 pub use graph::{Edge, Graph, Livelock, Node, Of, graph};
-pub use machine::Beyond;

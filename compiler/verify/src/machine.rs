@@ -1,33 +1,13 @@
 //! One path through one reaction: the scan program as it stands, with inputs and time as they are asked for.
 
 use crate::atom::{Atom, Path, Question, mirrored};
+use crate::beyond::Beyond;
 use crate::clocks::{Clocks, Phase};
 use crate::live::Live;
 use grafc_formula::number::{arithmetic, compare, divide, negate, zero};
 use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Type, Value, VarId};
 use grafc_logic::scan::{Division, Program, Role, Statement, TransitionId};
 use index_vec::IndexVec;
-use std::fmt;
-
-/// What cannot be followed.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Beyond {
-    /// A number that is given is stored or calculated with: there are too many of them to try each.
-    Input(String),
-    /// The time that a step has been active is used otherwise than in a comparison with a constant.
-    Duration(String),
-}
-
-impl fmt::Display for Beyond {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Beyond::Input(name) => {
-                write!(f, "the number `{name}` is stored or calculated with, not only compared with what is known")
-            }
-            Beyond::Duration(name) => write!(f, "the duration `{name}` is not only compared with constants"),
-        }
-    }
-}
 
 /// What is left after a reaction, as numbers that can be compared.
 pub(crate) type State = Box<[u64]>;
