@@ -74,6 +74,32 @@ fn a_recording_that_agrees_is_said_to() {
     assert_eq!(folder.read("out.csv"), RESULT);
 }
 
+/// A recording that was cut off, or has other columns, is no proof of anything.
+#[test]
+fn a_recording_that_says_nothing_is_refused() {
+    let folder = Folder::new(&[("valve.gct", VALVE), ("in.csv", TRACE)]);
+    let run = |recorded: &str| {
+        std::fs::write(folder.path("plc.csv"), recorded).unwrap();
+        folder.run(&["sim", "valve.gct", "--trace", "in.csv", "--against", "plc.csv"])
+    };
+    for (recorded, fault) in [
+        ("t_ms,V\n", "the recording has no row"),
+        ("t_ms\n0\n10\n", "the recording has no column that is compared"),
+        ("t_ms\n", "the recording has no column that is compared"),
+        ("t_ms,a\n0,1\n", "the recording has no column that is compared"),
+        ("t_ms,V\n0,\n10,\n", "the recording has no value that is compared"),
+    ] {
+        let refused = run(recorded);
+        refused.ends(1, &format!("error[E0601]: {fault}")).ends(1, "plc.csv:1:1").ends(1, "help: record `t_ms` with");
+        assert_eq!(refused.out, "", "{recorded}");
+    }
+    run("").ends(1, "error[E0601]");
+    // What is wrong with its header is the reason then.
+    let wrong = run("t_ms,W\n0,1\n");
+    assert!(wrong.err.contains("E0602") && !wrong.err.contains("E0601"), "{}", wrong.err);
+    assert_eq!(run("t_ms,V\n0,0\n").is_done().out, "1 row agrees\n");
+}
+
 #[test]
 fn the_first_difference_from_a_recording_is_told_in_the_words_of_the_chart() {
     let folder = Folder::new(&[("valve.gct", VALVE), ("in.csv", TRACE)]);

@@ -134,7 +134,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     results.end(!is_refused)?;
     let exit = report.tell(messages);
     if output.is_none() && !is_refused && !messages.quiet {
-        print(&format!("{} rows agree\n", outcome.compared.unwrap_or_default()))?;
+        let rows = outcome.compared.unwrap_or_default();
+        print(&if rows == 1 { "1 row agrees\n".to_owned() } else { format!("{rows} rows agree\n") })?;
     }
     Ok(exit)
 }

@@ -6,7 +6,7 @@
 //!
 //! It is read beside the run, row by row.
 
-use super::columns::{FLAGS, RESTART, SITUATION, columns, unknown};
+use super::columns::{FLAGS, RESTART, SITUATION, TIME, columns, unknown};
 use super::row::Row;
 use super::rows::Rows;
 use super::said::{Kept, Said};
@@ -78,6 +78,10 @@ pub struct Recording<'a, R> {
     is_over: bool,
     /// What the latest call came to.
     shown: Option<Response>,
+    /// What the header says; where there is nothing to compare, it is shown.
+    header: Row,
+    /// Whether a value was compared.
+    has_compared: bool,
     /// The first row that differs; it is told if nothing is wrong with the recording.
     difference: Option<Diagnostic>,
     count: u64,
@@ -109,6 +113,8 @@ impl<'a, R: Read> Recording<'a, R> {
             columns,
             times: Times::default(),
             row: Row::default(),
+            header,
+            has_compared: false,
             recorded,
             is_waiting: false,
             is_over: !found,
@@ -156,11 +162,30 @@ impl<'a, R: Read> Recording<'a, R> {
                 self.compare_with_shown();
             }
         }
-        if let Some(difference) = self.difference.take().filter(|_| !self.said.has_errors()) {
+        let difference = self.difference.take().or_else(|| self.nothing_compared());
+        if let Some(difference) = difference.filter(|_| !self.said.has_errors()) {
             self.said.say(difference);
         }
         let (diagnostics, extract) = self.said.finish();
         Ok((self.count, diagnostics, extract))
+    }
+
+    /// The error that no value was compared, if none was: a recording that says nothing agrees with everything.
+    fn nothing_compared(&mut self) -> Option<Diagnostic> {
+        if self.has_compared || self.said.has_errors() {
+            return None;
+        }
+        let is_compared = |column: &Column| matches!(column, Column::Output(_) | Column::Situation | Column::Flags);
+        let message = if !self.columns.iter().any(is_compared) {
+            "the recording has no column that is compared"
+        } else if self.count == 0 {
+            "the recording has no row"
+        } else {
+            "the recording has no value that is compared"
+        };
+        let place = self.said.place(&self.header, 0..self.header.text.len());
+        let help = format!("record `{TIME}` with outputs, `{SITUATION}` or `{FLAGS}`, and a row a scan");
+        Some(Diagnostic::new(Code::E0601, place, message).note("inputs are not compared").help(help))
     }
 
     /// Compares a row between calls, or behind those of its time, with the latest.
@@ -252,6 +277,9 @@ impl<'a, R: Read> Recording<'a, R> {
 
     /// How a row differs from what the chart does, if it does.
     fn differences(&mut self, response: &Response) -> Option<Diagnostic> {
+        let recorded = &self.recorded;
+        self.has_compared |=
+            recorded.situation.is_some() || recorded.flags.is_some() || recorded.outputs.iter().any(Option::is_some);
         let mut found = self.places_that_differ(response).into_iter();
         let (message, column) = found.next()?;
         let place = |said: &mut Said, column: usize| said.cell(&self.row, column);
