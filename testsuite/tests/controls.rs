@@ -222,6 +222,50 @@ fn a_name_that_is_there_is_an_error() {
     assert_eq!(fault(same, &mut chart), [("E0216", "`--clear-flags-input x` names what is there already".to_owned())]);
 }
 
+/// What a chart may not declare, it may not be given either: E0203 and E0204 are the rules for its own names.
+#[test]
+fn a_name_that_a_chart_could_not_declare_is_an_error() {
+    let text = "\
+        input Button : bool output Ä : bool
+        grafcet Left {
+          initial step 1 step Fill macro step M3
+          transition 1 -> Fill : Button transition Fill -> M3 : 1 transition M3 -> 1 : 1
+          expansion M3 { step E3 step S3 transition E3 -> S3 : 1 }
+        }";
+    let mut chart = check("names", text).expect("a chart without errors");
+    let mut fault = |name: &str| {
+        let names = ControlNames { reset: Some(name.into()), ..ControlNames::default() };
+        let found = chart.control(&names).expect_err(name);
+        assert!(
+            found.iter().all(|one| one.code.as_str() == "E0216" && one.help.iter().any(|h| h.contains("another name")))
+        );
+        found.iter().map(|one| one.message.clone()).collect::<Vec<_>>().join("; ")
+    };
+    for (name, said) in [
+        ("BUTTON", "and `Button` differ only by case"),
+        ("ä", "and `Ä` differ only by case"),
+        ("X1", "names what is there already: the activity of step `1`"),
+        ("x1", "and `X1`, the activity of step `1`, differ only by case"),
+        ("T1", "names what is there already: the duration of step `1`"),
+        ("XFILL", "and `XFill`, the activity of step `Fill`, differ only by case"),
+        ("XM3", "names what is there already: the activity of macro-step `M3`"),
+        ("XS3", "names what is there already: the activity of step `S3`"),
+        ("XLeft", "names what is there already: the activity of grafcet `Left`"),
+    ] {
+        assert_eq!(fault(name), format!("`--reset-input {name}` {said}"));
+    }
+    let both = ControlNames { reset: Some("r".into()), clear_flags: Some("R".into()), ..ControlNames::default() };
+    let mut given = chart.clone();
+    let found = given.control(&both).expect_err("one name");
+    let said: Vec<_> = found.iter().map(|one| one.message.as_str()).collect();
+    assert_eq!(said, ["`--clear-flags-input R` and `r` differ only by case"]);
+    // Only steps have a duration, and only labels have an activity.
+    for free in ["TM3", "TLeft", "X2", "Fill", "x", "T"] {
+        let names = ControlNames { reset: Some(free.into()), ..ControlNames::default() };
+        chart.clone().control(&names).unwrap_or_else(|_| panic!("{free}"));
+    }
+}
+
 /// A change of a control is no input event: the level action below counts changes of inputs of the chart alone.
 #[test]
 fn a_control_is_no_input_of_the_chart() {

@@ -37,13 +37,13 @@ impl Chart {
     /// Gives the chart inputs that act on it as a whole, after those that it declares.
     ///
     /// # Errors
-    /// Of each name that is declared already.
+    /// Of each name that the chart could not declare beside its own.
     pub fn control(&mut self, names: &ControlNames) -> Result<(), Diagnostics> {
         let mut diagnostics = Diagnostics::new();
         let mut add = |name: &Option<EcoString>, about: &str, option: &str| {
             let name = name.as_ref()?;
-            if let Some(variable) = self.variables.iter().find(|variable| variable.name == *name) {
-                diagnostics.push(taken(name, variable, option));
+            if let Some(fault) = taken(self, name, option) {
+                diagnostics.push(fault);
                 return None;
             }
             let file = self.grafcets.first().map_or_else(FileId::default, |grafcet| grafcet.span.file);
@@ -67,11 +67,50 @@ impl Chart {
     }
 }
 
-fn taken(name: &str, variable: &Variable, option: &str) -> Diagnostic {
-    let diagnostic =
-        Diagnostic::new(Code::E0216, variable.span, format!("`{option} {name}` names what is there already"));
-    if variable.span.end == 0 {
-        return diagnostic.help("give the two inputs names of their own");
+/// The error on a name that the chart has, or that code cannot tell from one of the chart's: the rules are those of names
+/// that a chart declares.
+fn taken(chart: &Chart, name: &str, option: &str) -> Option<Diagnostic> {
+    let folded = name.to_lowercase();
+    if let Some(variable) = chart.variables.iter().find(|variable| variable.name.to_lowercase() == folded) {
+        let is_same = variable.name == name;
+        let message = if is_same {
+            format!("`{option} {name}` names what is there already")
+        } else {
+            format!("`{option} {name}` and `{}` differ only by case", variable.name)
+        };
+        let fault = Diagnostic::new(Code::E0216, variable.span, message);
+        let fault = if is_same { fault } else { fault.note(ONE_NAME) };
+        return Some(match variable.span.end {
+            0 => fault.help("give the two inputs names of their own"),
+            _ if is_same => fault
+                .here("declared here")
+                .help("choose another name, or leave the option out and use the one of the chart"),
+            _ => fault.here("declared here").help("choose another name"),
+        });
     }
-    diagnostic.here("declared here").help("choose another name, or leave the option out and use the one of the chart")
+    let (label, kind, what, span) = implicit(chart, &folded)?;
+    let is_same = name.get(1..) == Some(label) && name.starts_with(['X', 'T']);
+    let own = format!("{}{label}", name[..1].to_ascii_uppercase());
+    let message = if is_same {
+        format!("`{option} {name}` names what is there already: the {what} of {kind} `{label}`")
+    } else {
+        format!("`{option} {name}` and `{own}`, the {what} of {kind} `{label}`, differ only by case")
+    };
+    let fault = Diagnostic::new(Code::E0216, span, message).here(format!("the {kind} is here"));
+    let fault = if is_same { fault } else { fault.note(ONE_NAME) };
+    Some(fault.help("choose another name"))
 }
+
+/// The label whose implicit variable a name is, whatever the case; what it is a label of, what the variable is, and where.
+fn implicit<'a>(chart: &'a Chart, folded: &str) -> Option<(&'a str, &'static str, &'static str, Span)> {
+    let (of_all, rest) =
+        folded.strip_prefix('x').map(|rest| (true, rest)).or_else(|| Some((false, folded.strip_prefix('t')?)))?;
+    let what = if of_all { "activity" } else { "duration" };
+    let grafcets = chart.grafcets.iter().filter(|_| of_all).map(|one| (&one.name, "grafcet", one.span));
+    let macros = chart.macro_steps.iter().filter(|_| of_all).map(|one| (&one.label, "macro-step", one.span));
+    let steps = chart.steps.iter().map(|one| (&one.label, "step", one.span));
+    let (label, kind, span) = grafcets.chain(macros).chain(steps).find(|(label, ..)| label.to_lowercase() == rest)?;
+    Some((label, kind, what, span))
+}
+
+const ONE_NAME: &str = "IEC 61131-3 does not tell capital letters from small ones: the two would be one name";
