@@ -16,6 +16,8 @@ macro_rules! files {
 pub(crate) const FILES: &[(&str, &str)] = files![
     "texts",
     "values",
+    "cells",
+    "table",
     "model",
     "trace",
     "csv",

@@ -1,7 +1,9 @@
 // Traces as files: the CSV that `grafc sim` reads.
 
+import { parsed, trimmed } from './cells.js';
+import { table } from './table.js';
 import { Trace } from './trace.js';
-import { cell, parsed, same } from './values.js';
+import { cell } from './values.js';
 
 /** Columns of the trace's own; an input of such a name stands in backquotes. */
 const OWN = ['t_ms', 'restart', 'situation', 'flags'];
@@ -30,40 +32,42 @@ export function written(trace, inputs) {
   return `${lines.join('\n')}\n`;
 }
 
-/** The fields of a text, line by line. */
-function fields(text) {
-  const head = text.slice(0, text.search(/[\r\n]|$/));
-  const separator = /[,;\t]/.exec(head.replace(/"[^"]*"|`[^`]*`/g, ''))?.[0] ?? ',';
-  const rows = [];
-  let row = [];
-  let field = '';
-  let isQuoted = false;
-  const endRow = () => {
-    row.push(field);
-    if (row.length > 1 || row[0].trim() !== '') rows.push(row);
-    row = [];
-    field = '';
-  };
-  for (let at = 0; at < text.length; at++) {
-    const c = text[at];
-    if (isQuoted) {
-      if (c !== '"') field += c;
-      else if (text[at + 1] === '"') field += text[++at];
-      else isQuoted = false;
-    } else if (c === '"' && field.trim() === '') {
-      isQuoted = true;
-      field = '';
-    } else if (c === separator) {
-      row.push(field);
-      field = '';
-    } else if (c === '\n') {
-      endRow();
-    } else if (c !== '\r') {
-      field += c;
+/** What a cell of the header names: `{ name, isQuoted }`; in backquotes it is a name of the chart's. */
+function heading(title) {
+  const bare = trimmed(title);
+  const inner = /^`([^]+)`$/.exec(bare)?.[1];
+  return { name: inner ?? bare, isQuoted: inner !== undefined };
+}
+
+/** What the columns are: `'time'`, `'restart'`, or the place of an input. */
+function columns(titles, inputs, refuse) {
+  const headings = titles.map(heading);
+  const seen = new Set();
+  const known = new Map(inputs.map((input, place) => [input.name, place]));
+  return headings.map(({ name, isQuoted }, at) => {
+    // The same name is the same column, in backquotes or not, unless it could be either.
+    const key = `${isQuoted && OWN.includes(name) ? '`' : ''}${name}`;
+    const isSecond = seen.has(key);
+    seen.add(key);
+    if (at === 0) {
+      if (isQuoted || name !== 't_ms') refuse('trace-time');
+      return 'time';
     }
-  }
-  if (field !== '' || row.length) endRow();
-  return rows;
+    if (isSecond) refuse('trace-twice');
+    const place = known.get(name);
+    if (!isQuoted && name === 'restart') {
+      if (place !== undefined && !headings.some((other) => other.isQuoted && other.name === name)) refuse('trace-either', { name });
+      return 'restart';
+    }
+    if (place === undefined) refuse('trace-column', { name });
+    return place;
+  });
+}
+
+/** Milliseconds that are whole and not negative; NaN if it is anything else. */
+function time(text) {
+  const ms = parsed(text, 'time');
+  return ms >= 0 && /^[-+]?[0-9]+$/.test(trimmed(text)) ? ms : NaN;
 }
 
 /**
@@ -73,34 +77,23 @@ export function read(text, inputs) {
   const refuse = (key, gaps) => {
     throw Object.assign(new Error(key), { key, gaps });
   };
-  const [head, ...rows] = fields(text.replace(/^\ufeff/, ''));
+  const [head, ...rows] = table(text);
   if (!head || !rows.length) refuse('trace-empty');
-  const places = head.map((title, at) => {
-    const bare = title.trim();
-    const inner = /^`(.*)`$/.exec(bare)?.[1];
-    if (inner === undefined && at === 0 && bare === 't_ms') return 'time';
-    if (inner === undefined && bare === 'restart') return 'restart';
-    const place = inputs.findIndex((input) => input.name === (inner ?? bare));
-    if (place < 0) refuse('trace-column', { name: bare });
-    return place;
-  });
-  if (places.indexOf('time') !== 0) refuse('trace-time');
-  if (new Set(places).size !== places.length) refuse('trace-twice');
+  const places = columns(head.cells, inputs, refuse);
   const trace = new Trace();
   const values = inputs.map((input) => input.initial);
   let before = 0;
-  rows.forEach((row, number) => {
-    const line = number + 2;
-    if (row.length !== places.length) refuse('trace-cells', { line });
+  rows.forEach(({ line, cells }) => {
+    if (cells.length !== places.length) refuse('trace-cells', { line });
     const changes = [];
     let t = before;
     let restart = false;
-    row.forEach((text, at) => {
+    cells.forEach((text, at) => {
       const place = places[at];
       if (place === 'time') {
-        t = /^\s*\d+\s*$/.test(text) ? Number(text) : NaN;
-        if (!(t >= before) || t > 4294967295) refuse('trace-row-time', { line });
-      } else if (text.trim() === '') {
+        t = time(text);
+        if (!(t >= before)) refuse('trace-row-time', { line });
+      } else if (trimmed(text) === '') {
         return;
       } else if (place === 'restart') {
         restart = parsed(text, 'bool');
@@ -108,7 +101,7 @@ export function read(text, inputs) {
       } else {
         const value = parsed(text, inputs[place].type);
         if (value === undefined) refuse('trace-value', { line, name: inputs[place].name });
-        if (!same(values[place], value)) changes.push([place, value]);
+        if (!Object.is(values[place], value)) changes.push([place, value]);
         values[place] = value;
       }
     });

@@ -2,7 +2,6 @@
 
 import { Trace } from './trace.js';
 import { History } from './history.js';
-import { same } from './values.js';
 import { restarted } from './result.js';
 
 /** So many ways back are kept. */
@@ -63,11 +62,11 @@ export class Engine {
 
   /** Whether an input has been changed since the scan before. */
   waits(place) {
-    return !same(this.pending[place], this.latched[place]);
+    return !Object.is(this.pending[place], this.latched[place]);
   }
 
   get hasWaiting() {
-    return this.pending.some((value, place) => !same(value, this.latched[place]));
+    return this.pending.some((value, place) => !Object.is(value, this.latched[place]));
   }
 
   /** Begins a scan: time and inputs are taken, and the trace gets a row. */

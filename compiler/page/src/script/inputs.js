@@ -1,7 +1,8 @@
 // The inputs: what is true or false is a button, which a click toggles and a press holds; a number has a slider and a field.
 
+import { parsed } from './cells.js';
 import { bdi, byId, element, mark } from './dom.js';
-import { parsed, range, shown } from './values.js';
+import { range, shown } from './values.js';
 import { word } from './texts.js';
 
 /** A press that is longer holds: it ends where the finger goes up. */

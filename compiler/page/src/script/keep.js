@@ -1,8 +1,9 @@
 // What a page that is loaded again takes over from the one before it: inputs, what was done, and what was chosen. If the
 // chart is still the same it goes on exactly where it was; if it has changed, what was done is done again with the new one.
 
+import { parsed } from './cells.js';
 import { Trace } from './trace.js';
-import { cell, parsed } from './values.js';
+import { cell } from './values.js';
 
 /** Where it lies between two pages. */
 const KEY = 'grafc-keep';
