@@ -1,12 +1,14 @@
 // A trace through the chart of a page at once: the table is the one that `grafc sim` writes, and so is a run of the page.
 
 import assert from 'node:assert/strict';
-import { control, load } from './page.mjs';
+import { control, drawn, load } from './page.mjs';
 
 export default async function play(page, job) {
   await load(page, job.trace);
   await page.selectOption('[data-setting="speed"]', 'max');
   await control(page, 'run');
+  // Until the run is drawn for the first time, the page is seen paused as before.
+  await drawn(page);
   await page.waitForSelector('#state[data-state="paused"]');
   assert.equal(await page.evaluate(() => window.grafc.result()), job.result);
   if (job.vcd) assert.equal(await page.evaluate(() => window.grafc.vcd()), job.vcd);
