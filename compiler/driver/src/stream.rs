@@ -143,6 +143,6 @@ impl Stream {
                 print_bytes(text.as_ref())?;
             }
         }
-        staged.into_iter().try_for_each(files::Staged::put)
+        files::put_all(staged)
     }
 }

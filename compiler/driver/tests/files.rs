@@ -168,6 +168,9 @@ mod unix {
     fn a_full_disk_is_said() {
         let folder = Folder::new(&[("valve.gct", VALVE)]);
         folder.run(&["valve.gct", "--target", "st", "-o", "/dev/full"]).ends(3, "cannot write `/dev/full`: no space");
+        // Code and map, or nothing.
+        folder.run(&["valve.gct", "-o", "a.st", "--map", "/dev/full"]).ends(3, "cannot write `/dev/full`: no space");
+        assert!(!folder.path("a.st").exists());
         let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
         let output = std::process::Command::new(assert_cmd::cargo::cargo_bin!("grafc"))
             .args(["valve.gct", "--target", "st"])

@@ -120,6 +120,12 @@ impl Staged {
     }
 }
 
+/// Puts texts into their places. Devices and pipes come first: what they refuse leaves the files as they were.
+pub fn put_all(mut staged: Vec<Staged>) -> Result<(), Refusal> {
+    staged.sort_by_key(|one| !matches!(one.text, StagedText::Device(_)));
+    staged.into_iter().try_for_each(Staged::put)
+}
+
 impl Drop for Staged {
     fn drop(&mut self) {
         if let StagedText::Temporary(temporary) = &self.text {
