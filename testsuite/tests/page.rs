@@ -168,6 +168,14 @@ fn pages_and_simulations_agree_row_by_row() {
         let waves = fs::read_to_string(folder.join(waves)).expect("waveforms");
         jobs.push(json!({ "do": "result", "page": page, "trace": trace, "result": result, "vcd": waves }));
     }
+    // Names that are words of the format of waveforms.
+    let text = "chart `$end` input `$end`, `$a b` : bool initial step `$end`";
+    let page = page(folder, "words", text);
+    let trace = "t_ms,$end,$a b\n0,0,1\n5,1,0\n";
+    let result = simulated(folder, "words", trace);
+    run(folder, &["sim", "words.gct", "--trace", "words.trace.csv", "-o", "words.vcd", "--quiet"]);
+    let waves = fs::read_to_string(folder.join("words.vcd")).expect("waveforms");
+    jobs.push(json!({ "do": "result", "page": page, "trace": trace, "result": result, "vcd": waves }));
     let said = tools.play(folder, &jobs).unwrap_or_else(|fault| panic!("{fault}"));
     eprint(&said);
 }

@@ -153,7 +153,9 @@ fn change<W: Write>(out: &mut Writer<W>, id: IdCode, ty: Type, value: Value) -> 
     }
 }
 
-/// A name as the format takes it: without white space.
+/// A name as the format takes it: without white space. With `$` begin the format's own words, such as `$end`; a name that
+/// begins so is escaped as in Verilog.
 fn word(name: &str) -> String {
-    name.split_whitespace().collect::<Vec<_>>().join("_")
+    let word = name.split_whitespace().collect::<Vec<_>>().join("_");
+    if word.starts_with('$') { format!("\\{word}") } else { word }
 }

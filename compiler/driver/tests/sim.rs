@@ -210,6 +210,19 @@ fn more_columns() {
     }
 }
 
+/// `$end` ends a declaration; a name that begins so is escaped.
+#[test]
+fn names_in_a_waveform_are_no_words_of_the_format() {
+    let chart = "chart `$end` input `$end`, `$a b`, `c$` : bool initial step `$end`";
+    let folder = Folder::new(&[("b.gct", chart), ("in.csv", "t_ms\n0\n")]);
+    folder.run(&["sim", "b.gct", "--trace", "in.csv", "-o", "b.vcd", "-q"]).is_done();
+    let text = folder.read("b.vcd");
+    let named = |line: &str| line.split(' ').nth_back(1).map(str::to_owned);
+    let names: Vec<String> = text.lines().filter(|line| line.starts_with("$var")).filter_map(named).collect();
+    assert_eq!(names[..4], ["\\$end", "\\$a_b", "c$", "X$end"]);
+    assert!(text.contains("$scope module \\$end $end\n"), "{text}");
+}
+
 #[test]
 fn a_waveform() {
     let folder = Folder::new(&[("b.gct", BLINK), ("in.csv", "t_ms,run\n5,1\n1005,\n")]);

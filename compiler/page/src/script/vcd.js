@@ -65,7 +65,8 @@ function code(n) {
   }
 }
 
-/** A name without white space. */
+/** A name without white space; one that begins as the format's own words do, such as `$end`, is escaped. */
 function token(name) {
-  return name.split(/\s+/).filter(Boolean).join('_');
+  const word = name.split(/\p{White_Space}+/u).filter(Boolean).join('_');
+  return word.startsWith('$') ? `\\${word}` : word;
 }
