@@ -19,8 +19,8 @@ fn book() -> Vec<(PathBuf, String)> {
 /// The simulations of a page of which it shows all rows, and nothing else.
 fn cases(page: &str) -> Vec<Case> {
     let blocks = blocks(page);
-    let commands = blocks.iter().filter(|block| block.language == "console").flat_map(FencedBlock::commands);
-    commands.filter_map(|(command, shown)| case(&blocks, &command, shown)).collect()
+    let consoles = blocks.iter().filter(|block| block.language == "console" && block.value("exit").is_none());
+    consoles.flat_map(FencedBlock::commands).filter_map(|(command, shown)| case(&blocks, &command, shown)).collect()
 }
 
 fn case(blocks: &[FencedBlock], command: &str, expected: String) -> Option<Case> {

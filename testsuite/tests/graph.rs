@@ -208,4 +208,13 @@ fn what_cannot_be_followed_is_told_and_too_many_states_are_not_all() {
     let chart = check("round", ROUND).expect("a chart");
     let few = explored(&chart, Profile::default(), Of::Situations, 1);
     assert!(!few.complete && few.deadlocks.is_empty());
+    // One state with 2^20 vectors that all count.
+    let inputs: Vec<String> = (0..20).map(|n| format!("a{n}")).collect();
+    let text = format!(
+        "chart Parity\ninput {} : bool\ninitial step 1\nstep 2\ntransition 1 -> 2 : {}\ntransition 2 -> 1 : not a0\n",
+        inputs.join(", "),
+        inputs.join(" xor ")
+    );
+    let chart = check("parity", &text).expect("a chart");
+    assert!(!explored(&chart, Profile::default(), Of::Situations, 10).complete);
 }

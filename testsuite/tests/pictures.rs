@@ -2,9 +2,9 @@
 
 use grafc::Document;
 use grafc_drawing::{Options, draw, svg};
-use grafc_testsuite::binary::root;
+use grafc_testsuite::binary::{grafc, root};
 use grafc_testsuite::charts::check;
-use grafc_testsuite::markdown::{blocks, pages};
+use grafc_testsuite::markdown::{blocks, pages, write_files};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,6 +12,9 @@ use std::path::{Path, PathBuf};
 /// Pictures of charts that lie elsewhere: the picture, the chart, and the page that shows it.
 const OF_CHARTS: [(&str, &str, &str); 1] =
     [("docs/pictures/weigh_mix_b4.svg", "testsuite/charts/weigh_mix_b4.gct", "docs/drawing.md")];
+
+/// Graphs of charts on pages: the picture, the page, and the file of the chart there.
+const OF_GRAPHS: [(&str, &str, &str); 1] = [("docs/pictures/tools_graph.svg", "docs/graph.md", "tools.gct")];
 
 fn drawn(name: &str, text: &str) -> String {
     let chart = check(name, text).unwrap_or_else(|error| panic!("{error}"));
@@ -82,6 +85,17 @@ fn pictures_are_what_grafc_draws() {
         let (picture, page) = (root().join(picture), root().join(page));
         compare(&picture, &drawn("chart", &text));
         let shown = fs::read_to_string(&page).expect("a page");
+        assert!(shows(&page, &shown, &picture), "{} does not show {}", page.display(), picture.display());
+        known.insert(picture);
+    }
+    for (picture, page, chart) in OF_GRAPHS {
+        let (picture, page) = (root().join(picture), root().join(page));
+        let shown = fs::read_to_string(&page).expect("a page");
+        let folder = tempfile::tempdir().expect("a folder");
+        write_files(&blocks(&shown), folder.path());
+        let made =
+            grafc().current_dir(folder.path()).args(["graph", chart, "--format", "svg"]).output().expect("grafc");
+        compare(&picture, &String::from_utf8_lossy(&made.stdout));
         assert!(shows(&page, &shown, &picture), "{} does not show {}", page.display(), picture.display());
         known.insert(picture);
     }

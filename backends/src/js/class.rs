@@ -74,7 +74,7 @@ impl Class<'_, '_> {
         out.open("if (stable) {");
         out.line("this.#end();");
         out.close("}");
-        out.line("const of = (list = []) => TRANSITIONS.filter((_, t) => list[t]);");
+        out.line("const of = (words = {}) => TRANSITIONS.filter((_, t) => words[WORDS[t]]);");
         out.line("return { enabled: of(s.seen.enabled), cleared: of(s.seen.cleared), stable };");
         out.close("}");
         out.blank();

@@ -119,6 +119,7 @@ impl Memory<'_> {
 
     fn seen(&self, out: &mut Writer) {
         let Some(observing) = &self.program.observing else { return out.line("seen: {},") };
+        let words = |name: &str, is_shown: bool| is_shown.then(|| EcoString::from(format!("{name}: {{}}")));
         let list = |name: &str, length: usize| match length {
             0 => None,
             _ => Some(EcoString::from(format!("{name}: Array({length}).fill(false)"))),
@@ -126,9 +127,9 @@ impl Memory<'_> {
         let transitions = observing.transitions.len();
         let all = shows_all(self.program);
         let lists = [
-            list("enabled", transitions),
-            list("cleared", transitions),
-            list("satisfied", if all { transitions } else { 0 }),
+            words("enabled", transitions > 0),
+            words("cleared", transitions > 0),
+            words("satisfied", transitions > 0 && all),
             list("frozen", observing.frozen.len()),
             list("forced", observing.forced.len()),
             list("orders", observing.orders.len()),

@@ -4,7 +4,7 @@ use super::names::Names;
 use super::text::member;
 use ecow::{EcoString, eco_format};
 use grafc_formula::{Formula, FormulaId};
-use grafc_logic::scan::{Division, Flag, Observing, Origins, Program, Role, Statement, TimerId, VarId};
+use grafc_logic::scan::{Division, Flag, Observing, Origins, Program, Role, SeenTransition, Statement, TimerId, VarId};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
@@ -21,8 +21,8 @@ pub(super) struct Places<'p> {
     read: IndexVec<VarId, EcoString>,
     /// What is done with each temporary.
     temporaries: FxHashMap<VarId, Uses>,
-    /// What is shown, by variable: the list and the place in it.
-    shown: FxHashMap<VarId, (&'static str, usize)>,
+    /// What is shown in lists, by variable: its place in one.
+    shown: FxHashMap<VarId, EcoString>,
 }
 
 /// What is done with a temporary.
@@ -51,7 +51,7 @@ impl Uses {
 impl<'p> Places<'p> {
     /// Finds all places.
     pub fn new(program: &'p Program, names: &'p Names) -> Self {
-        let shown = program.observing.as_ref().map(shown).unwrap_or_default();
+        let shown = program.observing.as_ref().map(|seen| shown(seen, names)).unwrap_or_default();
         let mut places =
             Places { program, names, origins: None, read: IndexVec::new(), temporaries: temporaries(program), shown };
         for id in program.variables.indices() {
@@ -73,7 +73,7 @@ impl<'p> Places<'p> {
             Role::Temporary if self.is_kept(id) => member("m", name),
             Role::Temporary => self.names.locals[id].clone(),
             Role::Observed => match self.shown.get(&id) {
-                Some((list, place)) => eco_format!("seen.{list}[{place}]"),
+                Some(place) => place.clone(),
                 None => member("seen", name),
             },
         }
@@ -125,22 +125,31 @@ pub(super) fn parts(program: &Program) -> [Vec<&[Statement]>; PARTS] {
     [vec![&program.first, &program.before], vec![&program.micro_step], vec![&program.after], vec![restoring]]
 }
 
-/// Which lists the variables of the role `Observed` stand in.
-fn shown(observing: &Observing) -> FxHashMap<VarId, (&'static str, usize)> {
+/// Where the variables of the role `Observed` stand in lists: of transitions by words, so that one more changes the lines of
+/// no other.
+fn shown(observing: &Observing, names: &Names) -> FxHashMap<VarId, EcoString> {
     let mut shown = FxHashMap::default();
-    for (place, seen) in observing.transitions.iter().enumerate() {
-        shown.insert(seen.enabled, ("enabled", place));
-        shown.insert(seen.cleared, ("cleared", place));
-        shown.extend(seen.satisfied.map(|v| (v, ("satisfied", place))));
+    for seen in &observing.transitions {
+        let word = transition_word(names, seen);
+        shown.insert(seen.enabled, member("seen.enabled", &word));
+        shown.insert(seen.cleared, member("seen.cleared", &word));
+        shown.extend(seen.satisfied.map(|v| (v, member("seen.satisfied", &word))));
     }
     let mut list = |name: &'static str, variables: &mut dyn Iterator<Item = VarId>| {
-        shown.extend(variables.enumerate().map(|(place, v)| (v, (name, place))));
+        shown.extend(variables.enumerate().map(|(place, v)| (v, eco_format!("seen.{name}[{place}]"))));
     };
     list("frozen", &mut observing.frozen.iter().map(|(_, v)| *v));
     list("forced", &mut observing.forced.iter().map(|(_, v)| *v));
     list("orders", &mut observing.orders.iter().map(|(_, v)| *v));
     list("actions", &mut observing.actions.iter().map(|(_, v)| *v));
     shown
+}
+
+/// The word by which what is seen of a transition is found: that of a variable, which no other has; and none that an
+/// object has by itself.
+pub(super) fn transition_word(names: &Names, seen: &SeenTransition) -> EcoString {
+    let name = names.variables[seen.enabled].as_str();
+    eco_format!("t_{}", name.strip_prefix("enabled_").unwrap_or(name))
 }
 
 /// What is done with temporaries.

@@ -2,7 +2,7 @@
 
 use super::expressions::{literal, preset};
 use super::memory::{about, type_name};
-use super::places::Places;
+use super::places::{Places, transition_word};
 use super::shows_all;
 use super::text::{key, quoted};
 use crate::writer::Writer;
@@ -19,12 +19,16 @@ pub(super) fn write(out: &mut Writer, program: &Program, places: &Places) {
     out.blank();
     object(out, "const INPUTS =", &inputs);
     // A program that shows nothing has none that can be told of.
-    let Some(observing) = &program.observing else { return out.line("const TRANSITIONS = [];") };
+    let Some(observing) = &program.observing else { return out.line("const TRANSITIONS = [], WORDS = [];") };
     let named = names_of_transitions(program);
     let transitions: Vec<EcoString> =
         observing.transitions.iter().map(|seen| quoted(&named[seen.transition])).collect();
     out.comment("the transitions: their designations, or their numbers in order of declaration");
     list(out, "const TRANSITIONS = ", &transitions, ";");
+    let words: Vec<EcoString> =
+        observing.transitions.iter().map(|seen| quoted(&transition_word(places.names, seen))).collect();
+    out.comment("the words by which the code calls them");
+    list(out, "const WORDS = ", &words, ";");
     if !shows_all(program) {
         return;
     }

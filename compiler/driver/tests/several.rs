@@ -39,7 +39,8 @@ fn the_ending_of_the_output_says_what_to_make() {
 fn an_ending_that_says_nothing_is_refused() {
     let folder = Folder::new(&[("valve.gct", VALVE)]);
     let run = folder.run(&["valve.gct", "-o", "valve.txt"]);
-    run.ends(2, "no target is known by the ending `.txt`").ends(2, ".st, .il, .awl, .scl, .TcPOU, .rs; not .xml alone");
+    run.ends(2, "no target is known by the ending `.txt`")
+        .ends(2, ".st, .il, .awl, .scl, .TcPOU, .rs, .js; not .xml alone");
     folder.run(&["valve.gct", "-o", "valve"]).ends(2, "nothing says what to make of `valve.gct`");
     folder.run(&["valve.gct", "-o", "-"]).ends(2, "nothing says what to make");
     folder.run(&["valve.gct", "-o", "out.st/"]).ends(2, "nothing says what to make");

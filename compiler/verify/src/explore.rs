@@ -32,23 +32,37 @@ pub(crate) struct Explored {
     pub(crate) complete: bool,
 }
 
-/// Explores as far as this number of states.
+/// Where states have many inputs that count, there are as many paths from one as there are vectors: so many are walked for
+/// each state that may be looked at, and so many in any case.
+const PATHS: (usize, usize) = (10, 10_000);
+
+/// Explores as far as this number of states, and the paths that go with it.
 pub(crate) fn explore(program: &Program, most: usize) -> Result<Explored, Beyond> {
     let mut machine = Machine::new(program)?;
     let mut found = Explored { complete: true, ..Explored::default() };
-    found.reactions(&mut machine, None, most)?;
+    let mut left = most.saturating_mul(PATHS.0).saturating_add(PATHS.1);
+    found.reactions(&mut machine, None, most, &mut left)?;
     let mut next = 0;
-    while next < found.states.len() {
-        found.reactions(&mut machine, Some(next), most)?;
+    while next < found.states.len() && left > 0 {
+        found.reactions(&mut machine, Some(next), most, &mut left)?;
         next += 1;
     }
+    found.complete &= left > 0;
     Ok(found)
 }
 
 impl Explored {
-    fn reactions(&mut self, machine: &mut Machine, from: Option<usize>, most: usize) -> Result<(), Beyond> {
+    fn reactions(
+        &mut self,
+        machine: &mut Machine,
+        from: Option<usize>,
+        most: usize,
+        left: &mut usize,
+    ) -> Result<(), Beyond> {
         let state = from.and_then(|from| self.states.get_index(from)).cloned();
         machine.reactions(state.as_ref(), |end, path| {
+            *left = left.saturating_sub(1);
+            let goes_on = *left > 0;
             let answers = || path.iter().filter(|(atom, _)| !matches!(atom, Atom::Ends(..))).copied().collect();
             match end {
                 End::Livelock(ring) => {
@@ -59,7 +73,7 @@ impl Explored {
                         Some(to) => to,
                         None if self.states.len() >= most => {
                             self.complete = false;
-                            return;
+                            return goes_on;
                         }
                         None => {
                             self.situation_of.push(self.situations.insert_full(situation).0);
@@ -76,6 +90,7 @@ impl Explored {
                     }
                 }
             }
+            goes_on
         })
     }
 }

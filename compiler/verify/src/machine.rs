@@ -62,19 +62,18 @@ impl<'p> Machine<'p> {
         })
     }
 
-    /// Walks all paths of a reaction from a state, or of the initial reaction.
+    /// Walks all paths of a reaction from a state, or of the initial reaction, as long as they are wanted.
     pub(crate) fn reactions(
         &mut self,
         from: Option<&State>,
-        mut visit: impl FnMut(End, &[(Atom, bool)]),
+        mut visit: impl FnMut(End, &[(Atom, bool)]) -> bool,
     ) -> Result<(), Beyond> {
         let mut path = Path::default();
         loop {
             path.rewind();
             self.load(from);
             let end = self.react(&mut path)?;
-            visit(end, path.answers());
-            if !path.advance() {
+            if !visit(end, path.answers()) || !path.advance() {
                 return Ok(());
             }
         }

@@ -23,6 +23,11 @@ const INPUTS = {
 const TRANSITIONS = [
     "#1", "#2", "#3", "#4", "#5", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10",
 ];
+// the words by which the code calls them
+const WORDS = [
+    "t_D1_A6", "t_A6_D1", "t_A6_F1", "t_F1_A6", "t_F1_D1", "t_1", "t_2", "t_3", "t_4", "t_5", "t_6",
+    "t_7", "t_8", "t_9", "t_10",
+];
 
 // all that the chart keeps, as before its first scan
 function fresh() {
@@ -78,8 +83,8 @@ function fresh() {
         // what is seen of the last micro-step
         seen: {
             observed: false,
-            enabled: Array(15).fill(false),
-            cleared: Array(15).fill(false),
+            enabled: {},
+            cleared: {},
         },
         // the time of the scan, whether there has been one, and whether one is under way
         now: 0,
@@ -107,36 +112,37 @@ function microStep({ inputs, m, delays, seen, now }) {
     if (seen.observed) {
         // what is seen of transitions
         frozen_G10 = m.XD1 || m.XA6;
-        seen.enabled[0] = m.XD1;                          // D1 -> A6
-        seen.cleared[0] = seen.enabled[0] && !inputs.PBES;
-        seen.enabled[1] = m.XA6;                          // A6 -> D1
-        seen.cleared[1] = seen.enabled[1] && inputs.PBES;
-        seen.enabled[2] = m.XA6;                          // A6 -> F1
-        seen.cleared[2] = seen.enabled[2] && inputs.SSAuto && !inputs.SSManu && !inputs.PBES;
-        seen.enabled[3] = m.XF1;                          // F1 -> A6
-        seen.cleared[3] = seen.enabled[3] && inputs.SSManu && !inputs.PBES;
-        seen.enabled[4] = m.XF1;                          // F1 -> D1
-        seen.cleared[4] = seen.enabled[4] && inputs.PBES;
-        seen.enabled[5] = m.X1 && !frozen_G10;            // 1 -> 2, 6
-        seen.cleared[5] = seen.enabled[5] && inputs.CS && inputs.z && inputs.S0;
-        seen.enabled[6] = m.X2 && !frozen_G10;            // 2 -> 3
-        seen.cleared[6] = seen.enabled[6] && inputs.a;
-        seen.enabled[7] = m.X3 && !frozen_G10;            // 3 -> 4
-        seen.cleared[7] = seen.enabled[7] && inputs.b;
-        seen.enabled[8] = m.X4 && !frozen_G10;            // 4 -> 5
-        seen.cleared[8] = seen.enabled[8] && inputs.z;
-        seen.enabled[9] = m.X6 && !frozen_G10;            // 6 -> 7
-        seen.cleared[9] = seen.enabled[9] && rise_TD;
-        seen.enabled[10] = m.X7 && !frozen_G10;           // 7 -> 8
-        seen.cleared[10] = seen.enabled[10] && rise_TD;
-        seen.enabled[11] = m.X5 && m.X8 && !frozen_G10;   // 5, 8 -> 9
-        seen.cleared[11] = seen.enabled[11];
-        seen.enabled[12] = m.X9 && !frozen_G10;           // 9 -> 10
-        seen.cleared[12] = seen.enabled[12] && hasRun(delays.on_X9, constants.mix_time);
-        seen.enabled[13] = m.X10 && !frozen_G10;          // 10 -> 11
-        seen.cleared[13] = seen.enabled[13] && inputs.S1;
-        seen.enabled[14] = m.X11 && !frozen_G10;          // 11 -> 1
-        seen.cleared[14] = seen.enabled[14] && inputs.S0;
+        seen.enabled.t_D1_A6 = m.XD1;                     // D1 -> A6
+        seen.cleared.t_D1_A6 = seen.enabled.t_D1_A6 && !inputs.PBES;
+        seen.enabled.t_A6_D1 = m.XA6;                     // A6 -> D1
+        seen.cleared.t_A6_D1 = seen.enabled.t_A6_D1 && inputs.PBES;
+        seen.enabled.t_A6_F1 = m.XA6;                     // A6 -> F1
+        seen.cleared.t_A6_F1 =
+            seen.enabled.t_A6_F1 && inputs.SSAuto && !inputs.SSManu && !inputs.PBES;
+        seen.enabled.t_F1_A6 = m.XF1;                     // F1 -> A6
+        seen.cleared.t_F1_A6 = seen.enabled.t_F1_A6 && inputs.SSManu && !inputs.PBES;
+        seen.enabled.t_F1_D1 = m.XF1;                     // F1 -> D1
+        seen.cleared.t_F1_D1 = seen.enabled.t_F1_D1 && inputs.PBES;
+        seen.enabled.t_1 = m.X1 && !frozen_G10;           // 1 -> 2, 6
+        seen.cleared.t_1 = seen.enabled.t_1 && inputs.CS && inputs.z && inputs.S0;
+        seen.enabled.t_2 = m.X2 && !frozen_G10;           // 2 -> 3
+        seen.cleared.t_2 = seen.enabled.t_2 && inputs.a;
+        seen.enabled.t_3 = m.X3 && !frozen_G10;           // 3 -> 4
+        seen.cleared.t_3 = seen.enabled.t_3 && inputs.b;
+        seen.enabled.t_4 = m.X4 && !frozen_G10;           // 4 -> 5
+        seen.cleared.t_4 = seen.enabled.t_4 && inputs.z;
+        seen.enabled.t_5 = m.X6 && !frozen_G10;           // 6 -> 7
+        seen.cleared.t_5 = seen.enabled.t_5 && rise_TD;
+        seen.enabled.t_6 = m.X7 && !frozen_G10;           // 7 -> 8
+        seen.cleared.t_6 = seen.enabled.t_6 && rise_TD;
+        seen.enabled.t_7 = m.X5 && m.X8 && !frozen_G10;   // 5, 8 -> 9
+        seen.cleared.t_7 = seen.enabled.t_7;
+        seen.enabled.t_8 = m.X9 && !frozen_G10;           // 9 -> 10
+        seen.cleared.t_8 = seen.enabled.t_8 && hasRun(delays.on_X9, constants.mix_time);
+        seen.enabled.t_9 = m.X10 && !frozen_G10;          // 10 -> 11
+        seen.cleared.t_9 = seen.enabled.t_9 && inputs.S1;
+        seen.enabled.t_10 = m.X11 && !frozen_G10;         // 11 -> 1
+        seen.cleared.t_10 = seen.enabled.t_10 && inputs.S0;
     }
 
     // memory of edges
@@ -543,7 +549,7 @@ export class Weigh_mix_b5 {
         if (stable) {
             this.#end();
         }
-        const of = (list = []) => TRANSITIONS.filter((_, t) => list[t]);
+        const of = (words = {}) => TRANSITIONS.filter((_, t) => words[WORDS[t]]);
         return { enabled: of(s.seen.enabled), cleared: of(s.seen.cleared), stable };
     }
 

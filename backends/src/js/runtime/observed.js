@@ -3,7 +3,7 @@ get observed() {
     const { seen } = this.#s;
     const of = (names, list = []) => names.filter((_, k) => list[k]);
     return {
-        satisfied: of(TRANSITIONS, seen.satisfied),
+        satisfied: TRANSITIONS.filter((_, t) => seen.satisfied?.[WORDS[t]]),
         frozen: of(FROZEN, seen.frozen),
         forced: of(FORCED, seen.forced),
         actions: of(ACTIONS, seen.actions),

@@ -25,7 +25,8 @@ Example:
   grafc graph valve.gct --of states --format json
 
 An edge bears the inputs with which some reaction leads from one situation to the other. Delays may end at any later
-reaction. Exit code 4: there are more states than `--max`, or something that cannot be followed.";
+reaction. A reaction that does not end leads nowhere: what comes after LIVELOCK is not in the graph. Exit code 4: there is
+more than `--max` allows, or something that cannot be followed.";
 
 /// Arguments of `grafc graph`.
 #[derive(Args, Debug)]
@@ -43,8 +44,8 @@ pub struct Arguments {
     /// What the nodes are
     #[arg(long, value_enum, default_value_t = OfName::Situations)]
     of: OfName,
-    /// At most so many states are looked at
-    #[arg(long, value_name = "N", default_value_t = 100_000)]
+    /// At most so many states are looked at, and ten paths of inputs for each
+    #[arg(long, value_name = "N", default_value_t = 20_000)]
     max: usize,
     #[command(flatten)]
     profile: ProfileArguments,

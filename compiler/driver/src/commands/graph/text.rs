@@ -17,6 +17,9 @@ pub fn text(graph: &Graph) -> String {
     if graph.free_delays {
         out.push_str("Delays may end at any later reaction; real times may allow less.\n");
     }
+    if !graph.livelocks.is_empty() {
+        out.push_str("What comes after a LIVELOCK is left out.\n");
+    }
     for livelock in graph.livelocks.iter().filter(|livelock| livelock.from.is_none()) {
         let _ = writeln!(out, "At the start, LIVELOCK {}by {}", when(&livelock.when), livelock.ring.join(" "));
     }
