@@ -8,8 +8,8 @@ use crate::encode::controls;
 use crate::encode::first_call::first_call;
 use crate::encode::heading::heading;
 use crate::encode::input_event::InputEvent;
-use crate::encode::livelock;
-use crate::encode::observe::{Overriding, Watch};
+use crate::encode::livelock::{self, Overriding};
+use crate::encode::observe::Watch;
 use crate::encode::outputs;
 use crate::encode::restoring::restoring;
 use crate::encode::task::Task;
@@ -145,17 +145,15 @@ fn assemble(
     // Timers of durations are known only now that every moment that reads them has been lowered.
     let mut after = Vec::new();
     after.extend(outputs::statements(&mut lowering, followers.as_ref()));
-    let mut held = Vec::new();
     let overriding = repeat.map(|r| r.again).filter(|_| livelock::may_override(options.profile, evolution.ends));
     if let Some(watch) = &mut watch {
-        let outputs = options.profile.livelock_outputs;
-        after.extend(watch.with_outputs(&mut lowering, overriding.map(|again| Overriding { outputs, again })));
+        after.extend(watch.with_outputs(&mut lowering));
     }
-    if let Some(again) = overriding {
-        let (kept, overriding) = livelock::statements(&mut lowering, options.profile, again);
-        held = kept;
-        after.extend(overriding);
-    }
+    let mut overriding = overriding.map_or_else(Overriding::default, |again| {
+        let seen = watch.as_ref().map(|watch| watch.acting_on_outputs(&lowering)).unwrap_or_default();
+        livelock::statements(&mut lowering, options.profile, again, seen, extras.saved)
+    });
+    after.append(&mut overriding.after);
     if let Some(watch) = &mut watch {
         micro_step.extend(watch.after_micro_step(&mut lowering, options.profile));
     }
@@ -178,7 +176,8 @@ fn assemble(
         // Steps that overlap are active together, whatever excludes each other by the rules.
         let cover = Some(&cover).filter(|_| !overlaps);
         let seen = watch.as_mut().map(|watch| watch.restored(&mut lowering)).unwrap_or_default();
-        restoring(&mut lowering, started, [&first, &before, &micro_step, &after], cover, seen)
+        let calls = [&first[..], &before, &micro_step, &after];
+        restoring(&mut lowering, started, calls, cover, seen, overriding.restored.take())
     });
 
     let mut elements = Elements::of(&net);
@@ -211,7 +210,7 @@ fn assemble(
         restoring,
         observing,
     };
-    (program, held)
+    (program, overriding.kept)
 }
 
 /// Whether an evolution of a call ends by itself (R9).

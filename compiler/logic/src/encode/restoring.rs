@@ -8,13 +8,14 @@ use grafc_model::chart::Mode;
 use rustc_hash::FxHashSet;
 
 /// Those wires that a call writes as well, each from the situation alone: one that follows a state in a call, too; then what
-/// is `seen` of the situation.
+/// is `seen` of the situation; then what is `overriding` them after a call that was given up.
 pub(crate) fn restoring(
     lowering: &mut Lowering,
     started: Option<VarId>,
     calls: [&[Statement]; 4],
     cover: Option<&Cover>,
     seen: Vec<Statement>,
+    overriding: Option<Statement>,
 ) -> Restoring {
     let net = &*lowering.net.clone();
     let written = written(calls);
@@ -30,6 +31,7 @@ pub(crate) fn restoring(
     let mut statements = Vec::new();
     heading(&mut statements, Heading::Outputs, cx.statements);
     statements.extend(seen);
+    statements.extend(overriding);
     if let Some(started) = started.filter(|_| !statements.is_empty()) {
         // Before the first call nothing is active, whatever a state says.
         let when = lowering.symbols.read(&mut lowering.pool, started);

@@ -58,7 +58,10 @@ impl Program {
                 },
                 _ => false,
             },
-            Statement::Assign { target, .. } => self.variables[*target].role == Role::Temporary,
+            // Memory where they are saved as well.
+            Statement::Assign { target, .. } => {
+                matches!(self.variables[*target].role, Role::Temporary | Role::Memory)
+            }
             Statement::Heading(_) | Statement::Divide(_) | Statement::CallTimer { .. } | Statement::Case { .. } => {
                 false
             }

@@ -3,7 +3,7 @@
 use super::tools::Tools;
 use crate::executors::jobs::{self, Job, flags, outputs};
 use grafc_backends::js;
-use grafc_logic::scan::{Flag, Heading, Program, Role, Statement};
+use grafc_logic::scan::{Flag, Program, Role};
 use grafc_model::chart::{Type, Value};
 use grafc_model::reaction::{Response, Stimulus};
 use serde::Deserialize;
@@ -86,13 +86,10 @@ fn played(index: usize, program: &Program, stimuli: &[Stimulus], watched: bool) 
     let types: Vec<Type> = program.of_role(Role::Input).map(|(_, v)| v.ty).collect();
     let shown: Vec<String> = outputs(program).map(|(_, v)| quoted(&v.name)).collect();
     let raised: Vec<String> = flags(program).map(|(_, flag)| quoted(flag_name(flag))).collect();
-    // What LIVELOCK has outputs do is no part of the situation, so it is not restored.
-    let overridden = program.after.iter().flat_map(Statement::bodies).flatten();
-    let overridden = overridden.filter(|s| matches!(s, Statement::Heading(Heading::OutputsAfterLivelock))).count() > 0;
     let mut out = String::new();
     let _ = writeln!(
         out,
-        "{{ index: {index}, inputs: [{}], outputs: [{}], flags: [{}], overridden: {overridden}, watched: {watched}, rows: [",
+        "{{ index: {index}, inputs: [{}], outputs: [{}], flags: [{}], watched: {watched}, rows: [",
         inputs.join(", "),
         shown.join(", "),
         raised.join(", "),

@@ -2,7 +2,7 @@
 
 use crate::executors::jobs::{flags, outputs};
 use grafc_backends::rust::{RustNames, size_of};
-use grafc_logic::scan::{Flag, Heading, Program, Role, Statement};
+use grafc_logic::scan::{Flag, Program, Role};
 use grafc_model::chart::{Type, Value};
 use grafc_model::reaction::Stimulus;
 use std::fmt::Write as _;
@@ -114,14 +114,10 @@ pub(super) fn write(index: usize, program: &Program, names: &RustNames, stimuli:
     }
     let _ = writeln!(out, "        shown::end();");
     if program.restoring.is_some() {
-        // What LIVELOCK has outputs do is no part of the situation, so it is not restored.
-        let overridden = program.after.iter().flat_map(Statement::bodies).flatten();
-        let overridden = overridden.filter(|s| matches!(s, Statement::Heading(Heading::OutputsAfterLivelock)));
-        let unless = if overridden.count() > 0 { " && !chart.flags().livelock" } else { "" };
         // Outputs are those of the situation, not what was saved of them; a text, since nan is no other than itself.
         let _ = writeln!(
             out,
-            "        if row % {CALLS_BETWEEN_SAVES} == 1{unless} {{
+            "        if row % {CALLS_BETWEEN_SAVES} == 1 {{
             let again = {module}::{chart}::restore(&chart.save(), &inputs, now).expect(\"what was saved\");
             assert!(chart.save() == again.save());
             assert!(format!(\"{{:?}}\", chart.outputs()) == format!(\"{{:?}}\", again.outputs()));

@@ -10,19 +10,10 @@ use ecow::eco_format;
 use grafc_diagnostics::Span;
 use grafc_formula::{FormulaId, Type};
 use grafc_model::chart::{Event, Mode, StepId, VariableId, VariableKind};
-use grafc_model::reaction::{LivelockOutputs, Profile};
+use grafc_model::reaction::Profile;
 use grafc_net::Net;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
-
-/// What overrides outputs in a call that was cut off, and what tells such a call.
-#[derive(Clone, Copy)]
-pub(crate) struct Overriding {
-    /// What outputs do.
-    pub(crate) outputs: LivelockOutputs,
-    /// True at the end of such a call.
-    pub(crate) again: VarId,
-}
 
 /// Of each span its place among all, in the order of the text.
 pub(super) fn by_text(spans: impl Iterator<Item = Span>) -> FxHashMap<Span, usize> {
@@ -158,15 +149,22 @@ impl Acting {
             lowering.symbols.fresh(Role::Observed, name, Type::Bool, None)
         })
     }
+
+    /// Those of continuous actions on outputs, and where each comes from.
+    pub(super) fn on_outputs(&self, net: &Net) -> Vec<(VarId, Origin)> {
+        let places = places(net);
+        let mut origins: BTreeMap<usize, Origin> = BTreeMap::new();
+        for (index, action) in net.continuous.iter().enumerate() {
+            if net.variables[action.target].kind == VariableKind::Output {
+                origins.entry(places[index]).or_insert(Origin::Action(ActionId::from(index)));
+            }
+        }
+        origins.into_iter().filter_map(|(place, origin)| Some((*self.by_place.get(&place)?, origin))).collect()
+    }
 }
 
 /// Continuous actions and internal wires at a moment after the evolution. What is computed for this alone raises no flag.
-pub(super) fn continuous(
-    lowering: &mut Lowering,
-    mut cx: Context,
-    overriding: Option<Overriding>,
-    acting: &mut Acting,
-) -> Vec<Statement> {
+pub(super) fn continuous(lowering: &mut Lowering, mut cx: Context, acting: &mut Acting) -> Vec<Statement> {
     let net = &*lowering.net.clone();
     let places = places(net);
     for (v, variable) in net.variables.iter_enumerated() {
@@ -180,19 +178,8 @@ pub(super) fn continuous(
         cx.origin = origin;
         let condition = action.condition.map(|condition| lowering.expr(&mut cx, condition));
         let active = lowering.active(action.step);
-        let mut value = lowering.pool.and([Some(active), condition].into_iter().flatten());
+        let value = lowering.pool.and([Some(active), condition].into_iter().flatten());
         let target = acting.variable(lowering, places[index], action.target);
-        let is_output = net.variables[action.target].kind == VariableKind::Output;
-        if let Some(Overriding { outputs, again }) = overriding.filter(|_| is_output) {
-            let again = lowering.symbols.read(&mut lowering.pool, again);
-            let ended = lowering.pool.not(again);
-            value = lowering.pool.and([value, ended]);
-            if outputs == LivelockOutputs::Hold {
-                let before = lowering.symbols.read(&mut lowering.pool, target);
-                let kept = lowering.pool.and([again, before]);
-                value = lowering.pool.or([value, kept]);
-            }
-        }
         cx.statements.push(Statement::assign(origin, target, value));
     }
     let mut out = without_flag(lowering, cx.statements);

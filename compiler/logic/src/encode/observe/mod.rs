@@ -19,7 +19,7 @@ mod transitions;
 use crate::encode::input_event::InputEvent;
 use crate::encode::task::Task;
 use crate::lower::{Context, Lowering, Moment};
-use crate::scan::{Observed, Observing, Statement};
+use crate::scan::{Observed, Observing, Origin, Statement, VarId};
 use actions::{Acting, Done};
 use grafc_formula::FormulaId;
 use grafc_model::chart::TransitionId;
@@ -75,15 +75,16 @@ impl Watch {
     }
 
     /// With the outputs, before anything overrides them: wires that nothing else computes, and which actions assign.
-    pub(crate) fn with_outputs(
-        &mut self,
-        lowering: &mut Lowering,
-        overriding: Option<actions::Overriding>,
-    ) -> Vec<Statement> {
+    pub(crate) fn with_outputs(&mut self, lowering: &mut Lowering) -> Vec<Statement> {
         if !self.all() {
             return Vec::new();
         }
-        actions::continuous(lowering, Context::new(Moment::After), overriding, &mut self.acting)
+        actions::continuous(lowering, Context::new(Moment::After), &mut self.acting)
+    }
+
+    /// What says of continuous actions on outputs whether they act: what overrides outputs overrides this as well.
+    pub(crate) fn acting_on_outputs(&self, lowering: &Lowering) -> Vec<(VarId, Origin)> {
+        self.acting.on_outputs(&lowering.net)
     }
 
     /// What the initial reaction has to write for it.
@@ -97,7 +98,7 @@ impl Watch {
             return Vec::new();
         }
         let mut out = situation::statements(lowering, &mut self.observing);
-        out.extend(actions::continuous(lowering, Context::new(Moment::Restored), None, &mut self.acting));
+        out.extend(actions::continuous(lowering, Context::new(Moment::Restored), &mut self.acting));
         out
     }
 
@@ -110,5 +111,3 @@ impl Watch {
         self.observing
     }
 }
-
-pub(crate) use actions::Overriding;
