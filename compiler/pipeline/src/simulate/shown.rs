@@ -4,7 +4,7 @@ use grafc_model::chart::{Chart, VariableKind};
 use grafc_model::simulate::Probe;
 use grafc_syntax::spelling::distance;
 
-/// A word of [`Run::show`] that the chart has nothing for.
+/// A word of what is shown that the chart has nothing for.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct NotShown {
     /// The word.
