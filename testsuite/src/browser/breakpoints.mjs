@@ -9,6 +9,7 @@ export default async function play(page) {
   const since = await page.textContent('#time');
   // The delay of 8 s ends in a run, which stops in the micro-step that clears (3).
   await page.click('[data-transition="3"] .hit');
+  await drawn(page);
   assert.equal(await page.getAttribute('[data-transition="3"].transition', 'aria-pressed'), 'true');
   await page.selectOption('[data-setting="speed"]', 'max');
   await control(page, 'run');
