@@ -8,7 +8,7 @@ use grafc_logic::{Analysis, Method, exclusion};
 use grafc_model::chart::{Chart, StepId};
 use grafc_model::reaction::{Evolution, Profile};
 use grafc_model::simulate::Simulator;
-use grafc_testsuite::random::{ChartKind, Draw, checked_draw, profile, trace};
+use grafc_testsuite::random::{ChartKind, Draw, checked_draw, low_bound, profile, trace};
 use std::collections::BTreeSet;
 
 fn analysis(chart: &Chart) -> Analysis {
@@ -19,8 +19,7 @@ fn analysis(chart: &Chart) -> Analysis {
 
 /// The pairs of steps that are active together after some micro-step.
 fn together(chart: &Chart, profile: Profile, seed: u64, rows: usize) -> BTreeSet<(StepId, StepId)> {
-    let profile = Profile { bound: Some(profile.bound.unwrap_or(12)), ..profile };
-    let mut simulator = Simulator::new(chart, profile);
+    let mut simulator = Simulator::new(chart, low_bound(profile));
     let mut found = BTreeSet::new();
     for stimulus in trace(seed, chart, rows) {
         simulator.react_observed(&stimulus, &mut |s| {

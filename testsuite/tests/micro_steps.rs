@@ -20,7 +20,7 @@ use grafc_model::chart::{Chart, Expr, ExprKind, Mode, Node, StepId, Tables, Type
 use grafc_model::reaction::{Evolution, Profile, Stimulus};
 use grafc_testsuite::charts::{self, Case};
 use grafc_testsuite::random::profile;
-use grafc_testsuite::random::{ChartKind, checked, trace};
+use grafc_testsuite::random::{ChartKind, checked, low_bound, trace};
 use grafc_testsuite::runs::{caught, compile, overlapping};
 use grafc_testsuite::ways::exact;
 use runs::{Run, difference, evaluated, simulated};
@@ -161,10 +161,7 @@ fn random(kind: ChartKind, seeds: std::ops::Range<u64>, rows: usize, change: imp
         let mut drawn = checked(seed, kind);
         change(drawn.chart.edit(), seed);
         let stimuli = trace(seed, &drawn.chart, rows);
-        // A low bound: hundreds of micro-steps of a livelock show nothing that a few do not.
-        let profile = profile(seed);
-        let profile = Profile { bound: Some(profile.bound.unwrap_or(12)), ..profile };
-        if let Err(fault) = compare(&drawn.chart, profile, &stimuli, &mut counts) {
+        if let Err(fault) = compare(&drawn.chart, low_bound(profile(seed)), &stimuli, &mut counts) {
             panic!("{kind:?}, seed {}: {fault}\n{}", drawn.seed, drawn.text);
         }
     }

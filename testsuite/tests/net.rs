@@ -12,7 +12,7 @@ use grafc_net::{Net, build, passes};
 use grafc_testsuite::charts::{self, Case};
 use grafc_testsuite::net_steps::{NetSteps, same};
 use grafc_testsuite::random::profile;
-use grafc_testsuite::random::{ChartKind, checked, trace};
+use grafc_testsuite::random::{ChartKind, checked, low_bound, trace};
 use index_vec::IndexVec;
 use std::fmt::Write as _;
 
@@ -155,10 +155,7 @@ fn random_charts_are_the_same_at_every_stage() {
     for seed in 0..300 {
         let drawn = checked(seed, ChartKind::Hierarchical);
         let stimuli = trace(seed, &drawn.chart, 30);
-        // A low bound: hundreds of micro-steps of a livelock show nothing that a few do not.
-        let profile = profile(seed);
-        let profile = Profile { bound: Some(profile.bound.unwrap_or(12)), ..profile };
-        match same_at_every_stage(&drawn.chart, profile, &stimuli) {
+        match same_at_every_stage(&drawn.chart, low_bound(profile(seed)), &stimuli) {
             Ok(net) => counts.count(&drawn.chart, &net),
             Err(fault) => panic!("seed {}\n{}\n{fault}", drawn.seed, drawn.text),
         }

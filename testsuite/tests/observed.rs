@@ -13,7 +13,7 @@ use grafc_model::simulate::Simulator;
 use grafc_testsuite::charts::{self, Case};
 use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::executors::js;
-use grafc_testsuite::random::{ChartKind, checked, profile, trace};
+use grafc_testsuite::random::{ChartKind, checked, low_bound, profile, trace};
 use grafc_testsuite::runs::{caught, compile_observed, overlapping};
 use grafc_testsuite::ways::exact;
 use std::collections::BTreeSet;
@@ -264,10 +264,7 @@ fn random(kind: ChartKind, seeds: std::ops::Range<u64>) -> Counts {
     for seed in seeds {
         let drawn = checked(seed, kind);
         let stimuli = trace(seed, &drawn.chart, 20);
-        // A low bound: hundreds of micro-steps of a livelock show nothing that a few do not.
-        let profile = profile(seed);
-        let profile = Profile { bound: Some(profile.bound.unwrap_or(12)), ..profile };
-        if let Err(fault) = compare(&drawn.chart, profile, &stimuli, &mut counts) {
+        if let Err(fault) = compare(&drawn.chart, low_bound(profile(seed)), &stimuli, &mut counts) {
             panic!("{kind:?}, seed {}: {fault}\n{}", drawn.seed, drawn.text);
         }
     }

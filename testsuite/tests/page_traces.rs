@@ -1,6 +1,7 @@
 //! Traces as pages read them: what `grafc sim` takes they take, with the same values, and what it refuses they refuse.
 
 use grafc_model::chart::{Type, Value};
+use grafc_model::dump::type_name;
 use grafc_testsuite::binary::root;
 use grafc_testsuite::charts::{check, stimuli};
 use grafc_testsuite::executors::js::Tools;
@@ -370,20 +371,6 @@ const TABLES: (&[&str], &[&str]) = (
     ],
 );
 
-/// What pages call a type.
-fn name(ty: Type) -> &'static str {
-    match ty {
-        Type::Bool => "bool",
-        Type::Int => "int",
-        Type::Dint => "dint",
-        Type::Uint => "uint",
-        Type::Udint => "udint",
-        Type::Real => "real",
-        Type::Lreal => "lreal",
-        Type::Time => "time",
-    }
-}
-
 /// A value as the script writes it.
 fn exact(value: Value) -> String {
     match value {
@@ -412,7 +399,7 @@ fn pages_read_traces_as_the_simulator_does() {
         .iter()
         .map(|one| {
             let initial = if one.ty == Type::Bool { json!(false) } else { json!(0) };
-            json!({ "name": one.name.as_str(), "type": name(one.ty), "initial": initial })
+            json!({ "name": one.name.as_str(), "type": type_name(one.ty), "initial": initial })
         })
         .collect();
     let folder = tempfile::tempdir().expect("a folder");

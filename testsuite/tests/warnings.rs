@@ -31,7 +31,7 @@ use grafc_model::simulate::Activity;
 use grafc_testsuite::compare::first_difference;
 use grafc_testsuite::net_steps::same;
 use grafc_testsuite::random::profile;
-use grafc_testsuite::random::{ChartKind, checked, trace};
+use grafc_testsuite::random::{ChartKind, checked, low_bound, trace};
 use grafc_testsuite::runs::{caught, overlapping, run, simulate};
 use probes::{Seen, Watched, watch};
 use std::collections::{BTreeMap, BTreeSet};
@@ -174,11 +174,6 @@ fn situation(chart: &Chart, order: &Order) -> Option<BTreeSet<StepId>> {
     }
 }
 
-/// A low bound: hundreds of micro-steps of a livelock show nothing that a few do not.
-fn bounded(profile: Profile) -> Profile {
-    Profile { bound: Some(profile.bound.unwrap_or(12)), ..profile }
-}
-
 /// A restart leads to the initial situation without a transition, so it shows nothing of what clears at once.
 fn without_restarts(mut stimuli: Vec<Stimulus>) -> Vec<Stimulus> {
     for stimulus in &mut stimuli {
@@ -195,7 +190,7 @@ fn what_happens_at_once_was_warned_of() {
             let mut drawn = checked(seed, kind);
             enrich::for_meetings(drawn.chart.edit(), seed);
             let chart = &drawn.chart;
-            let watched = watch(chart, bounded(profile(seed)), &without_restarts(trace(seed, chart, 40)));
+            let watched = watch(chart, low_bound(profile(seed)), &without_restarts(trace(seed, chart, 40)));
             if let Err(fault) = look(chart, &watched, &warnings(chart), &mut counts) {
                 panic!("{kind:?}, seed {}: {fault}\n{}\n{}", drawn.seed, drawn.text, grafc_model::dump(chart));
             }
@@ -220,7 +215,7 @@ fn a_step_that_is_passed_through_was_warned_of() {
             let drawn = checked(seed, kind);
             let chart = &drawn.chart;
             let diagnostics = grafc_model::check(&grafc_syntax::parse(Default::default(), &drawn.text).0, "random").1;
-            let watched = watch(chart, bounded(profile(seed)), &trace(seed, chart, 30));
+            let watched = watch(chart, low_bound(profile(seed)), &trace(seed, chart, 30));
             let acting: BTreeSet<StepId> = chart.continuous.iter().map(|action| action.step).collect();
             for s in acting {
                 let spans: Vec<Span> = chart.continuous.iter().filter(|a| a.step == s).map(|a| a.span).collect();
@@ -293,7 +288,7 @@ fn what_is_said_never_to_happen_does_not() {
             if idle.is_empty() && uncleared.is_empty() {
                 continue;
             }
-            let watched = watch(chart, bounded(profile(seed)), &trace(seed, chart, 40));
+            let watched = watch(chart, low_bound(profile(seed)), &trace(seed, chart, 40));
             for seen in &watched.seen {
                 let active =
                     chart.steps.iter_enumerated().find(|(s, step)| seen.after[*s] && idle.contains(&step.span));

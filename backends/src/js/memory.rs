@@ -1,7 +1,7 @@
 //! All that a chart keeps, in groups by what it is for: as it is before the first scan, and what each input may be.
 
 use super::expressions::stored;
-use super::places::{Places, flag_name};
+use super::places::Places;
 use super::shows_all;
 use super::text::{comment, key};
 use crate::writer::Writer;
@@ -22,7 +22,7 @@ pub(super) fn write(out: &mut Writer, program: &Program, places: &Places) {
     memory.group(out, "given for each scan", "inputs", |id| program.variables[id].role == Role::Input);
     memory.group(out, "given to the plant after each scan", "outputs", |id| program.variables[id].role == Role::Output);
     memory.group(out, "internal variables", "variables", |id| program.variables[id].role == Role::Internal);
-    let flags: Vec<String> = FLAGS.iter().map(|flag| format!("{}: false", flag_name(*flag))).collect();
+    let flags: Vec<String> = FLAGS.iter().map(|flag| format!("{}: false", flag.name())).collect();
     out.line(&format!("flags: {{ {} }},", flags.join(", ")));
     memory.group(out, "active steps, and memory from scan to scan", "m", |id| places.is_kept(id));
     memory.delays(out);
@@ -35,20 +35,6 @@ pub(super) fn write(out: &mut Writer, program: &Program, places: &Places) {
     out.close("}");
 }
 
-/// The name of a type, for the table of what may be given.
-pub(super) fn type_name(ty: Type) -> &'static str {
-    match ty {
-        Type::Bool => "bool",
-        Type::Int => "int",
-        Type::Dint => "dint",
-        Type::Uint => "uint",
-        Type::Udint => "udint",
-        Type::Real => "real",
-        Type::Lreal => "lreal",
-        Type::Time => "time",
-    }
-}
-
 /// The comment of a variable; of a time, that it counts milliseconds; its address.
 pub(super) fn about(program: &Program, id: VarId) -> String {
     let variable = &program.variables[id];
@@ -58,6 +44,17 @@ pub(super) fn about(program: &Program, id: VarId) -> String {
         variable.address.as_deref().map(|address| format!("at {}", comment(address))),
     ];
     parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
+/// A property on a line of its own, and what is to be said of it.
+pub(super) fn property(out: &mut Writer, line: &str, remark: &str) {
+    out.start();
+    out.text(line);
+    if !remark.is_empty() {
+        let length = out.indent() + line.chars().count();
+        out.trailing_comment(length, length, remark);
+    }
+    out.end();
 }
 
 struct Memory<'p> {
@@ -81,16 +78,7 @@ impl Memory<'_> {
             let variable = &self.program.variables[id];
             let outer = out.origin(self.origin(|origins| origins.variables[id]));
             let line = format!("{}: {},", key(&self.places.names.variables[id]), stored(variable.initial, variable.ty));
-            let remark = about(self.program, id);
-            if remark.is_empty() {
-                out.line(&line);
-            } else {
-                out.start();
-                out.text(&line);
-                let length = out.indent() + line.chars().count();
-                out.trailing_comment(length, length, &remark);
-                out.end();
-            }
+            property(out, &line, &about(self.program, id));
             out.origin(outer);
         }
         out.close("},");
@@ -104,14 +92,7 @@ impl Memory<'_> {
         for (id, timer) in self.program.timers.iter_enumerated() {
             let outer = out.origin(self.origin(|origins| origins.timers[id]));
             let line = format!("{}: delay(),", key(&self.places.names.timers[id]));
-            let remark = timer.comment.as_deref().map(comment).unwrap_or_default();
-            out.start();
-            out.text(&line);
-            if !remark.is_empty() {
-                let length = out.indent() + line.chars().count();
-                out.trailing_comment(length, length, &remark);
-            }
-            out.end();
+            property(out, &line, &timer.comment.as_deref().map(comment).unwrap_or_default());
             out.origin(outer);
         }
         out.close("},");

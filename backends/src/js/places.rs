@@ -4,7 +4,7 @@ use super::names::Names;
 use super::text::member;
 use ecow::{EcoString, eco_format};
 use grafc_formula::{Formula, FormulaId};
-use grafc_logic::scan::{Division, Flag, Observing, Origins, Program, Role, SeenTransition, Statement, TimerId, VarId};
+use grafc_logic::scan::{Division, Observing, Origins, Program, Role, SeenTransition, Statement, TimerId, VarId};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
@@ -68,7 +68,7 @@ impl<'p> Places<'p> {
             Role::Output => member("outputs", name),
             Role::Internal => member("variables", name),
             Role::Constant => member("constants", name),
-            Role::Flag(flag) => eco_format!("flags.{}", flag_name(flag)),
+            Role::Flag(flag) => eco_format!("flags.{}", flag.name()),
             Role::Step | Role::State | Role::Memory => member("m", name),
             Role::Temporary if self.is_kept(id) => member("m", name),
             Role::Temporary => self.names.locals[id].clone(),
@@ -236,15 +236,5 @@ impl Walk<'_> {
                 }
             }
         }
-    }
-}
-
-/// The property of a flag.
-pub(super) fn flag_name(flag: Flag) -> &'static str {
-    match flag {
-        Flag::Livelock => "livelock",
-        Flag::AllocConflict => "alloc_conflict",
-        Flag::ForceConflict => "force_conflict",
-        Flag::Div0 => "div0",
     }
 }

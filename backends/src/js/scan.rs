@@ -1,7 +1,7 @@
 //! The parts of a scan, a function each, and which steps are active.
 
 use super::expressions::Expressions;
-use super::places::{PARTS, Places, flag_name, parts};
+use super::places::{PARTS, Places, parts};
 use super::statements::Statements;
 use super::text::quoted;
 use crate::writer::Writer;
@@ -94,7 +94,7 @@ fn again(out: &mut Writer, places: &Places, repeat: Option<Repeat>) {
     out.open(&format!("if ({count} < {}) {{", limit.bound));
     out.line("return true;");
     out.close("}");
-    out.line(&format!("flags.{} = true;", flag_name(Flag::Livelock)));
+    out.line(&format!("flags.{} = true;", Flag::Livelock.name()));
     out.line("return false;");
 }
 

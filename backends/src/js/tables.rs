@@ -1,13 +1,14 @@
 //! What never changes: constants, names of transitions, types of inputs, and what a page has to know beside.
 
 use super::expressions::{literal, preset};
-use super::memory::{about, type_name};
+use super::memory::{about, property};
 use super::places::{Places, transition_word};
 use super::shows_all;
 use super::text::{key, quoted};
 use crate::writer::Writer;
 use ecow::{EcoString, eco_format};
 use grafc_logic::scan::{Origin, Program, Role, SeenDelay, Transition, TransitionId};
+use grafc_logic::type_name;
 use index_vec::IndexVec;
 use rustc_hash::FxHashSet;
 
@@ -58,14 +59,7 @@ fn constants(out: &mut Writer, program: &Program, shown: bool) {
     for (id, variable) in program.of_role(Role::Constant) {
         let outer = out.origin(Origin::declaration(id));
         let line = format!("{}: {},", key(&variable.name), literal(variable.initial, variable.ty));
-        let remark = about(program, id);
-        out.start();
-        out.text(&line);
-        if !remark.is_empty() {
-            let length = out.indent() + line.chars().count();
-            out.trailing_comment(length, length, &remark);
-        }
-        out.end();
+        property(out, &line, &about(program, id));
         out.origin(outer);
     }
     out.close("};");

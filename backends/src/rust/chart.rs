@@ -5,7 +5,7 @@ use super::items::{doc, function};
 use super::literals::{literal, type_name};
 use super::memory::{self, words};
 use super::names::RustNames;
-use super::places::{Places, flag_name};
+use super::places::Places;
 use super::split::Split;
 use super::{retained, saved, scan, situation};
 use crate::writer::Writer;
@@ -128,7 +128,7 @@ impl Chart<'_> {
         }
         fields(out, "outputs: Outputs", &values(self.program, self.names, Role::Output), ",");
         out.open("flags: Flags {");
-        for flag in FLAGS.map(flag_name) {
+        for flag in FLAGS.map(Flag::name) {
             out.line(&format!("{flag}: false,"));
         }
         out.close("},");
@@ -148,7 +148,7 @@ impl Chart<'_> {
             "pub const fn flags(&self) -> Flags",
             &["self.flags"],
         );
-        let lowered = FLAGS.map(|flag| format!("self.flags.{} = false;", flag_name(flag)));
+        let lowered = FLAGS.map(|flag| format!("self.flags.{} = false;", flag.name()));
         function(
             out,
             "Lowers all flags.",

@@ -4,7 +4,7 @@ use super::literals::literal;
 use super::names::{RustNames, StateNames};
 use ecow::{EcoString, eco_format};
 use grafc_formula::{Formula, FormulaId, Type, Value};
-use grafc_logic::scan::{Flag, Held, Origins, Program, Role, StepId, TimerId, VarId};
+use grafc_logic::scan::{Held, Origins, Program, Role, StepId, TimerId, VarId};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
@@ -48,7 +48,7 @@ impl<'p> Places<'p> {
             Role::Output => eco_format!("self.outputs.{name}"),
             Role::Internal => eco_format!("self.variables.{name}"),
             Role::Constant | Role::Temporary | Role::Observed => name.clone(),
-            Role::Flag(flag) => eco_format!("self.flags.{}", flag_name(flag)),
+            Role::Flag(flag) => eco_format!("self.flags.{}", flag.name()),
             Role::Step => match self.packed.get(&id) {
                 Some(step) => eco_format!("self.is_active({})", self.names.steps[*step]),
                 None => eco_format!("self.{name}"),
@@ -117,15 +117,5 @@ impl<'p> Places<'p> {
             Formula::TimerElapsed(t) => self.timer(*t).len() + ".elapsed()".len(),
             _ => 0,
         }
-    }
-}
-
-/// The field of a flag, as the run-time support has it.
-pub(super) fn flag_name(flag: Flag) -> &'static str {
-    match flag {
-        Flag::Livelock => "livelock",
-        Flag::AllocConflict => "alloc_conflict",
-        Flag::ForceConflict => "force_conflict",
-        Flag::Div0 => "div0",
     }
 }

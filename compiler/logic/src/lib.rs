@@ -35,6 +35,7 @@ mod warn;
 pub use analysis::Analysis;
 pub use analysis::transients::Transients;
 pub use compile::{compile, compile_observed, compile_saved};
+pub use grafc_model::dump::type_name;
 pub use grafc_model::misleading_points;
 pub use options::{Encoding, Options};
 pub use output_table::{OutputTable, Row, StoredOutput, When, output_table};

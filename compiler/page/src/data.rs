@@ -1,6 +1,7 @@
 //! What the script has to know of a chart: names, comments, types, and what is in what, in order of declaration.
 
-use grafc_model::chart::{ExprId, ExprKind, Node, Tables, Type, Value, VariableId, VariableKind};
+use grafc_model::chart::{ExprId, ExprKind, Node, Tables, Value, VariableId, VariableKind};
+use grafc_model::dump::type_name;
 use rustc_hash::FxHashMap;
 use serde::Serialize;
 
@@ -174,19 +175,6 @@ fn kind(kind: VariableKind) -> &'static str {
         VariableKind::Output => "output",
         VariableKind::Internal => "internal",
         VariableKind::Constant => "constant",
-    }
-}
-
-fn type_name(ty: Type) -> &'static str {
-    match ty {
-        Type::Bool => "bool",
-        Type::Int => "int",
-        Type::Dint => "dint",
-        Type::Uint => "uint",
-        Type::Udint => "udint",
-        Type::Real => "real",
-        Type::Lreal => "lreal",
-        Type::Time => "time",
     }
 }
 

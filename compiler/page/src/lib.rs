@@ -30,14 +30,18 @@ pub struct Options<'a> {
     pub live: Option<Live<'a>>,
 }
 
-/// What a server adds to the page.
-///
-/// Its script can call `window.grafc.keep()`, which gives plain data, and put that as JSON into the item `grafc-keep` of
-/// `sessionStorage`. A page of the same chart, or of one that was changed, takes it from there when it is loaded.
+/// What is served beyond a file: the page is loaded again when its chart is saved, with what `window.grafc.keep()` gives in the
+/// item `grafc-keep` of `sessionStorage`, and shows errors over the last good drawing. The server tells of both at `/events`.
 #[derive(Clone, Copy, Debug)]
 pub struct Live<'a> {
-    /// JavaScript that runs after the page's own.
-    pub script: &'a str,
+    /// What tells the chart apart from others that the server tells of.
+    pub version: &'a str,
+}
+
+impl Live<'_> {
+    fn script(self) -> String {
+        format!("const own = {};\n{LIVE}", serde_json::Value::from(self.version))
+    }
 }
 
 #[derive(Template)]
@@ -63,7 +67,7 @@ pub fn page(chart: &Tables, module: &str, options: &Options<'_>) -> Result<Strin
     // All on one sheet, without asking for a step or grafcet that there may not be.
     let pictures = grafc_drawing::draw(chart, &grafc_drawing::Options::default()).unwrap_or_default();
     let script = script::in_html(&script::joined(module));
-    let live = options.live.map(|live| script::in_html(live.script));
+    let live = options.live.map(|live| script::in_html(&live.script()));
     let scripts: Vec<&str> = std::iter::once(script.as_str()).chain(live.as_deref()).collect();
     let page = Page {
         chart,
@@ -79,6 +83,9 @@ pub fn page(chart: &Tables, module: &str, options: &Options<'_>) -> Result<Strin
     };
     page.render()
 }
+
+/// The script of what is served.
+const LIVE: &str = include_str!("live.js");
 
 /// The look.
 const STYLE: &str = include_str!("../templates/page.css");

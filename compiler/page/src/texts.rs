@@ -58,7 +58,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     fn sources() -> impl Iterator<Item = &'static str> {
-        FILES.iter().map(|(_, text)| *text).chain([include_str!("../templates/page.html")])
+        FILES.iter().map(|(_, text)| *text).chain([include_str!("../templates/page.html"), crate::LIVE])
     }
 
     /// What a template or script asks for.

@@ -126,18 +126,6 @@ impl Question {
     }
 }
 
-/// `value op input` as a comparison of the input.
-pub(crate) fn mirrored(op: Comparison) -> Comparison {
-    match op {
-        Comparison::Equal => Comparison::Equal,
-        Comparison::NotEqual => Comparison::NotEqual,
-        Comparison::Less => Comparison::Greater,
-        Comparison::LessEqual => Comparison::GreaterEqual,
-        Comparison::Greater => Comparison::Less,
-        Comparison::GreaterEqual => Comparison::LessEqual,
-    }
-}
-
 /// What has been answered on a path, in the order in which it was asked.
 ///
 /// To walk all paths it is run again and again: what was answered before is answered the same, and what is new is answered

@@ -2,7 +2,7 @@
 
 use crate::beyond::Beyond;
 use grafc_formula::{Formula, FormulaId, TimerId, Value};
-use grafc_logic::scan::{Program, Statement};
+use grafc_logic::scan::{Program, Role, Statement};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
@@ -29,7 +29,8 @@ impl Clocks {
     /// The timers of a program.
     pub(crate) fn new(program: &Program) -> Result<Clocks, Beyond> {
         let mut operands: FxHashMap<(bool, FormulaId), usize> = FxHashMap::default();
-        let mut operand: IndexVec<TimerId, usize> = program.timers.indices().map(|t| usize::MAX - t.index()).collect();
+        // One that is never called never runs.
+        let mut operand: IndexVec<TimerId, usize> = program.timers.iter().map(|_| 0).collect();
         // A duration begins at the end of a micro-step, a delay at the beginning of the next: where a call is one
         // micro-step, they are not the same.
         let durations = timers_of(&program.before);
@@ -42,19 +43,17 @@ impl Clocks {
         }
         let mut times: IndexVec<TimerId, Vec<i64>> = program.timers.iter().map(|_| Vec::new()).collect();
         for id in program.pool.ids() {
-            match program.pool.get(id) {
-                Formula::TimerDone(t) => times[*t].extend(program.timers[*t].preset.map(|preset| preset.ms)),
-                Formula::Compare(_, a, b) => {
-                    for (side, other) in [(a, b), (b, a)] {
-                        if let Formula::TimerElapsed(t) = program.pool.get(*side) {
-                            let Some(Value::Time(time)) = constant(program, *other) else {
-                                return Err(Beyond::Duration(program.timers[*t].name.clone()));
-                            };
-                            times[*t].extend([time, time.saturating_add(1)]);
-                        }
-                    }
+            if let Formula::TimerDone(t) = program.pool.get(id) {
+                times[*t].extend(program.timers[*t].preset.map(|preset| preset.ms));
+            }
+            let Formula::Compare(_, a, b) = program.pool.get(id) else { continue };
+            for (side, other) in [(a, b), (b, a)] {
+                if let Formula::TimerElapsed(t) = program.pool.get(*side) {
+                    let Some(Value::Time(time)) = constant(program, *other) else {
+                        return Err(Beyond::Duration(program.timers[*t].name.clone()));
+                    };
+                    times[*t].extend([time, time.saturating_add(1)]);
                 }
-                _ => {}
             }
         }
         for list in &mut times {
@@ -67,13 +66,12 @@ impl Clocks {
 
 /// A constant, perhaps by its name.
 fn constant(program: &Program, formula: FormulaId) -> Option<Value> {
-    match program.pool.get(formula) {
-        Formula::Constant(value) => Some(*value),
-        Formula::Variable(v) if program.variables[*v].role == grafc_logic::scan::Role::Constant => {
-            Some(program.variables[*v].initial)
-        }
-        _ => None,
+    let known = program.pool.as_constant(formula);
+    if let Formula::Variable(v) = program.pool.get(formula) {
+        let variable = &program.variables[*v];
+        return known.or((variable.role == Role::Constant).then_some(variable.initial));
     }
+    known
 }
 
 fn timers_of(statements: &[Statement]) -> Vec<TimerId> {

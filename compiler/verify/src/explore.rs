@@ -3,7 +3,7 @@
 use crate::atom::Atom;
 use crate::beyond::Beyond;
 use crate::machine::{End, Machine, State};
-use grafc_logic::scan::{Program, TransitionId};
+use grafc_logic::scan::TransitionId;
 use indexmap::{IndexMap, IndexSet};
 use rustc_hash::FxBuildHasher;
 
@@ -32,19 +32,21 @@ pub(crate) struct Explored {
     pub(crate) complete: bool,
 }
 
-/// Where states have many inputs that count, there are as many paths from one as there are vectors: so many are walked for
-/// each state that may be looked at, and so many in any case.
-const PATHS: (usize, usize) = (10, 10_000);
+/// Where many inputs count in a state, there are as many paths from it as there are vectors: so many are walked for each state
+/// that may be looked at.
+const PATHS_PER_STATE: usize = 10;
+
+/// So many are walked in any case.
+const FEWEST_PATHS: usize = 10_000;
 
 /// Explores as far as this number of states, and the paths that go with it.
-pub(crate) fn explore(program: &Program, most: usize) -> Result<Explored, Beyond> {
-    let mut machine = Machine::new(program)?;
+pub(crate) fn explore(machine: &mut Machine, most: usize) -> Result<Explored, Beyond> {
     let mut found = Explored { complete: true, ..Explored::default() };
-    let mut left = most.saturating_mul(PATHS.0).saturating_add(PATHS.1);
-    found.reactions(&mut machine, None, most, &mut left)?;
+    let mut left = most.saturating_mul(PATHS_PER_STATE).saturating_add(FEWEST_PATHS);
+    found.reactions(machine, None, most, &mut left)?;
     let mut next = 0;
     while next < found.states.len() && left > 0 {
-        found.reactions(&mut machine, Some(next), most, &mut left)?;
+        found.reactions(machine, Some(next), most, &mut left)?;
         next += 1;
     }
     found.complete &= left > 0;

@@ -1,6 +1,5 @@
 //! The graph of reachable situations, or of states.
 
-use crate::atom::Atom;
 use crate::beyond::Beyond;
 use crate::explore::{Answers, Explored, explore};
 use crate::machine::Machine;
@@ -75,13 +74,39 @@ pub struct Livelock {
     pub ring: Vec<String>,
 }
 
+impl Graph {
+    /// Whether the initial reaction leads to a node.
+    pub fn is_initial(&self, id: usize) -> bool {
+        self.initial.binary_search(&id).is_ok()
+    }
+
+    /// Whether a node is one of the deadlocks.
+    pub fn is_deadlock(&self, id: usize) -> bool {
+        self.deadlocks.binary_search(&id).is_ok()
+    }
+
+    /// What leads on from a node.
+    pub fn edges_from(&self, id: usize) -> &[Edge] {
+        let first = self.edges.partition_point(|edge| edge.from < id);
+        let count = self.edges[first..].partition_point(|edge| edge.from == id);
+        &self.edges[first..first + count]
+    }
+
+    /// The reactions from a node, or at the start, that would not end.
+    pub fn livelocks_from(&self, id: Option<usize>) -> &[Livelock] {
+        let first = self.livelocks.partition_point(|livelock| livelock.from < id);
+        let count = self.livelocks[first..].partition_point(|livelock| livelock.from == id);
+        &self.livelocks[first..first + count]
+    }
+}
+
 /// Explores a program that shows its transitions, up to a number of states.
 ///
 /// # Errors
 /// What of the chart cannot be followed.
 pub fn graph(program: &Program, of: Of, most: usize) -> Result<Graph, Beyond> {
-    let explored = explore(program, most)?;
-    let machine = Machine::new(program)?;
+    let mut machine = Machine::new(program)?;
+    let explored = explore(&mut machine, most)?;
     let keys: Vec<Vec<usize>> = explored.situations.iter().cloned().collect();
     // The nodes that states belong to, and what they are sorted by.
     let (node_of, sorting): (Vec<usize>, Vec<Vec<usize>>) = match of {
@@ -103,7 +128,7 @@ pub fn graph(program: &Program, of: Of, most: usize) -> Result<Graph, Beyond> {
         rings.entry((from.map(node), ring)).or_default().extend(answers);
     }
     let asked = edges.values().chain(rings.values()).flatten().flat_map(|path| path.iter());
-    let when = When::new(program, asked.map(|(atom, _)| *atom).filter(|atom| !matches!(atom, Atom::Ends(..))));
+    let when = When::new(program, asked.map(|(atom, _)| *atom));
     let mut edges: Vec<Edge> =
         edges.into_iter().map(|((from, to), paths)| Edge { from, to, when: when.text(paths) }).collect();
     edges.sort_by_key(|edge| (edge.from, edge.to));

@@ -1,6 +1,6 @@
 //! One path through one reaction: the scan program as it stands, with inputs and time as they are asked for.
 
-use crate::atom::{Atom, Path, Question, mirrored};
+use crate::atom::{Atom, Path, Question};
 use crate::beyond::Beyond;
 use crate::clocks::{Clocks, Phase};
 use crate::live::Live;
@@ -295,9 +295,9 @@ impl<'p> Machine<'p> {
             Formula::Xor(a, b) => both(known(a), known(b), |a, b| Value::Bool(a != b)),
             Formula::Compare(op, a, b) => match (known(a), known(b)) {
                 (Seen::Given(v), Seen::Value(value)) => self.compared(v, op, value, path),
-                (Seen::Value(value), Seen::Given(v)) => self.compared(v, mirrored(op), value, path),
+                (Seen::Value(value), Seen::Given(v)) => self.compared(v, op.mirrored(), value, path),
                 (Seen::Elapsed(t), Seen::Value(value)) => self.elapsed(t, op, value, path),
-                (Seen::Value(value), Seen::Elapsed(t)) => self.elapsed(t, mirrored(op), value, path),
+                (Seen::Value(value), Seen::Elapsed(t)) => self.elapsed(t, op.mirrored(), value, path),
                 (a, b) => both(a, b, |a, b| Value::Bool(compare(op, a, b))),
             },
             Formula::Arithmetic(op, a, b) => both(known(a), known(b), |a, b| arithmetic(op, pool.ty(id), a, b)),

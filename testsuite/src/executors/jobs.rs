@@ -120,6 +120,16 @@ pub(crate) fn flags(program: &Program) -> impl Iterator<Item = (VarId, Flag)> {
     })
 }
 
+/// What fields and properties of generated code call a flag.
+pub(crate) fn flag_name(flag: Flag) -> &'static str {
+    match flag {
+        Flag::Livelock => "livelock",
+        Flag::AllocConflict => "alloc_conflict",
+        Flag::ForceConflict => "force_conflict",
+        Flag::Div0 => "div0",
+    }
+}
+
 /// The responses of one job, from all that was printed.
 pub(crate) fn read(job: &Job, index: usize, printed: &str) -> Result<Vec<Response>, String> {
     let head = format!("{index} ");

@@ -115,3 +115,8 @@ pub fn profile(seed: u64) -> Profile {
         },
     }
 }
+
+/// The same with a low bound: hundreds of micro-steps of a livelock show nothing that a few do not.
+pub fn low_bound(profile: Profile) -> Profile {
+    Profile { bound: Some(profile.bound.unwrap_or(12)), ..profile }
+}

@@ -7,23 +7,11 @@ use super::ink::Ink;
 use super::structure::{Frame, FrameKind, RandomStepKind};
 use fastrand::Rng;
 use grafc_model::chart::Type;
+use grafc_model::dump::type_name;
 use std::fmt::Write as _;
 
 const TYPES: [Type; 8] =
     [Type::Int, Type::Dint, Type::Uint, Type::Udint, Type::Real, Type::Lreal, Type::Time, Type::Bool];
-
-fn keyword(ty: Type) -> &'static str {
-    match ty {
-        Type::Bool => "bool",
-        Type::Int => "int",
-        Type::Dint => "dint",
-        Type::Uint => "uint",
-        Type::Udint => "udint",
-        Type::Real => "real",
-        Type::Lreal => "lreal",
-        Type::Time => "time",
-    }
-}
 
 /// Names that targets stumble over; each is unique whatever its case.
 const AWKWARD: [&str; 14] =
@@ -199,7 +187,7 @@ impl Writer<'_> {
             {
                 let _ = write!(out, ", {}", next.name);
             }
-            let _ = writeln!(out, " : {}{}", keyword(first.ty), first.tail);
+            let _ = writeln!(out, " : {}{}", type_name(first.ty), first.tail);
         }
     }
 

@@ -6,11 +6,10 @@ use crate::arguments::{MessageArguments, ProfileArguments};
 use crate::report::{Failure, Report};
 use crate::stream::Stream;
 use clap::{Args, ValueEnum};
-use grafc::{Lowering, Options, Policy, Product, Target};
+use grafc::{Document, Lowering, Target};
 use grafc_backends::js;
-use grafc_diagnostics::{Diagnostics, FileId};
-use grafc_model::reaction::Profile;
-use grafc_page::{Language, page};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, SourceFile, Span};
+use grafc_page::{Language, Live, Options, page};
 
 const AFTER_HELP: &str = "\
 Example:
@@ -29,18 +28,25 @@ pub struct Arguments {
     /// Where to put the page [default: standard output]
     #[arg(short, long, value_name = "FILE.html")]
     output: Option<Stream>,
+    #[command(flatten)]
+    page: PageArguments,
+    #[command(flatten)]
+    messages: MessageArguments,
+}
+
+/// What a page is made with, in a file or served.
+#[derive(Args, Debug)]
+pub struct PageArguments {
     /// The language that the page begins with; there is a switch on it
     #[arg(long, value_enum, default_value_t = LanguageName::En, value_name = "LANGUAGE")]
     language: LanguageName,
     #[command(flatten)]
     profile: ProfileArguments,
-    #[command(flatten)]
-    messages: MessageArguments,
 }
 
 /// A language of the page.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-pub enum LanguageName {
+enum LanguageName {
     /// English
     En,
     /// German
@@ -49,7 +55,7 @@ pub enum LanguageName {
 
 impl LanguageName {
     /// As the page has it.
-    pub fn language(self) -> Language {
+    fn language(self) -> Language {
         match self {
             LanguageName::En => Language::English,
             LanguageName::De => Language::German,
@@ -64,13 +70,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let mut report = Report::new(args.messages.policy()?);
     let mut made = None;
     if let Some(file) = report.load(&args.chart)? {
-        let text = &report.sources.file(file).text;
-        let how = How {
-            profile: args.profile.profile(),
-            bound_as_known: args.profile.bound_as_known(),
-            page: grafc_page::Options { language: args.language.language(), live: None },
-        };
-        let (page, said) = make(file, text, &args.chart.chart_name(), &how);
+        let (page, said) = make(report.sources.file(file), &args.chart.chart_name(), &args.page, None);
         report.diagnostics.append(said);
         made = page;
     }
@@ -81,37 +81,29 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     Ok(exit)
 }
 
-/// What a page is made with.
-pub struct How<'a> {
-    /// What the chart means.
-    pub profile: Profile,
-    /// Whether the bound on micro-steps is the one that is known to be enough.
-    pub bound_as_known: bool,
-    /// What is chosen of the page itself.
-    pub page: grafc_page::Options<'a>,
-}
-
-/// A text to the page of its chart; none if there is an error.
-pub fn make(file: FileId, text: &str, default_name: &str, how: &How<'_>) -> (Option<String>, Diagnostics) {
+/// A text to the page of its chart; none if there is an error. It is the only text of a report, so that places in it are the
+/// same there.
+pub fn make(
+    source: &SourceFile,
+    default_name: &str,
+    args: &PageArguments,
+    live: Option<Live<'_>>,
+) -> (Option<String>, Diagnostics) {
+    let mut document = Document::new(&source.name, &source.text).named(default_name);
+    document.set_options(Lowering { profile: args.profile.profile(), ..Lowering::default() });
+    document.bound_as_known(args.profile.bound_as_known());
+    let mut said = document.diagnostics().clone();
+    said.append(document.warnings().clone());
+    let Some(chart) = document.chart() else { return (None, said) };
     let target = Target::Js(js::Options { observed: true, ..js::Options::default() });
-    let lowering = Lowering { profile: how.profile, ..Lowering::default() };
-    let options = Options {
-        bound_as_known: how.bound_as_known,
-        policy: Policy::default(),
-        ..Options::new(lowering, Product::Code(target))
-    };
-    let (module, said) = grafc::compile(file, text, default_name, &options);
-    // What was wrong with the text has been said.
-    let (tree, _) = grafc::syntax::parse(file, text);
-    let chart = grafc_model::check(&tree, default_name).0;
-    let page = chart.zip(module).map(|(chart, module)| page(&chart, &module.text, &how.page));
-    match page.transpose() {
-        Ok(page) => (page, said),
-        Err(error) => {
-            let mut said = said;
+    let options = Options { language: args.language.language(), live };
+    match document.emit(&target).map(|module| page(chart, &module.text, &options)) {
+        Ok(Ok(page)) => return (Some(page), said),
+        Ok(Err(error)) => {
             let fault = format!("internal error: the page cannot be put together: {error}");
-            said.push(grafc_diagnostics::Diagnostic::new(grafc_diagnostics::Code::E0901, Default::default(), fault));
-            (None, said)
+            said.push(Diagnostic::new(Code::E0901, Span::default(), fault));
         }
+        Err(found) => said.append(found),
     }
+    (None, said)
 }

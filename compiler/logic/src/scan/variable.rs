@@ -112,6 +112,18 @@ pub enum Flag {
     Div0,
 }
 
+impl Flag {
+    /// What a target calls it whose names are words: a field, a property.
+    pub fn name(self) -> &'static str {
+        match self {
+            Flag::Livelock => "livelock",
+            Flag::AllocConflict => "alloc_conflict",
+            Flag::ForceConflict => "force_conflict",
+            Flag::Div0 => "div0",
+        }
+    }
+}
+
 impl Role {
     /// Whether a variable of this role keeps its value from call to call: what a restart puts back to the initial value, and
     /// what is saved where power may fail.

@@ -170,6 +170,7 @@ chooseLanguage(settings.get('language'));
 drawNow(performance.now());
 
 window.grafc = {
+  word,
   keep: () => keep(engine, settings, fold, pan),
   trace: () => written(engine.trace, model.inputs),
   result: () => result(Chart, model, engine.trace),

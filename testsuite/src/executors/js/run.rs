@@ -1,9 +1,9 @@
 //! Modules of many charts in one process of node.
 
 use super::tools::Tools;
-use crate::executors::jobs::{self, Job, flags, outputs};
+use crate::executors::jobs::{self, Job, flag_name, flags, outputs};
 use grafc_backends::js;
-use grafc_logic::scan::{Flag, Program, Role};
+use grafc_logic::scan::{Program, Role};
 use grafc_model::chart::{Type, Value};
 use grafc_model::reaction::{Response, Stimulus};
 use serde::Deserialize;
@@ -109,14 +109,5 @@ fn literal(value: Value, ty: Type) -> String {
         (Value::Real(x), _) if x.is_nan() => "NaN".into(),
         (Value::Real(x), _) if x.is_infinite() => (if x < 0.0 { "-Infinity" } else { "Infinity" }).into(),
         (Value::Real(x), _) => format!("{x:?}"),
-    }
-}
-
-fn flag_name(flag: Flag) -> &'static str {
-    match flag {
-        Flag::Livelock => "livelock",
-        Flag::AllocConflict => "alloc_conflict",
-        Flag::ForceConflict => "force_conflict",
-        Flag::Div0 => "div0",
     }
 }

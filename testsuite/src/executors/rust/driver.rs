@@ -1,6 +1,6 @@
 //! The Rust code that plays traces and prints what [`crate::executors::jobs`] reads.
 
-use crate::executors::jobs::{flags, outputs};
+use crate::executors::jobs::{flag_name, flags, outputs};
 use grafc_backends::rust::{RustNames, size_of};
 use grafc_logic::scan::{Flag, Program, Role};
 use grafc_model::chart::{Type, Value};
@@ -152,15 +152,6 @@ fn shown(ty: Type) -> &'static str {
         Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Time => "number",
         Type::Real => "single",
         Type::Lreal => "double",
-    }
-}
-
-fn flag_name(flag: Flag) -> &'static str {
-    match flag {
-        Flag::Livelock => "livelock",
-        Flag::AllocConflict => "alloc_conflict",
-        Flag::ForceConflict => "force_conflict",
-        Flag::Div0 => "div0",
     }
 }
 

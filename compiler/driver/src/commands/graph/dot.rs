@@ -8,8 +8,8 @@ use std::fmt::Write as _;
 pub fn dot(graph: &Graph) -> String {
     let mut out = format!("digraph {} {{\n  node [shape=box, fontname=\"sans-serif\"];\n", quoted(&graph.chart));
     for (id, node) in graph.nodes.iter().enumerate() {
-        let doubled = if graph.initial.contains(&id) { ", peripheries=2" } else { "" };
-        let dead = if graph.deadlocks.contains(&id) { ", style=filled, fillcolor=\"#f4c7c3\"" } else { "" };
+        let doubled = if graph.is_initial(id) { ", peripheries=2" } else { "" };
+        let dead = if graph.is_deadlock(id) { ", style=filled, fillcolor=\"#f4c7c3\"" } else { "" };
         let _ = writeln!(out, "  {id} [label={}{doubled}{dead}];", quoted(&lines(node).join("\n")));
     }
     for edge in &graph.edges {

@@ -13,8 +13,8 @@ fn picture(graph: &Graph) -> Picture {
     let mut boxes: Vec<State> = (0..graph.nodes.len())
         .map(|id| State {
             lines: lines(&graph.nodes[id]),
-            initial: graph.initial.contains(&id),
-            mark: graph.deadlocks.contains(&id).then_some("deadlock"),
+            initial: graph.is_initial(id),
+            mark: graph.is_deadlock(id).then_some("deadlock"),
         })
         .collect();
     let mut arcs: Vec<Arc> =

@@ -20,18 +20,17 @@ pub fn text(graph: &Graph) -> String {
     if !graph.livelocks.is_empty() {
         out.push_str("What comes after a LIVELOCK is left out.\n");
     }
-    for livelock in graph.livelocks.iter().filter(|livelock| livelock.from.is_none()) {
+    for livelock in graph.livelocks_from(None) {
         let _ = writeln!(out, "At the start, LIVELOCK {}by {}", when(&livelock.when), livelock.ring.join(" "));
     }
     for (id, node) in graph.nodes.iter().enumerate() {
-        let initial = if graph.initial.contains(&id) { "  initial" } else { "" };
-        let dead = if graph.deadlocks.contains(&id) { "  deadlock" } else { "" };
+        let initial = if graph.is_initial(id) { "  initial" } else { "" };
+        let dead = if graph.is_deadlock(id) { "  deadlock" } else { "" };
         let _ = writeln!(out, "\n{id}  {}{initial}{dead}", told(node));
-        let first = graph.edges.partition_point(|edge| edge.from < id);
-        for edge in graph.edges[first..].iter().take_while(|edge| edge.from == id) {
+        for edge in graph.edges_from(id) {
             let _ = writeln!(out, "   {}-> {}  {}", when(&edge.when), edge.to, told(&graph.nodes[edge.to]));
         }
-        for livelock in graph.livelocks.iter().filter(|livelock| livelock.from == Some(id)) {
+        for livelock in graph.livelocks_from(Some(id)) {
             let _ = writeln!(out, "   {}LIVELOCK by {}", when(&livelock.when), livelock.ring.join(" "));
         }
     }

@@ -10,9 +10,9 @@ mod board;
 mod guard;
 mod server;
 
-use super::page::{self, How, LanguageName};
+use super::page::{self, PageArguments};
 use crate::Exit;
-use crate::arguments::{MessageArguments, ProfileArguments};
+use crate::arguments::MessageArguments;
 use crate::report::{Failure, Format, Messages, Report};
 use crate::stream::Stream;
 use crate::watch;
@@ -20,7 +20,7 @@ use board::Board;
 use clap::Args;
 use grafc::files::print;
 use grafc_diagnostics::Policy;
-use grafc_page::{Live, Options};
+use grafc_page::Live;
 use std::sync::Arc;
 
 const AFTER_HELP: &str = "\
@@ -30,9 +30,6 @@ Example:
 
 The address is printed. The page is made again whenever the chart is saved, and keeps inputs, and the situation where it
 still makes sense. Errors are shown over the last good drawing. Only this machine can open the page.";
-
-/// What the page has beyond one in a file.
-const LIVE: &str = include_str!("live.js");
 
 /// Arguments of `grafc serve`.
 #[derive(Args, Debug)]
@@ -47,11 +44,8 @@ pub struct Arguments {
     /// Open the page in the browser
     #[arg(long)]
     open: bool,
-    /// The language that the page begins with; there is a switch on it
-    #[arg(long, value_enum, default_value_t = LanguageName::En, value_name = "LANGUAGE")]
-    language: LanguageName,
     #[command(flatten)]
-    profile: ProfileArguments,
+    page: PageArguments,
     #[command(flatten)]
     messages: MessageArguments,
 }
@@ -97,15 +91,10 @@ fn make(args: &Arguments, policy: &Policy, board: &Board) -> Result<Exit, Failur
     };
     let mut made = None;
     if let Some(file) = file {
-        let text = &report.sources.file(file).text;
-        let version = board::version(text);
-        let script = format!("const own = '{version}';\n{LIVE}");
-        let how = How {
-            profile: args.profile.profile(),
-            bound_as_known: args.profile.bound_as_known(),
-            page: Options { language: args.language.language(), live: Some(Live { script: &script }) },
-        };
-        let (page, said) = page::make(file, text, &args.chart.chart_name(), &how);
+        let source = report.sources.file(file);
+        let version = board::version(&source.text);
+        let live = Some(Live { version: &version });
+        let (page, said) = page::make(source, &args.chart.chart_name(), &args.page, live);
         report.diagnostics.append(said);
         made = page.map(|page| (version, page));
     }

@@ -1,11 +1,6 @@
 // What a served page has beyond one in a file: it is loaded again when its chart is saved, and shows errors over the last
 // good drawing. Before it stands `own`, the version of the chart that it is of.
 
-const words = {
-  en: { errors: 'The chart has errors; this is its last good state', ended: 'grafc serve has ended; the page goes on by itself' },
-  de: { errors: 'Der Plan hat Fehler; dies ist sein letzter guter Stand', ended: 'grafc serve ist beendet; die Seite läuft allein weiter' },
-};
-
 const panel = document.createElement('section');
 panel.id = 'live';
 panel.hidden = true;
@@ -21,7 +16,7 @@ document.body.append(panel);
 function show(key, text) {
   panel.hidden = key === null;
   if (key === null) return;
-  title.textContent = (words[document.documentElement.lang] ?? words.en)[key];
+  title.textContent = window.grafc.word(key);
   list.textContent = text;
   list.hidden = text === '';
 }
@@ -29,11 +24,11 @@ function show(key, text) {
 const news = new EventSource('/events');
 news.onmessage = ({ data }) => {
   const { page, errors } = JSON.parse(data);
-  show(errors === null ? null : 'errors', errors ?? '');
+  show(errors === null ? null : 'served-errors', errors ?? '');
   if (page !== null && page !== own) {
     sessionStorage.setItem('grafc-keep', JSON.stringify(window.grafc.keep()));
     location.reload();
   }
 };
 // It tries again by itself.
-news.onerror = () => show('ended', '');
+news.onerror = () => show('served-ended', '');
