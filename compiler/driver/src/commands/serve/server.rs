@@ -67,7 +67,9 @@ impl Server {
         match request.url().split('?').next() {
             Some("/") => {
                 let page = board.shown().page.map_or_else(|| WAITING.to_string(), |(_, page)| page);
-                request.respond(with_headers(Response::from_string(page), "text/html; charset=utf-8"))
+                // Its length is known: it goes out in one piece, and not in chunks that part characters.
+                let page = Response::from_string(page).with_chunked_threshold(usize::MAX);
+                request.respond(with_headers(page, "text/html; charset=utf-8"))
             }
             Some("/events") => {
                 let board = board.clone();
