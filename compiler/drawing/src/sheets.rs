@@ -81,7 +81,9 @@ fn finish(chart: &Tables, options: &Options, sheet: &mut Sheet, (page, pages): (
     let about = chart.comment.as_ref().map(|comment| format!("{comment}. ")).unwrap_or_default();
     let (steps, transitions) = (chart.steps.len() + chart.macro_steps.len(), chart.transitions.len());
     let parts = sheet.parts.join(", ");
-    picture.description = format!("{about}GRAFCET with {steps} steps and {transitions} transitions: {parts}");
+    let counted = |count: usize, one: &str| if count == 1 { format!("1 {one}") } else { format!("{count} {one}s") };
+    let (steps, transitions) = (counted(steps, "step"), counted(transitions, "transition"));
+    picture.description = format!("{about}GRAFCET with {steps} and {transitions}: {parts}");
     let block = TitleBlock { chart: &chart.name, parts, revision: options.revision.as_deref(), page, pages };
     match options.page {
         Some(_) => {

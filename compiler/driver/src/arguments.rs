@@ -57,9 +57,9 @@ pub struct ProfileArguments {
     /// Give up after so many evolutions in one call; `auto`: after as many as are known to be enough [default: the larger of 200 and steps + transitions + 1]
     #[arg(long, value_name = "K|auto", value_parser = bound)]
     bound: Option<Bound>,
-    /// What outputs of steps do in a call that was given up
-    #[arg(long, value_enum, default_value_t = LivelockOutputsName::Computed, value_name = "OUTPUTS")]
-    livelock_outputs: LivelockOutputsName,
+    /// What outputs of steps do in a call that was given up [default: computed]
+    #[arg(long, value_enum, value_name = "OUTPUTS")]
+    livelock_outputs: Option<LivelockOutputsName>,
 }
 
 /// A bound on micro-steps.
@@ -81,8 +81,18 @@ fn bound(text: &str) -> Result<Bound, String> {
 
 impl ProfileArguments {
     /// The choices as the stages take them.
-    pub fn profile(&self) -> Profile {
-        Profile {
+    ///
+    /// # Errors
+    /// A choice about calls that are given up, where each call is one evolution and none is.
+    pub fn profile(&self) -> Result<Profile, Failure> {
+        let given_up = [("bound", self.bound.is_some()), ("livelock-outputs", self.livelock_outputs.is_some())];
+        if self.evolution == EvolutionName::Scan
+            && let Some((name, _)) = given_up.into_iter().find(|(_, is_chosen)| *is_chosen)
+        {
+            let what = format!("with `--evolution scan` no call is given up, so `--{name}` would do nothing");
+            return Err(Failure::WrongUse(what, "leave one of the two out".to_string()));
+        }
+        Ok(Profile {
             evolution: match self.evolution {
                 EvolutionName::Stable => Evolution::Stable,
                 EvolutionName::Scan => Evolution::Scan,
@@ -96,11 +106,11 @@ impl ProfileArguments {
                 Some(Bound::Auto) | None => None,
             },
             livelock_outputs: match self.livelock_outputs {
-                LivelockOutputsName::Computed => LivelockOutputs::Computed,
-                LivelockOutputsName::Hold => LivelockOutputs::Hold,
-                LivelockOutputsName::Off => LivelockOutputs::Off,
+                Some(LivelockOutputsName::Computed) | None => LivelockOutputs::Computed,
+                Some(LivelockOutputsName::Hold) => LivelockOutputs::Hold,
+                Some(LivelockOutputsName::Off) => LivelockOutputs::Off,
             },
-        }
+        })
     }
 
     /// Whether the bound is the one that is known to be enough.

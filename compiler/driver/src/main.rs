@@ -23,6 +23,7 @@ fn main() -> ExitCode {
         }
     };
     signals::keep_running_at_the_limit_of_files();
+    signals::clear_up();
     match grafc::fault::guard(|| grafc_cli::run(command_line)) {
         Ok(exit) => ExitCode::from(exit as u8),
         Err(message) => {

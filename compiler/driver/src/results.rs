@@ -3,7 +3,6 @@
 //! A file appears once the run is over, whole; standard output, and what cannot be replaced, have the rows up to the first
 //! error.
 
-use crate::signals::Interrupt;
 use crate::stream::Stream;
 use crate::waveform::Waveform;
 use grafc::files::{self, Refusal, Writing};
@@ -33,7 +32,6 @@ pub struct Written<'a> {
     writer: Option<Writer<'a>>,
     /// Whether somebody waits for each row.
     is_live: Rc<Cell<bool>>,
-    interrupt: Option<&'a Interrupt>,
 }
 
 enum Writer<'a> {
@@ -59,7 +57,6 @@ impl<'a> Written<'a> {
         form: Form,
         output: Option<&Stream>,
         is_live: Rc<Cell<bool>>,
-        interrupt: Option<&'a Interrupt>,
     ) -> Result<Self, Refusal> {
         let out = match output {
             Some(Stream::Standard) => Some(Out::Standard(BufWriter::with_capacity(1 << 16, io::stdout()))),
@@ -68,7 +65,7 @@ impl<'a> Written<'a> {
         };
         let name = output.map(Stream::output_name).unwrap_or_default();
         let place = out.map(|out| Place(Rc::new(RefCell::new(out))));
-        Ok(Written { simulation, form, place, name, writer: None, is_live, interrupt })
+        Ok(Written { simulation, form, place, name, writer: None, is_live })
     }
 
     /// The run is over. A file is put into its place if all went well.
@@ -106,9 +103,6 @@ impl Results for Written<'_> {
     }
 
     fn called(&mut self, call: Call) -> io::Result<()> {
-        if self.interrupt.is_some_and(Interrupt::has_come) {
-            return Err(ErrorKind::Interrupted.into());
-        }
         match &mut self.writer {
             Some(Writer::Table(table)) => {
                 table.row(call.stimulus, call.response, call.looks)?;

@@ -49,7 +49,14 @@ pub fn run<'a>(
         // Read before the work: what changes while it is done is seen as a change.
         let seen = contents(&files);
         to_stderr(clear(std::io::stderr().is_terminal()));
-        let exit = work().unwrap_or_else(|failure| {
+        let done = match files.iter().find(|file| is_no_file(file)) {
+            None => work(),
+            Some(file) => {
+                let what = format!("`{}` is not a file, and cannot be watched", file.display());
+                Err(Failure::WrongUse(what, "put a file there".to_string()))
+            }
+        };
+        let exit = done.unwrap_or_else(|failure| {
             to_stderr(&failure.to_string());
             failure.exit()
         });
@@ -116,7 +123,12 @@ fn pause(events: &Receiver<Event>) {
 
 /// What is in each file; nothing if it cannot be read.
 fn contents(files: &[&Path]) -> Vec<Option<Vec<u8>>> {
-    files.iter().map(|file| std::fs::read(file).ok()).collect()
+    files.iter().map(|file| if is_no_file(file) { None } else { std::fs::read(file).ok() }).collect()
+}
+
+/// Whether something is there that is no file: a pipe would have us wait for somebody who writes.
+fn is_no_file(path: &Path) -> bool {
+    std::fs::metadata(path).is_ok_and(|metadata| !metadata.is_file())
 }
 
 /// What comes before the messages of each run: they stand at the top of a screen, and pile up in a file.

@@ -152,6 +152,8 @@ fn other_names_other_pages_and_other_requests_are_refused() {
         let get = format!("GET {path} HTTP/1.1");
         refused(&get, &format!("Host: evil.example:{}\r\n", served.port), "403");
         refused(&get, "", "403");
+        refused(&get, &format!("{own}{own}"), "403");
+        refused(&get, &format!("{own}Host: evil.example\r\n"), "403");
         refused(&get, &format!("{own}Origin: http://evil.example\r\n"), "403");
         refused(&get, &format!("{own}Origin: null\r\n"), "403");
     }

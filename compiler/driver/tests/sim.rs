@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{FAULTY, Folder, VALVE};
+use common::{FAULTY, Folder, Run, VALVE};
 
 const TRACE: &str = "t_ms,a,b\n0,0,0\n10,1,0\n20,0,0\n30,0,1\n40,0,0\n";
 const RESULT: &str = "t_ms,V,situation,flags\n0,0,1,\n10,1,2,\n20,1,2,\n30,0,1,\n40,0,1,\n";
@@ -133,6 +133,7 @@ fn faults_of_a_recording_are_reported_together() {
         "error[E0603]: `x` is not a value of `V`",
         "error[E0603]: `9` is not a step of the chart",
         "error[E0603]: `OOPS` is not a flag",
+        "the flags are LIVELOCK, ALLOC_CONFLICT, FORCE_CONFLICT, DIV0",
         "error[E0601]: the row has 2 cells, the header has 6",
     ] {
         run.ends(1, message);
@@ -141,6 +142,37 @@ fn faults_of_a_recording_are_reported_together() {
     folder.run(&["sim", "valve.gct", "--trace", "-", "--against", "-"]).ends(2, "standard input is named twice");
     let over = ["sim", "valve.gct", "--trace", "in.csv", "--against", "plc.csv", "-o", "plc.csv"];
     folder.run(&over).ends(2, "overwrite `plc.csv`");
+}
+
+/// Rows that differ from the header as each other are told once, for it is the header that is wrong; one that fits ends that.
+#[test]
+fn a_wrong_header_is_told_once() {
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    let sim = |rows: &str| {
+        std::fs::write(folder.path("in.csv"), format!("t_ms,a\n{rows}")).unwrap();
+        folder.run(&["sim", "valve.gct", "--trace", "in.csv", "-q"])
+    };
+    let told = |run: &Run| run.err.matches("error[E0601]").count();
+    let all = sim("0,0,0\n1,0,0\n2,0,0\n");
+    all.ends(1, "the row has 3 cells, the header has 2").ends(1, "the 2 rows after it are like this");
+    assert_eq!(told(&all), 1, "{}", all.err);
+    assert_eq!(told(&sim("0,0,0\n1,0,0\n2,0\n3,0,0\n4,0\n5,0,0\n")), 3);
+    assert_eq!(told(&sim("0,0,0\n1,0,0\n2\n3\n")), 3);
+}
+
+#[test]
+fn quotes_end_where_their_cells_do() {
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    let sim = |text: &str| {
+        std::fs::write(folder.path("in.csv"), text).unwrap();
+        folder.run(&["sim", "valve.gct", "--trace", "in.csv", "-q"])
+    };
+    sim("t_ms,a\n0,\"1\"0\n5,0\n")
+        .ends(1, "error[E0601]: there is something behind the closing quote")
+        .ends(1, "in.csv:2:6");
+    sim("t_ms,a\n0,\"1\n").ends(1, "error[E0601]: a quote is not closed").ends(1, "in.csv:2:3");
+    sim("t_ms,\"a\"b\n0,1\n").ends(1, "there is something behind the closing quote");
+    sim("t_ms,\"a\"\n0,\"1\"\n").is_done();
 }
 
 #[test]
@@ -182,7 +214,21 @@ fn calls_between_the_rows() {
     for wrong in ["5", "0ms", "0.5ms", "ms", "2d"] {
         sim(&["--scan", wrong]).ends(2, "--scan");
     }
+    sim(&["--scan", "25d"]).ends(2, "--scan");
+    sim(&["--scan", "600h"]).ends(2, "a period is at most 2147483647ms");
     sim(&["--scan", "1ms", "--bound", "2"]).is_done();
+}
+
+#[test]
+fn what_would_do_nothing_is_refused() {
+    let folder = Folder::new(&[("valve.gct", VALVE), ("in.csv", TRACE)]);
+    for option in [["--bound", "9"], ["--bound", "auto"], ["--livelock-outputs", "computed"]] {
+        let with =
+            |evolution| [&["sim", "valve.gct", "--trace", "in.csv", "--evolution", evolution], &option[..]].concat();
+        let said = format!("so `{}` would do nothing", option[0]);
+        folder.run(&with("scan")).ends(2, &said).ends(2, "leave one of the two out");
+        folder.run(&with("stable")).is_done();
+    }
 }
 
 #[test]

@@ -168,14 +168,9 @@ fn a_run_that_is_interrupted_leaves_nothing() {
     }
     let killed = Command::new("kill").args(["-TERM", &grafc.id().to_string()]).status().unwrap();
     assert!(killed.success());
-    // The signal is seen at a call; the reader may be gone by then.
-    for t in 10..100_000 {
-        if input.write_all(format!("{t},0,0\n").as_bytes()).is_err() {
-            break;
-        }
-    }
-    drop(input);
+    // No row comes any more: it does not wait for one.
     assert_eq!(grafc.wait().unwrap().signal(), Some(15));
+    drop(input);
     assert_eq!(folder.names(), ["in.csv", "valve.gct"]);
 }
 

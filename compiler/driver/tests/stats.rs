@@ -275,6 +275,40 @@ stored
     );
 }
 
+/// An order empties the enclosures of its grafcet with it, up to the innermost (R5a).
+#[test]
+fn what_an_order_empties_with_its_grafcet_stays_on_as_well() {
+    let chart = "input a, b : bool
+output V, W, U : bool
+grafcet G1 {
+  initial step 1
+  enclosing step 2 { U := true on activation }
+  transition 1 -> 2 : a
+}
+grafcet X2/G2 {
+  activated enclosing step 3 { V := true on activation }
+}
+grafcet X3/G3 {
+  activated step 4 { W := true on activation  W := false on deactivation }
+  step 5 { W := true on activation }
+  transition 4 -> 5 : a
+}
+grafcet S {
+  initial step S1
+  step S2 { force G1 {} }
+  transition S1 -> S2 : b
+}
+";
+    let folder = Folder::new(&[("in.gct", chart)]);
+    let text = folder.run(&["stats", "in.gct", "--outputs", "--format", "json", "-q"]).is_done().out.clone();
+    let json: Value = serde_json::from_str(&text).unwrap();
+    let stays_on = |place: usize| json["stored"][place]["stays_on"].clone();
+    assert_eq!(stays_on(0), json!([{ "grafcet": "G2", "by": "S2" }]));
+    // Step 4 takes it back when it is left; step 5 does not.
+    assert_eq!(stays_on(1), json!([{ "grafcet": "G3", "by": "S2" }]));
+    assert_eq!(stays_on(2), json!([{ "grafcet": "G1", "by": "S2" }]));
+}
+
 /// Seven branches of two steps: 128 situations and the first one.
 #[test]
 fn where_situations_are_many_steps_are_listed() {

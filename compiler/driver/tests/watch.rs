@@ -117,6 +117,21 @@ fn what_is_no_change_starts_nothing() {
     assert!(!watching.said().contains('\x1b'), "no screen is cleared that is none");
 }
 
+/// A pipe would have us wait for somebody who writes.
+#[cfg(unix)]
+#[test]
+fn a_pipe_in_the_place_of_a_chart_is_not_read() {
+    let folder = Folder::new(&[("valve.gct", VALVE)]);
+    let watching = Watching::start(&folder, &["valve.gct", "-o", "valve.st", "--watch"]);
+    watching.says(DONE, 1);
+    let pipe = folder.path("pipe");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    std::fs::rename(&pipe, folder.path("valve.gct")).unwrap();
+    watching.says("`valve.gct` is not a file, and cannot be watched", 1);
+    save_by_rename(&folder, &VALVE.replace("chart Valve", "chart Back"));
+    watching.until("the new chart", || folder.read("valve.st").contains("FUNCTION_BLOCK Back"));
+}
+
 #[cfg(unix)]
 #[test]
 fn a_chart_behind_a_link_is_watched_where_it_is() {

@@ -70,7 +70,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let mut report = Report::new(args.messages.policy()?);
     let mut made = None;
     if let Some(file) = report.load(&args.chart)? {
-        let (page, said) = make(report.sources.file(file), &args.chart.chart_name(), &args.page, None);
+        let (page, said) = make(report.sources.file(file), &args.chart.chart_name(), &args.page, None)?;
         report.diagnostics.append(said);
         made = page;
     }
@@ -83,27 +83,30 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
 
 /// A text to the page of its chart; none if there is an error. It is the only text of a report, so that places in it are the
 /// same there.
+///
+/// # Errors
+/// Choices that do not go together.
 pub fn make(
     source: &SourceFile,
     default_name: &str,
     args: &PageArguments,
     live: Option<Live<'_>>,
-) -> (Option<String>, Diagnostics) {
+) -> Result<(Option<String>, Diagnostics), Failure> {
     let mut document = Document::new(&source.name, &source.text).named(default_name);
-    document.set_options(Lowering { profile: args.profile.profile(), ..Lowering::default() });
+    document.set_options(Lowering { profile: args.profile.profile()?, ..Lowering::default() });
     document.bound_as_known(args.profile.bound_as_known());
     let mut said = document.diagnostics().clone();
     said.append(document.warnings().clone());
-    let Some(chart) = document.chart() else { return (None, said) };
+    let Some(chart) = document.chart() else { return Ok((None, said)) };
     let target = Target::Js(js::Options { observed: true, ..js::Options::default() });
     let options = Options { language: args.language.language(), live };
     match document.emit(&target).map(|module| page(chart, &module.text, &options)) {
-        Ok(Ok(page)) => return (Some(page), said),
+        Ok(Ok(page)) => return Ok((Some(page), said)),
         Ok(Err(error)) => {
             let fault = format!("internal error: the page cannot be put together: {error}");
             said.push(Diagnostic::new(Code::E0901, Span::default(), fault));
         }
         Err(found) => said.append(found),
     }
-    (None, said)
+    Ok((None, said))
 }

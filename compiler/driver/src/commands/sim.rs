@@ -5,7 +5,6 @@ use crate::Exit;
 use crate::arguments::{ControlArguments, MessageArguments, ProfileArguments};
 use crate::report::{Failure, Report};
 use crate::results::{Form, Written};
-use crate::signals::Interrupt;
 use crate::stream::Stream;
 use crate::traces::Watched;
 use clap::Args;
@@ -90,7 +89,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         Form::Table => args.show,
     };
     let controls = args.controls.names();
-    let (profile, bound_as_known) = (args.profile.profile(), args.profile.bound_as_known());
+    let (profile, bound_as_known) = (args.profile.profile()?, args.profile.bound_as_known());
     let how = grafc::Run { profile, bound_as_known, controls: Some(&controls), calls, show: &show };
     let text = (chart, report.sources.file(chart).text.as_str());
     let (simulation, diagnostics) = Simulation::new(text, &args.chart.chart_name(), how);
@@ -105,8 +104,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let is_seen = output != Some(Stream::Standard) || !io::IsTerminal::is_terminal(&io::stdout());
     let is_wanted = is_seen && messages.is_for_people();
     let mut trace_bytes = Watched::new(trace, is_wanted.then_some(length));
-    let interrupt = matches!(output, Some(Stream::File(_))).then(Interrupt::awaited);
-    let mut results = Written::new(&simulation, form, output.as_ref(), trace_bytes.is_live(), interrupt.as_ref())?;
+    let mut results = Written::new(&simulation, form, output.as_ref(), trace_bytes.is_live())?;
     let trace = Text { file: report.name(&args.trace), bytes: &mut trace_bytes, kept: Kept::Rows };
     let mut recorded = recorded.map(|(bytes, _)| bytes);
     let recorded_file = args.against.as_ref().map(|stream| report.name(stream));
@@ -116,11 +114,6 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     drop(trace_bytes);
     let outcome = match outcome {
         Ok(outcome) => outcome,
-        Err(_) if interrupt.as_ref().is_some_and(Interrupt::has_come) => {
-            drop(results);
-            interrupt.iter().for_each(Interrupt::give_way);
-            return Ok(Exit::FilesRefused);
-        }
         // If it was closed early, the reader has seen enough.
         Err(Ended::Results(error)) if error.kind() == ErrorKind::BrokenPipe => return Ok(report.tell(messages)),
         Err(ended) => return Err(refusal(ended, &args.trace, args.against.as_ref(), output.as_ref()).into()),
@@ -169,7 +162,9 @@ fn period(text: &str) -> Result<Period, String> {
         _ => return Err("a period has a unit: `20ms`, `1s`".into()),
     };
     let ms = number.parse::<f64>().map_err(|_| "a period begins with a number: `20ms`")? * factor;
-    if ms >= 1.0 && ms.fract() == 0.0 && ms <= f64::from(i32::MAX) {
+    if ms > f64::from(i32::MAX) {
+        Err(format!("a period is at most {}ms", i32::MAX))
+    } else if ms >= 1.0 && ms.fract() == 0.0 {
         Ok(Period(ms as i64))
     } else {
         Err("a period is whole milliseconds, at least 1ms".into())

@@ -247,7 +247,13 @@ impl<'a, R: Read> Recording<'a, R> {
                                 None => {
                                     let place = self.said.cell(&self.row, column);
                                     let message = format!("`{label}` is not a step of the chart");
-                                    self.said.error(Diagnostic::new(Code::E0603, place, message));
+                                    let error = Diagnostic::new(Code::E0603, place, message);
+                                    let meant = Suggestions::new().nearest(label, self.steps.keys().copied());
+                                    let help = meant.map_or_else(
+                                        || "write the labels of the active steps, with blanks between them".to_string(),
+                                        |meant| format!("write `{meant}`"),
+                                    );
+                                    self.said.error(error.help(help));
                                 }
                             }
                         }
@@ -261,8 +267,9 @@ impl<'a, R: Read> Recording<'a, R> {
                                 None => {
                                     let place = self.said.cell(&self.row, column);
                                     let all = FLAG_NAMES.join(", ");
-                                    let message = format!("`{name}` is not a flag; there are {all}");
-                                    self.said.error(Diagnostic::new(Code::E0603, place, message));
+                                    let message = format!("`{name}` is not a flag");
+                                    let error = Diagnostic::new(Code::E0603, place, message);
+                                    self.said.error(error.help(format!("the flags are {all}")));
                                 }
                             }
                         }

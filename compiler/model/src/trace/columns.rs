@@ -71,14 +71,16 @@ pub(super) fn columns<R: Copy>(
         columns.push(if column == 0 {
             if !heading.is(TIME) {
                 let message = format!("the first column is `{}`, not `{TIME}`", heading.name);
-                said.error(Diagnostic::new(Code::E0601, span, message));
+                let help = format!("begin the header with `{TIME}`, and each row with its time in milliseconds");
+                said.error(Diagnostic::new(Code::E0601, span, message).help(help));
             }
             time
         } else if let Some(earlier) = earlier {
             let message = format!("column `{}` appears twice", heading.name);
             let fault = Diagnostic::new(Code::E0601, span, message).also(earlier, "also here");
             let is_hidden = of_the_chart.is_some() && is_own(heading.name) && !heading.quoted;
-            said.error(if is_hidden { fault.help(in_backquotes(heading.name)) } else { fault });
+            let help = if is_hidden { in_backquotes(heading.name) } else { "leave one of them out".to_string() };
+            said.error(fault.help(help));
             unknown
         } else {
             match (of_its_own, of_the_chart) {
@@ -119,10 +121,23 @@ pub fn unknown(message: String, name: &str, span: Span, candidates: &[&Variable]
     let all = || candidates.iter().map(|variable| variable.name.as_str());
     let folded = name.to_lowercase();
     let like = all().find(|other| other.to_lowercase() == folded);
-    let Some(meant) = like.or_else(|| looks.nearest(name, all())) else { return fault };
+    let Some(meant) = like.or_else(|| looks.nearest(name, all())) else {
+        return fault.help(if candidates.is_empty() {
+            "leave the column out".to_string()
+        } else {
+            format!("leave the column out, or name one of these: {}", listed(all()))
+        });
+    };
     let title = format!("write `{meant}`");
     let fix = if like.is_some() { Fix::certain(title.clone()) } else { Fix::maybe(title.clone()) };
     fault.help(title).fix(fix.replace(span, heading(meant)))
+}
+
+/// The first of some names.
+fn listed<'a>(mut names: impl Iterator<Item = &'a str>) -> String {
+    const NAMES: usize = 8;
+    let first: Vec<String> = names.by_ref().take(NAMES).map(|name| format!("`{name}`")).collect();
+    first.join(", ") + if names.next().is_some() { ", …" } else { "" }
 }
 
 /// What a variable is, in words.

@@ -97,7 +97,10 @@ impl<R: Read> Rows<R> {
     /// Reads the header; whether there is one. An empty text is an error.
     pub fn header(&mut self, header: &mut Row, said: &mut Said) -> io::Result<bool> {
         match self.read(header) {
-            Ok(true) => Ok(true),
+            Ok(true) => {
+                said.quotes(header);
+                Ok(true)
+            }
             Ok(false) => {
                 let empty = Diagnostic::new(Code::E0601, Span::new(said.file, 0, 0), "the trace is empty");
                 said.error(empty.note("a trace begins with a header `t_ms,NAME,…`"));

@@ -4,7 +4,7 @@
 //! about are kept here.
 
 use super::input::LONGEST_ROW;
-use super::row::{Fault, Row};
+use super::row::{Fault, Misquoted, Row};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Extract, FileId, Severity, Span, render};
 use std::io;
 use std::ops::Range;
@@ -21,6 +21,20 @@ pub(super) struct Said {
     /// The rows that messages are about, unless the whole text is kept.
     extract: Option<Extract>,
     errors: usize,
+    misfits: Misfits,
+}
+
+/// Rows that do not fit the header, while none has fit: as many cells in each, so that it is the header that is wrong.
+#[derive(Default)]
+struct Misfits {
+    /// The cells of each, if there are such rows.
+    cells: Option<usize>,
+    /// The place of the message about the first among the messages, if it is told.
+    told: Option<usize>,
+    /// So many follow it.
+    more: usize,
+    /// Whether that has ended: a row fits, or has another number of cells.
+    is_over: bool,
 }
 
 /// Who has the text of a trace.
@@ -38,7 +52,7 @@ impl Said {
             Kept::Whole => None,
             Kept::Rows => Some(Extract::default()),
         };
-        Said { file, diagnostics: Diagnostics::new(), extract, errors: 0 }
+        Said { file, diagnostics: Diagnostics::new(), extract, errors: 0, misfits: Misfits::default() }
     }
 
     /// Whether there is an error.
@@ -87,15 +101,48 @@ impl Said {
         self.error(Diagnostic::new(Code::E0603, place, message).here(format!("expected {expected}")));
     }
 
-    /// Whether a row has as many cells as the header; if not, that is an error.
+    /// Whether a row can be read: what is quoted ends with its quote, and there are as many cells as in the header. If not,
+    /// that is an error; rows that all differ from the header in the same way are told once.
     pub fn fits(&mut self, row: &Row, columns: usize) -> bool {
-        let cells = row.len();
-        if cells != columns {
-            let what = if cells == 1 { "1 cell".to_string() } else { format!("{cells} cells") };
-            let place = self.place(row, 0..row.text.len());
-            self.error(Diagnostic::new(Code::E0601, place, format!("the row has {what}, the header has {columns}")));
+        if !self.quotes(row) {
+            self.misfits.is_over = true;
+            return false;
         }
-        cells == columns
+        let cells = row.len();
+        let misfits = &mut self.misfits;
+        misfits.is_over |= cells == columns || misfits.cells.is_some_and(|known| known != cells);
+        if cells == columns {
+            return true;
+        }
+        if !misfits.is_over && misfits.cells.is_some() {
+            misfits.more += 1;
+            self.errors += 1;
+            return false;
+        }
+        let what = if cells == 1 { "1 cell".to_string() } else { format!("{cells} cells") };
+        let place = self.place(row, 0..row.text.len());
+        let error = Diagnostic::new(Code::E0601, place, format!("the row has {what}, the header has {columns}"))
+            .help("give each row a cell for each column of the header; an empty one keeps the value before it");
+        if !self.misfits.is_over {
+            self.misfits.cells = Some(cells);
+            self.misfits.told = (!self.is_full()).then(|| self.diagnostics.iter().len());
+        }
+        self.error(error);
+        false
+    }
+
+    /// Whether what is quoted in a row ends with its quote; if not, that is an error.
+    pub fn quotes(&mut self, row: &Row) -> bool {
+        let Some((part, wrong)) = row.misquoted() else { return true };
+        let place = self.place(row, part);
+        let (message, help) = match wrong {
+            Misquoted::Open => ("a quote is not closed", "close it with `\"`, or leave it out"),
+            Misquoted::Behind => {
+                ("there is something behind the closing quote", "put all of the cell in quotes, or none of it")
+            }
+        };
+        self.error(Diagnostic::new(Code::E0601, place, message).help(help));
+        false
     }
 
     /// Says why a row cannot be read, unless that is not the fault of the text.
@@ -121,6 +168,15 @@ impl Said {
 
     /// All that was said, and the rows that it is about.
     pub fn finish(mut self) -> (Diagnostics, Extract) {
+        let Misfits { told, more, .. } = self.misfits;
+        if let Some(first) = told.and_then(|place| self.diagnostics.iter_mut().nth(place)).filter(|_| more > 0) {
+            let rows = if more == 1 {
+                "the row after it is".to_string()
+            } else {
+                format!("the {} rows after it are", render::grouped(more))
+            };
+            first.notes.push(format!("{rows} like this: perhaps it is the header that is wrong"));
+        }
         let more = self.diagnostics.left_out();
         if let Some(last) = self.diagnostics.iter_mut().last().filter(|_| more > 0) {
             let errors = if more == 1 { "error" } else { "errors" };

@@ -78,7 +78,9 @@ export function read(text, inputs) {
     throw Object.assign(new Error(key), { key, gaps });
   };
   const [head, ...rows] = table(text);
-  if (!head || !rows.length) refuse('trace-empty');
+  if (!head) refuse('trace-empty');
+  const misquoted = [head, ...rows].find((row) => row.isMisquoted);
+  if (misquoted) refuse('trace-quote', { line: misquoted.line });
   const places = columns(head.cells, inputs, refuse);
   const trace = new Trace();
   const values = inputs.map((input) => input.initial);

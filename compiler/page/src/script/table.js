@@ -1,5 +1,7 @@
 // The rows and cells of a CSV text, taken apart as `grafc sim` does it.
 
+import { trimmed } from './cells.js';
+
 /** What parts the cells: the first of the three signs in the header; a line `sep=;` before it says nothing more. */
 function separator(text, from) {
   let isQuoted = false;
@@ -19,7 +21,10 @@ function behindHint(text) {
   return end < 16 && /^sep=[,;]?[\t\n\f\r ]*$/.test(text.slice(0, end)) ? end : 0;
 }
 
-/** The rows: `{ line, cells }`, the line from 1. Blank lines are none. */
+/**
+ * The rows: `{ line, cells, isMisquoted }`, the line from 1; misquoted is one with a quote that is not closed, or something
+ * behind a closing one. Blank lines are none.
+ */
 export function table(whole) {
   const text = whole.replace(/^\ufeff/, '');
   const begin = behindHint(text);
@@ -32,18 +37,23 @@ export function table(whole) {
   // A cell is quoted if a quote is its very first sign.
   let isBegun = false;
   let isQuoted = false;
+  let isClosed = false;
+  let isMisquoted = false;
   let line = begin ? 2 : 1;
   let lineOfRow = line;
   const endCell = () => {
     cells.push(cell);
     cell = '';
     isBegun = false;
+    isMisquoted ||= isQuoted;
+    isClosed = false;
   };
   const endRow = () => {
     if (!isBegun && !cells.length) return;
     endCell();
-    rows.push({ line: lineOfRow, cells });
+    rows.push({ line: lineOfRow, cells, isMisquoted });
     cells = [];
+    isMisquoted = false;
   };
   for (let at = begin; at < text.length; at++) {
     const c = text[at];
@@ -52,7 +62,10 @@ export function table(whole) {
     if (isQuoted) {
       if (c !== '"') cell += c;
       else if (text[at + 1] === '"') cell += text[++at];
-      else isQuoted = false;
+      else {
+        isQuoted = false;
+        isClosed = true;
+      }
     } else if (c === '"' && !isBegun) {
       isBegun = true;
       isQuoted = true;
@@ -63,6 +76,7 @@ export function table(whole) {
     } else {
       isBegun = true;
       cell += c;
+      isMisquoted ||= isClosed && trimmed(c) !== '';
     }
     if (isEnd && !(c === '\n' && text[at - 1] === '\r')) line += 1;
   }

@@ -4,12 +4,15 @@
 //! sees meanwhile the old text or the new one.
 
 mod refusal;
+mod temporary;
 
 pub use refusal::Refusal;
+pub use temporary::abandon;
 
-use std::fs::{self, File, OpenOptions, Permissions};
+use std::fs::{self, File, Permissions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use temporary::Temporary;
 
 /// Everything that is in a file.
 pub fn read(path: &Path) -> Result<Vec<u8>, Refusal> {
@@ -37,7 +40,7 @@ pub struct Staged {
 #[derive(Debug)]
 enum StagedText {
     /// In a file beside the place.
-    Temporary(PathBuf),
+    Temporary(Temporary),
     /// For a device or a pipe, which cannot be replaced, and where nobody finds half a text later.
     Device(Vec<u8>),
     /// Where it belongs.
@@ -71,7 +74,7 @@ pub fn begin(path: &Path) -> Result<Writing, Refusal> {
             Ok((place, file, None, StagedText::Put))
         }
         PlaceKind::File(permissions) => {
-            let (temporary, file) = temporary_file(directory_of(&place), permissions.as_ref())?;
+            let (temporary, file) = Temporary::begin(directory_of(&place), permissions.as_ref())?;
             Ok((place, file, permissions, StagedText::Temporary(temporary)))
         }
     });
@@ -105,18 +108,15 @@ impl Write for Writing {
 
 impl Staged {
     /// Puts the text into its place.
-    pub fn put(mut self) -> Result<(), Refusal> {
-        let put = match &self.text {
-            StagedText::Temporary(temporary) => fs::rename(temporary, &self.place),
+    pub fn put(self) -> Result<(), Refusal> {
+        let put = match self.text {
+            StagedText::Temporary(temporary) => temporary.put(&self.place),
             StagedText::Device(text) => {
-                File::options().write(true).open(&self.place).and_then(|mut file| file.write_all(text))
+                File::options().write(true).open(&self.place).and_then(|mut file| file.write_all(&text))
             }
             StagedText::Put => Ok(()),
         };
-        if put.is_ok() {
-            self.text = StagedText::Put;
-        }
-        put.map_err(|error| Refusal::to_write(self.name.clone(), error))
+        put.map_err(|error| Refusal::to_write(self.name, error))
     }
 }
 
@@ -124,15 +124,6 @@ impl Staged {
 pub fn put_all(mut staged: Vec<Staged>) -> Result<(), Refusal> {
     staged.sort_by_key(|one| !matches!(one.text, StagedText::Device(_)));
     staged.into_iter().try_for_each(Staged::put)
-}
-
-impl Drop for Staged {
-    fn drop(&mut self) {
-        if let StagedText::Temporary(temporary) = &self.text {
-            // What was wrong before is what is worth saying.
-            let _ = fs::remove_file(temporary);
-        }
-    }
 }
 
 /// Prints to standard output. If it was closed early, the reader has seen enough.
@@ -154,15 +145,9 @@ fn stage_file(path: &Path, text: &[u8]) -> io::Result<(PathBuf, StagedText)> {
         (path, PlaceKind::Device) => return Ok((path, StagedText::Device(text.to_vec()))),
         (path, PlaceKind::File(permissions)) => (path, permissions),
     };
-    let (temporary, mut file) = temporary_file(directory_of(&path), permissions.as_ref())?;
-    match file.write_all(text).and_then(|()| finish(&file, permissions)) {
-        Ok(()) => Ok((path, StagedText::Temporary(temporary))),
-        Err(error) => {
-            // What was wrong before is what is worth saying.
-            let _ = fs::remove_file(&temporary);
-            Err(error)
-        }
-    }
+    let (temporary, mut file) = Temporary::begin(directory_of(&path), permissions.as_ref())?;
+    file.write_all(text).and_then(|()| finish(&file, permissions))?;
+    Ok((path, StagedText::Temporary(temporary)))
 }
 
 /// What is at a place.
@@ -226,25 +211,6 @@ fn behind_links(path: &Path) -> PathBuf {
     path
 }
 
-/// A new file in a directory, that nobody can open who cannot open the one that it will replace.
-fn temporary_file(directory: &Path, permissions: Option<&Permissions>) -> io::Result<(PathBuf, File)> {
-    /// Names that are taken are left over from processes that were killed.
-    const TRIES: u32 = 1000;
-    let mut options = OpenOptions::new();
-    options.write(true).create_new(true);
-    restrict(&mut options, permissions);
-    let mut refused = io::Error::from(ErrorKind::AlreadyExists);
-    for number in 0..TRIES {
-        let path = directory.join(format!(".grafc-{}-{number}", std::process::id()));
-        match options.open(&path) {
-            Ok(file) => return Ok((path, file)),
-            Err(error) if error.kind() == ErrorKind::AlreadyExists => refused = error,
-            Err(error) => return Err(error),
-        }
-    }
-    Err(refused)
-}
-
 /// What remains to be done once a temporary file is written.
 fn finish(file: &File, permissions: Option<Permissions>) -> io::Result<()> {
     if let Some(permissions) = permissions {
@@ -253,17 +219,6 @@ fn finish(file: &File, permissions: Option<Permissions>) -> io::Result<()> {
     }
     file.sync_all()
 }
-
-#[cfg(unix)]
-fn restrict(options: &mut OpenOptions, permissions: Option<&Permissions>) {
-    use std::os::unix::fs::{OpenOptionsExt, PermissionsExt};
-    if let Some(permissions) = permissions {
-        options.mode(permissions.mode());
-    }
-}
-
-#[cfg(not(unix))]
-fn restrict(_: &mut OpenOptions, _: Option<&Permissions>) {}
 
 /// Whether both are one file that is there, by whatever paths.
 pub fn is_same_file(a: &Path, b: &Path) -> bool {

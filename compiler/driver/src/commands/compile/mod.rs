@@ -113,18 +113,18 @@ enum Optimization {
 }
 
 impl Arguments {
-    fn lowering(&self) -> grafc_logic::Options {
+    fn lowering(&self) -> Result<grafc_logic::Options, Failure> {
         let simplify = match self.optimize {
             Optimization::Plain => false,
             Optimization::Short => true,
         };
-        grafc_logic::Options { profile: self.profile.profile(), encoding: self.encoding.encoding(), simplify }
+        Ok(grafc_logic::Options { profile: self.profile.profile()?, encoding: self.encoding.encoding(), simplify })
     }
 }
 
 /// Compiles the charts, once or whenever one changes.
 pub fn run(args: Arguments) -> Result<Exit, Failure> {
-    let lowering = args.lowering();
+    let lowering = args.lowering()?;
     refuse_pass_not_run(&args)?;
     let jobs = plan::jobs(&args, &lowering)?;
     let messages = args.messages.messages();

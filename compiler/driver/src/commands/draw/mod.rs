@@ -135,8 +135,8 @@ fn refused(refusal: Refusal) -> Failure {
 fn write(pictures: &[Picture], page: Option<Page>, form: Form, output: &Stream) -> Result<(), Failure> {
     let texts = || pictures.iter().map(|picture| svg(picture, page));
     let too_large = |what: String| {
-        let help = "write `.svg` or `.pdf`, or break it into pages with `--page a4`";
-        Failure::WrongUse(what, help.to_string())
+        let others = if matches!(form, Form::Pdf) { "`.svg`" } else { "`.svg` or `.pdf`" };
+        Failure::WrongUse(what, format!("write {others}, or break it into pages with `--page a4`"))
     };
     let files: Vec<Vec<u8>> = match form {
         Form::Svg => texts().map(String::into_bytes).collect(),

@@ -26,7 +26,9 @@ pub fn pdf(svgs: impl Iterator<Item = String>, pictures: &[Picture]) -> Result<V
         let drawing = *moved.get(&drawing).ok_or_else(|| fault(&"its page is missing"))?;
         let (wide, high) = (tree.size().width() * POINTS, tree.size().height() * POINTS);
         if wide > LONGEST || high > LONGEST {
-            return Err(format!("the drawing of {wide} by {high} points is too large for a page of PDF"));
+            return Err(format!(
+                "the drawing of {wide} by {high} points is too large for a page of PDF, which has sides of {LONGEST} points at most"
+            ));
         }
         let (page, content) = (next.bump(), next.bump());
         let mut made = pdf.page(page);

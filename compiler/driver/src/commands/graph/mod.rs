@@ -93,7 +93,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         // The only text, so places in it are the same in document and report.
         let document = Document::new(&source.name, &source.text).named(args.chart.chart_name());
         let diagnostics;
-        (found, diagnostics) = explored(&document, args.profile.profile(), args.of.of(), args.max);
+        (found, diagnostics) = explored(&document, args.profile.profile()?, args.of.of(), args.max);
         report.diagnostics.append(diagnostics);
     }
     let exit = report.tell(args.quiet.messages(Format::Human));

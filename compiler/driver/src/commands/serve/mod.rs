@@ -94,7 +94,7 @@ fn make(args: &Arguments, policy: &Policy, board: &Board) -> Result<Exit, Failur
         let source = report.sources.file(file);
         let version = board::version(&source.text);
         let live = Some(Live { version: &version });
-        let (page, said) = page::make(source, &args.chart.chart_name(), &args.page, live);
+        let (page, said) = page::make(source, &args.chart.chart_name(), &args.page, live)?;
         report.diagnostics.append(said);
         made = page.map(|page| (version, page));
     }

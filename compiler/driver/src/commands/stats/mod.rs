@@ -70,7 +70,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         (found, diagnostics) = if args.outputs {
             outputs(&document, args.format)
         } else {
-            let (profile, bound_as_known) = (args.profile.profile(), args.profile.bound_as_known());
+            let (profile, bound_as_known) = (args.profile.profile()?, args.profile.bound_as_known());
             let (figures, diagnostics) = figures::figures(&mut document, profile, bound_as_known);
             (figures.map(|figures| args.format.choose(&figures, Figures::table, Figures::json)), diagnostics)
         };
