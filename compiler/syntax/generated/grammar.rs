@@ -1,8 +1,8 @@
 // auto-generated: "lalrpop 0.23.2"
-// sha3: 0615ed84822a514407152ef919d0589b05fe39f1da7ba19004d200f852ad4fd6
+// sha3: 74b3cb002b51c0a16026cc32c66300f77b9451a997e3fda714b137d600b07656
 // features: 
 use crate::ast::*;
-use crate::builder::{Builder, Parsed};
+use crate::builder::{Builder, Parsed, add_action};
 use crate::token::Token;
 use smallvec::smallvec;
 #[allow(unused_extern_crates)]
@@ -17,7 +17,7 @@ extern crate alloc;
 mod __parse__Items {
 
     use crate::ast::*;
-    use crate::builder::{Builder, Parsed};
+    use crate::builder::{Builder, Parsed, add_action};
     use crate::token::Token;
     use smallvec::smallvec;
     #[allow(unused_extern_crates)]
@@ -37,7 +37,7 @@ mod __parse__Items {
         Variant4((Vec<Action>, Vec<Allow>)),
         Variant5(BinaryOp),
         Variant6(Box<Text>),
-        Variant7(Allow),
+        Variant7(Box<Allow>),
         Variant8(ExprId),
         Variant9(Assignment),
         Variant10((Vec<Assignment>, Vec<Allow>)),
@@ -4980,16 +4980,6 @@ mod __parse__Items {
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant7<
-    >(
-        __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
-    ) -> (u32, Allow, u32)
-     {
-        match __symbols.pop() {
-            Some((__l, __Symbol::Variant7(__v), __r)) => (__l, __v, __r),
-            _ => __symbol_type_mismatch()
-        }
-    }
     fn __pop_Variant9<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
@@ -5007,6 +4997,16 @@ mod __parse__Items {
      {
         match __symbols.pop() {
             Some((__l, __Symbol::Variant5(__v), __r)) => (__l, __v, __r),
+            _ => __symbol_type_mismatch()
+        }
+    }
+    fn __pop_Variant7<
+    >(
+        __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
+    ) -> (u32, Box<Allow>, u32)
+     {
+        match __symbols.pop() {
+            Some((__l, __Symbol::Variant7(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
@@ -10754,8 +10754,8 @@ fn __action9<
             from: from.unwrap_or_default(),
             to: to.unwrap_or_default(),
             condition,
-            actions,
-            allows,
+            actions: actions.into(),
+            allows: allows.into(),
             span: b.span(l, r),
         })))
     }
@@ -11217,7 +11217,7 @@ fn __action44<
     (_, action, _): (u32, Option<Action>, u32),
 ) -> (Vec<Action>, Vec<Allow>)
 {
-    { lists.0.extend(action); lists }
+    { add_action(&mut lists.0, action); lists }
 }
 
 #[allow(unused_variables)]
@@ -11227,10 +11227,10 @@ fn __action45<
 >(
     b: &mut Builder<'text>,
     (_, mut lists, _): (u32, (Vec<Action>, Vec<Allow>), u32),
-    (_, allow, _): (u32, Allow, u32),
+    (_, allow, _): (u32, Box<Allow>, u32),
 ) -> (Vec<Action>, Vec<Allow>)
 {
-    { lists.1.push(allow); lists }
+    { lists.1.push(*allow); lists }
 }
 
 #[allow(unused_variables)]
@@ -11244,9 +11244,9 @@ fn __action46<
     (_, code, _): (u32, Name, u32),
     (_, reason, _): (u32, Text, u32),
     (_, r, _): (u32, u32, u32),
-) -> Allow
+) -> Box<Allow>
 {
-    b.allow(l, r, code, None, reason)
+    Box::new(b.allow(l, r, code, None, reason))
 }
 
 #[allow(unused_variables)]
@@ -11292,7 +11292,7 @@ fn __action49<
     (_, r, _): (u32, u32, u32),
 ) -> Option<Action>
 {
-    b.action(l, r, ActionKind::Stored { assignment, event })
+    b.action(l, r, ActionKind::Stored { assignment: Box::new(assignment), event })
 }
 
 #[allow(unused_variables)]
@@ -11322,7 +11322,7 @@ fn __action51<
     (_, r, _): (u32, u32, u32),
 ) -> Option<Action>
 {
-    b.action(l, r, ActionKind::Force { grafcet, situation })
+    b.action(l, r, ActionKind::Force { grafcet: Box::new(grafcet), situation })
 }
 
 #[allow(unused_variables)]
@@ -11470,10 +11470,10 @@ fn __action63<
 >(
     b: &mut Builder<'text>,
     (_, mut lists, _): (u32, (Vec<Assignment>, Vec<Allow>), u32),
-    (_, allow, _): (u32, Allow, u32),
+    (_, allow, _): (u32, Box<Allow>, u32),
 ) -> (Vec<Assignment>, Vec<Allow>)
 {
-    { lists.1.push(allow); lists }
+    { lists.1.push(*allow); lists }
 }
 
 #[allow(unused_variables)]
@@ -12867,7 +12867,7 @@ fn __action155<
     __1: (u32, Name, u32),
     __2: (u32, Text, u32),
     __3: (u32, u32, u32),
-) -> Allow
+) -> Box<Allow>
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -14360,7 +14360,7 @@ fn __action205<
     __0: (u32, Token, u32),
     __1: (u32, Name, u32),
     __2: (u32, Text, u32),
-) -> Allow
+) -> Box<Allow>
 {
     let __start0 = __2.2.clone();
     let __end0 = __2.2.clone();
@@ -15788,7 +15788,7 @@ fn __action255<
     __0: (u32, Token, u32),
     __1: (u32, Name, u32),
     __2: (u32, Token, u32),
-) -> Allow
+) -> Box<Allow>
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -16545,7 +16545,7 @@ fn __action280<
     __0: (u32, Token, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Allow
+) -> Box<Allow>
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();

@@ -2,7 +2,7 @@
 //!
 //! Expressions lie in one arena, children before parents, so that no code walks them by recursion: the depth of
 //! nesting is the author's, not ours. Names are as written, without backquotes; nothing is resolved yet. What most
-//! elements lack, such as an attached comment, takes a word in them; what most have one of lies in them.
+//! elements lack, such as an attached comment, takes a word or two in them; what most have one of lies in them.
 
 use ecow::EcoString;
 use grafc_diagnostics::Span;
@@ -208,15 +208,15 @@ pub struct Step {
     /// Plain, enclosing or macro.
     pub kind: StepKind,
     /// What stands before `step`, each word once.
-    pub words: Vec<StepWord>,
+    pub words: Box<[StepWord]>,
     /// The label.
     pub label: Name,
     /// The attached comment.
     pub comment: Option<Box<Text>>,
     /// The actions in its braces.
-    pub actions: Vec<Action>,
+    pub actions: Box<[Action]>,
     /// The warnings that are allowed in its braces.
-    pub allows: Vec<Allow>,
+    pub allows: Box<[Allow]>,
     /// The whole item.
     pub span: Span,
 }
@@ -285,9 +285,9 @@ pub struct Transition {
     /// The transition-condition.
     pub condition: ExprId,
     /// Assignments on clearing.
-    pub actions: Vec<Assignment>,
+    pub actions: Box<[Assignment]>,
     /// The warnings that are allowed in its braces.
-    pub allows: Vec<Allow>,
+    pub allows: Box<[Allow]>,
     /// The whole item.
     pub span: Span,
 }
@@ -325,14 +325,14 @@ pub enum ActionKind {
     /// `C := C + 1 on activation` (symbols 26 to 29).
     Stored {
         /// What is assigned.
-        assignment: Assignment,
+        assignment: Box<Assignment>,
         /// When.
         event: Event,
     },
     /// `force G12{8, 9, 11}` (symbol 37).
     Force {
         /// The forced grafcet.
-        grafcet: Name,
+        grafcet: Box<Name>,
         /// The forced situation.
         situation: Situation,
     },

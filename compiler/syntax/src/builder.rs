@@ -29,6 +29,12 @@ impl Parsed {
     }
 }
 
+/// Adds an action to those of a step, if it could be read. Most steps have one, and lists grow by four.
+pub(crate) fn add_action(actions: &mut Vec<Action>, action: Option<Action>) {
+    actions.reserve_exact(usize::from(actions.is_empty()));
+    actions.extend(action);
+}
+
 /// What is under construction, and the faults found so far.
 pub(crate) struct Builder<'text> {
     pub(crate) file: FileId,
@@ -207,10 +213,8 @@ impl<'text> Builder<'text> {
             }
             kind = new_kind;
         }
-        let mut actions = self.without_if_and_then(actions);
-        // Most steps have one, and lists grow by four.
-        actions.shrink_to_fit();
-        Step { kind, words: seen, label, comment, actions, allows, span: self.span(start, end) }
+        let actions = self.without_if_and_then(actions).into();
+        Step { kind, words: seen.into(), label, comment, actions, allows: allows.into(), span: self.span(start, end) }
     }
 
     /// That nothing is said of the reason helps nobody.

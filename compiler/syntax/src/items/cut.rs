@@ -3,6 +3,7 @@
 //! An item begins with a reserved word and ends before the next one, with its own closing brace or before that of its
 //! block.
 
+use super::balance::Balance;
 use crate::token::{Lexeme, Token, begins_item, declares, is_prefix};
 
 /// The tokens of one item.
@@ -18,8 +19,7 @@ pub(super) struct Run {
 pub(super) struct Cutter<'t> {
     pub(super) text: &'t str,
     pub(super) lexemes: &'t [Lexeme],
-    /// For each token, how many more `}` than `{` there are from it on.
-    pub(super) balance: &'t [i32],
+    pub(super) balance: &'t Balance,
     /// How many blocks are open.
     pub(super) depth: usize,
 }
@@ -91,11 +91,12 @@ impl Cutter<'_> {
     /// Whether a `}` that could close an item's braces is rather its block's: one is missing further on, and this one
     /// is indented less than the item.
     fn closes_the_block(&self, item: usize, brace: usize) -> bool {
-        (self.balance[brace] as i64) < self.depth as i64 + 1
-            && match (self.indentation(self.lexemes[item].start), self.indentation(self.lexemes[brace].start)) {
-                (Some(item), Some(brace)) => brace < item,
+        let is_outdented =
+            match (self.indentation(self.lexemes[brace].start), self.indentation(self.lexemes[item].start)) {
+                (Some(brace), Some(item)) => brace < item,
                 _ => false,
-            }
+            };
+        is_outdented && self.balance.from(brace) < self.depth as i64 + 1
     }
 
     /// The white space before a token that is the first on its line.

@@ -6,6 +6,7 @@
 //! of the text tells whether one is missing or one too many.
 
 mod attempt;
+mod balance;
 mod blocks;
 mod cut;
 mod faults;

@@ -1,5 +1,6 @@
 //! A text under way: its tokens, the tree so far, and the blocks that are open.
 
+use super::balance::Balance;
 use super::cut::Cutter;
 use crate::ast::{self, Item};
 use crate::builder::Builder;
@@ -8,7 +9,6 @@ use crate::lexer::Lexed;
 use crate::pasted::is_in;
 use crate::repeated;
 use crate::shown::shorten;
-use crate::token::Token;
 use grafc_diagnostics::{Diagnostic, Diagnostics, FileId, Span};
 
 /// An open block.
@@ -46,8 +46,7 @@ pub(super) struct Reader<'text> {
     pub(super) file: FileId,
     pub(super) text: &'text str,
     pub(super) lexed: Lexed,
-    /// For each token, how many more `}` than `{` there are from it on.
-    pub(super) balance: Vec<i32>,
+    pub(super) balance: Balance,
     pub(super) builder: Builder<'text>,
     pub(super) parser: ItemsParser,
     pub(super) at: usize,
@@ -62,22 +61,11 @@ pub(super) struct Reader<'text> {
 
 impl<'text> Reader<'text> {
     pub(super) fn new(file: FileId, text: &'text str, lexed: Lexed) -> Self {
-        let mut balance = vec![0i32; lexed.lexemes.len() + 1];
-        let mut sum = 0i32;
-        for (at, lexeme) in lexed.lexemes.iter().enumerate().rev() {
-            // A text has fewer than 2^32 bytes; one with more braces than an `i32` counts is no chart.
-            sum = match lexeme.token {
-                Token::CloseBrace => sum.saturating_add(1),
-                Token::OpenBrace => sum.saturating_sub(1),
-                _ => sum,
-            };
-            balance[at] = sum;
-        }
         Reader {
             file,
             text,
+            balance: Balance::of(&lexed.lexemes),
             lexed,
-            balance,
             builder: Builder::new(file, text),
             parser: ItemsParser::new(),
             at: 0,
@@ -120,7 +108,7 @@ impl<'text> Reader<'text> {
 
     /// The balance of braces from a token on.
     pub(super) fn balance(&self, at: usize) -> i64 {
-        i64::from(self.balance[at])
+        self.balance.from(at)
     }
 
     /// Whether the lexer reported something between the token before this one and this one.
