@@ -17,6 +17,7 @@ use grafc_model::chart::Chart;
 use grafc_model::reaction::Stimulus;
 use grafc_model::trace::{Kept, Stimuli, parse_trace, write_trace};
 use std::path::Path;
+use std::sync::LazyLock;
 use std::{fs, io};
 
 /// Calls that a chart is given.
@@ -49,16 +50,17 @@ const INPUTS: &str = "
 /// A trace: messages at places of it, which are the same where it comes in small pieces that nobody keeps; times do not go
 /// back; what was read and is written again is read as the same.
 pub fn trace(text: &str) {
-    let chart = charts::check("inputs", INPUTS).expect("a chart without errors");
-    let (stimuli, diagnostics) = parse_trace(FileId::default(), text, &chart);
+    static CHART: LazyLock<Chart> = LazyLock::new(|| charts::check("inputs", INPUTS).expect("a chart without errors"));
+    let chart = &*CHART;
+    let (stimuli, diagnostics) = parse_trace(FileId::default(), text, chart);
     places(text, &diagnostics);
-    assert_eq!(in_pieces(text, &chart), (stimuli.clone(), said(&diagnostics, |byte| byte)));
+    assert_eq!(in_pieces(text, chart), (stimuli.clone(), said(&diagnostics, |byte| byte)));
     if diagnostics.has_errors() {
         return;
     }
     assert!(stimuli.windows(2).all(|pair| pair[0].t_ms <= pair[1].t_ms), "time goes back: {stimuli:?}");
-    let responses = simulate(&chart, profile(0), &stimuli);
-    let _ = write_trace(&chart, &stimuli, &responses);
+    let responses = simulate(chart, profile(0), &stimuli);
+    let _ = write_trace(chart, &stimuli, &responses);
 }
 
 /// What is read of a trace, and said: code, headline, and the byte of each place.

@@ -14,9 +14,9 @@ pub(crate) fn joined(text: &str, diagnostics: Diagnostics) -> Diagnostics {
     for fault in diagnostics.iter() {
         let at = fault.primary.span;
         if is_semicolon(text, fault) {
-            // Behind an assignment that has its message it belongs to that.
+            // Behind an assignment that has its message it belongs to that; within one it does not.
             if let Some((index, end)) = eventless
-                && text[end as usize..at.start as usize].trim().is_empty()
+                && text.get(end as usize..at.start as usize).is_some_and(|between| between.trim().is_empty())
             {
                 widen(&mut out[index], end, at.end);
             } else if let Some(index) = semicolon {

@@ -236,3 +236,12 @@ fn the_number_of_messages_is_bounded() {
     assert_eq!(diagnostics.iter().count(), 400);
     assert!(diagnostics.iter().any(|d| d.notes.iter().any(|n| n.ends_with("more syntax errors"))));
 }
+
+/// A semicolon within an assignment ends nothing: it is a mistake of its own.
+#[test]
+fn a_semicolon_within_an_assignment_without_an_event() {
+    assert_eq!(
+        faults("var I : int\ninitial step 1 {\n  I := 1 + ;o n\n}\n"),
+        ["E0108 3:3-13 the assignment of `I` does not say when it is done", "E0101 3:12 unexpected character `;`"]
+    );
+}
