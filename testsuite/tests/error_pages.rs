@@ -15,6 +15,7 @@ const WITHOUT_EXAMPLE: &[(Code, &str)] = &[
     (Code::E0110, "a page is UTF-8 itself; `bytes_that_are_not_utf8` runs the binary instead"),
     (Code::E0506, "the chart would have to be longer than a page"),
     (Code::E0606, "it takes an option of `grafc sim`"),
+    (Code::E0608, "it takes files of certain names; a test of `grafc test` runs the binary instead"),
     (Code::E0901, "no text is known to give it, else it would be corrected"),
 ];
 
@@ -65,6 +66,7 @@ fn diagnose(code: Code, chart: &FencedBlock, trace: Option<&FencedBlock>) -> BTr
             let checked =
                 checked.unwrap_or_else(|| panic!("{code:?}: the chart of the trace has errors: {diagnostics:?}"));
             diagnostics.append(match code {
+                Code::E0607 => grafc_testing::table(&checked, Profile::default(), (FileId(1), &trace.text), None),
                 Code::E0605 => compared(&checked, &trace.text),
                 Code::W0601 => {
                     let (chart, trace) = ((FileId(0), chart.text.as_str()), (FileId(1), trace.text.as_str()));

@@ -154,6 +154,8 @@ codes! {
     E0604 "trace-goes-back-in-time" Error;
     E0605 "recording-differs" Error;
     E0606 "too-many-calls" Error;
+    E0607 "expectation-not-met" Error;
+    E0608 "test-without-chart" Error;
     W0601 "delay-ends-between-rows" Warning;
 
     E0701 "malformed-xml" Error;

@@ -6,6 +6,7 @@
 //!
 //! | file | what |
 //! | --- | --- |
+//! | `colours` | colours of what has happened to elements |
 //! | `font` | the widths of texts, by the font that PDF and PNG embed |
 //! | `wording` | conditions and values as the standard writes them |
 //! | `rich` | such texts broken into lines, and negation drawn over them |
@@ -19,6 +20,7 @@
 //! | `states` | graphs of states, for what is found of a chart |
 //! | `svg` | the text |
 
+mod colours;
 mod cut;
 mod diagram;
 pub mod font;
@@ -33,6 +35,7 @@ mod svg;
 mod symbols;
 mod wording;
 
+pub use colours::{Colour, Colours, coloured};
 pub use picture::{Anchor, Group, Picture, Shape, Style};
 pub use sheet::Page;
 pub use sheets::{Options, Refusal, draw};

@@ -13,6 +13,8 @@ pub struct Picture {
     pub bounds: Bounds,
     /// What is on it.
     pub groups: Vec<Group>,
+    /// How some of it looks, beyond how everything does.
+    pub look: &'static str,
 }
 
 /// Shapes that belong to one element of the chart.

@@ -83,6 +83,7 @@ pub fn states(title: &str, description: &str, states: &[State], arcs: &[Arc]) ->
         description: description.to_string(),
         bounds: Bounds { left: left - MARGIN, top: top - MARGIN, right: right + MARGIN, bottom: bottom + MARGIN },
         groups,
+        look: "",
     }
 }
 

@@ -39,7 +39,7 @@ pub fn svg(picture: &Picture, page: Option<Page>) -> String {
         "xmlns=\"http://www.w3.org/2000/svg\" ",
         &format!("{size} "),
         "img",
-        &format!("<style>{SHEET}</style>\n"),
+        &format!("<style>{SHEET}{}</style>\n", picture.look),
     )
 }
 

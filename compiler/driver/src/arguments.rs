@@ -218,6 +218,31 @@ fn warning(asked: &str) -> Result<Code, Failure> {
     Err(Failure::WrongUse(what, "name a warning, as messages show it: `W0409`; `-D warnings` means all".to_string()))
 }
 
+/// Milliseconds between two calls.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Period(pub i64);
+
+/// `20ms`, `0.5s`, `1min`.
+pub fn period(text: &str) -> Result<Period, String> {
+    let digits = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
+    let (number, unit) = text.split_at(digits);
+    let factor = match unit {
+        "ms" => 1.0,
+        "s" => 1_000.0,
+        "min" | "m" => 60_000.0,
+        "h" => 3_600_000.0,
+        _ => return Err("a period has a unit: `20ms`, `1s`".into()),
+    };
+    let ms = number.parse::<f64>().map_err(|_| "a period begins with a number: `20ms`")? * factor;
+    if ms > f64::from(i32::MAX) {
+        Err(format!("a period is at most {}ms", i32::MAX))
+    } else if ms >= 1.0 && ms.fract() == 0.0 {
+        Ok(Period(ms as i64))
+    } else {
+        Err("a period is whole milliseconds, at least 1ms".into())
+    }
+}
+
 /// A choice as it would be written on the command line.
 pub(crate) fn option(name: &str, value: impl ValueEnum) -> String {
     let value = value.to_possible_value();

@@ -2,7 +2,7 @@
 
 use crate::choices;
 use crate::commands::{
-    check, compile, completions, draw, explain, fmt, graph, import, man, new, page, serve, sim, stats,
+    check, compile, completions, draw, explain, fmt, graph, import, man, new, page, serve, sim, stats, test,
 };
 use crate::meant;
 use crate::stream::Stream;
@@ -74,6 +74,8 @@ pub enum Command {
     Check(check::Arguments),
     /// Run a chart over a trace of its inputs with the reference simulator
     Sim(sim::Arguments),
+    /// Run the tests of charts, tables and scenarios, and measure what they cover
+    Test(test::Arguments),
     /// Draw a chart by the symbols of the standard, as SVG, PDF or PNG
     Draw(draw::Arguments),
     /// Make a page of a chart on which it runs: one HTML file that needs nothing else

@@ -9,13 +9,14 @@ const OTHER_WORDS: &[(&[&str], &str, &str)] = &[
     (&["compile", "build", "make", "gen", "generate", "translate"], "", "grafc CHART --target st"),
     (&["emit", "dump"], "", "grafc CHART --emit STAGE"),
     (&["watch"], "", "grafc CHART -o FILE --watch"),
-    (&["lint", "verify", "validate", "test"], "check", "grafc check CHART"),
+    (&["lint", "verify", "validate"], "check", "grafc check CHART"),
     (&["format", "pretty", "indent"], "fmt", "grafc fmt CHART"),
     (&["init", "create", "template", "start"], "new", "grafc new NAME"),
     (&["convert", "open", "load"], "import", "grafc import FILE"),
     (&["statistics", "size", "measure", "info"], "stats", "grafc stats CHART"),
     (&["error", "describe", "why", "doc"], "explain", "grafc explain CODE"),
     (&["manual"], "man", "grafc man"),
+    (&["tests", "coverage", "cover", "scenario", "scenarios"], "test", "grafc test [PATH]"),
     (&["version"], "", "grafc --version"),
 ];
 

@@ -161,5 +161,10 @@ pub fn to_stderr(text: &str) {
 
 /// Colour is for terminals, unless the user said no (<https://no-color.org>).
 fn wants_colour() -> bool {
-    std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty()) && std::io::stderr().is_terminal()
+    is_coloured(std::io::stderr().is_terminal())
+}
+
+/// Whether what goes there is coloured, to a terminal or elsewhere.
+pub fn is_coloured(is_terminal: bool) -> bool {
+    std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty()) && is_terminal
 }

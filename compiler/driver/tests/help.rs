@@ -5,9 +5,10 @@ mod common;
 use common::Folder;
 use grafc_diagnostics::Code;
 
-const COMMANDS: [&str; 13] = [
+const COMMANDS: [&str; 14] = [
     "check",
     "sim",
+    "test",
     "new",
     "fmt",
     "draw",

@@ -36,7 +36,7 @@ pub use grafc_logic::{Encoding, Options as Lowering};
 pub use grafc_model::reaction::{Evolution, LivelockOutputs};
 pub use header::header;
 pub use options::{Options, Product};
-pub use simulate::{Ended, KeptCall, NotShown, Outcome, Record, Results, Run, Simulation, Text, simulate};
+pub use simulate::{Ended, KeptCall, NotShown, Outcome, Record, Results, Run, Simulation, Text, known_bound, simulate};
 pub use sources::add;
 /// The examples of the book.
 #[cfg(doctest)]

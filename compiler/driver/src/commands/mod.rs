@@ -14,6 +14,7 @@ pub mod page;
 pub mod serve;
 pub mod sim;
 pub mod stats;
+pub mod test;
 
 use crate::report::Failure;
 use crate::stream::Stream;

@@ -2,7 +2,7 @@
 
 use super::{refuse_output_over_input, refuse_second_standard_input};
 use crate::Exit;
-use crate::arguments::{ControlArguments, MessageArguments, ProfileArguments};
+use crate::arguments::{ControlArguments, MessageArguments, Period, ProfileArguments, period};
 use crate::report::{Failure, Report};
 use crate::results::{Form, Written};
 use crate::stream::Stream;
@@ -145,28 +145,3 @@ fn refusal(ended: Ended, trace: &Stream, against: Option<&Stream>, output: Optio
 
 /// What a drawing shows in any case.
 const ALL: [&str; 3] = ["inputs", "vars", "steps"];
-
-/// Milliseconds between two calls.
-#[derive(Clone, Copy, Debug)]
-struct Period(i64);
-
-/// `20ms`, `0.5s`, `1min`.
-fn period(text: &str) -> Result<Period, String> {
-    let digits = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
-    let (number, unit) = text.split_at(digits);
-    let factor = match unit {
-        "ms" => 1.0,
-        "s" => 1_000.0,
-        "min" | "m" => 60_000.0,
-        "h" => 3_600_000.0,
-        _ => return Err("a period has a unit: `20ms`, `1s`".into()),
-    };
-    let ms = number.parse::<f64>().map_err(|_| "a period begins with a number: `20ms`")? * factor;
-    if ms > f64::from(i32::MAX) {
-        Err(format!("a period is at most {}ms", i32::MAX))
-    } else if ms >= 1.0 && ms.fract() == 0.0 {
-        Ok(Period(ms as i64))
-    } else {
-        Err("a period is whole milliseconds, at least 1ms".into())
-    }
-}

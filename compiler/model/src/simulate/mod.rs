@@ -42,7 +42,7 @@ use index_vec::IndexVec;
 use orders::Orders;
 use plan::Plan;
 pub use probe::Probe;
-pub use run::{Call, Calls, MOST_CALLS, Onlooker, Run};
+pub use run::{Call, Calls, MOST_CALLS, Observer, Onlooker, Run};
 pub use seen::Seen;
 
 /// Whether each step is active.

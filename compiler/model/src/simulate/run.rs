@@ -53,6 +53,20 @@ pub trait Onlooker {
 
     /// Before the row at hand there are more calls than there can be, and the run ends.
     fn too_many(&mut self) -> Self::End;
+
+    /// Who sees each micro-step, and the simulator at rest after each call at its time; nobody, if nothing is said.
+    fn observer(&mut self) -> Option<&mut dyn Observer> {
+        None
+    }
+}
+
+/// What sees a chart from within while it is run.
+pub trait Observer {
+    /// A micro-step was done, or the chart has just started.
+    fn micro_step(&mut self, simulator: &Simulator);
+
+    /// A call is over, which was at this time.
+    fn rested(&mut self, simulator: &mut Simulator, t_ms: i64);
 }
 
 /// A chart that is called at the rows of a trace, and between them.
@@ -102,7 +116,7 @@ impl<'a> Run<'a> {
             Some(before) => self.between(&before, row.t_ms, onlooker)?,
             None => self.start = row.t_ms,
         }
-        let response = self.simulator.react(&row);
+        let response = self.react(&row, onlooker);
         if let Some(other) = &mut self.exact
             && other.react(&row) != response
         {
@@ -129,7 +143,7 @@ impl<'a> Run<'a> {
                 let mut now = from;
                 while now < next {
                     let stimulus = at(now);
-                    let response = self.simulator.react(&stimulus);
+                    let response = self.react(&stimulus, onlooker);
                     self.show(&stimulus, response, onlooker)?;
                     now = now.saturating_add(period);
                 }
@@ -139,13 +153,23 @@ impl<'a> Run<'a> {
                 while let Some(event) = self.simulator.next_event(now, next) {
                     self.left = self.left.checked_sub(1).ok_or_else(|| onlooker.too_many())?;
                     let stimulus = at(event);
-                    let response = self.simulator.react(&stimulus);
+                    let response = self.react(&stimulus, onlooker);
                     self.show(&stimulus, response, onlooker)?;
                     now = event;
                 }
             }
         }
         Ok(())
+    }
+
+    fn react<O: Onlooker>(&mut self, stimulus: &Stimulus, onlooker: &mut O) -> Response {
+        let Some(observer) = onlooker.observer() else { return self.simulator.react(stimulus) };
+        if self.simulator.seen().is_none() {
+            self.simulator.look_on();
+        }
+        let response = self.simulator.react_observed(stimulus, &mut |simulator| observer.micro_step(simulator));
+        observer.rested(&mut self.simulator, stimulus.t_ms);
+        response
     }
 
     fn show<O: Onlooker>(&mut self, stimulus: &Stimulus, response: Response, onlooker: &mut O) -> Result<(), O::End> {

@@ -4,7 +4,7 @@ use super::orders::Forced;
 use super::plan::{Memory, Valued};
 use super::stored::Happened;
 use super::{Simulator, Values};
-use crate::chart::{Chart, GrafcetId, Mode, StepId, TransitionId};
+use crate::chart::{Chart, ExprId, GrafcetId, Mode, StepId, TransitionId};
 use index_vec::IndexVec;
 
 /// What is seen of a micro-step.
@@ -103,12 +103,17 @@ impl Simulator<'_> {
             let level = self.chart.grafcets[self.chart.steps[orders[place].step].grafcet].level;
             (level, place)
         };
-        let active = |place: usize| self.state.active[orders[place].step];
-        let in_force = |place: usize| {
-            let others = (0..orders.len()).filter(|other| orders[*other].grafcet == orders[place].grafcet);
-            active(place) && !others.into_iter().any(|other| active(other) && rank(other) < rank(place))
-        };
-        (0..orders.len()).map(in_force).collect()
+        let mut first: IndexVec<GrafcetId, Option<usize>> = self.chart.grafcets.iter().map(|_| None).collect();
+        for place in (0..orders.len()).filter(|place| self.state.active[orders[*place].step]) {
+            let best = &mut first[orders[place].grafcet];
+            *best = best.filter(|other| rank(*other) < rank(place)).or(Some(place));
+        }
+        (0..orders.len()).map(|place| first[orders[place].grafcet] == Some(place)).collect()
+    }
+
+    /// Whether a condition holds in the latest context, if it is one of those that were evaluated in it.
+    pub fn holds(&self, condition: ExprId) -> bool {
+        self.values.holds(condition)
     }
 
     /// Whether each step is active because the order in force on its grafcet names or holds it.

@@ -7,18 +7,16 @@
 //! It is read beside the run, row by row.
 
 use super::columns::{FLAGS, RESTART, SITUATION, TIME, columns, unknown};
+use super::results::{About, Results, Saying, own_columns};
 use super::row::Row;
 use super::rows::Rows;
 use super::said::{Kept, Said};
-use super::situation;
 use super::times::Times;
-use super::values::parse_value;
-use super::write::cell;
-use crate::chart::{Chart, StepId, Type, Value, Variable, VariableKind};
+use crate::chart::{Chart, StepId, Variable, VariableKind};
 use crate::reaction::{Response, Stimulus};
 use crate::resolve::suggest::Suggestions;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Extract, FileId, Span};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::io::{self, Read};
 
 /// Compares a recording with the responses to stimuli: how many rows it has, and what is wrong with it. Only the first
@@ -44,10 +42,8 @@ pub fn compare_trace(
 #[derive(Clone, Copy)]
 enum Column {
     Time,
-    /// The output of this place among the outputs.
-    Output(usize),
-    Situation,
-    Flags,
+    /// Something that is compared.
+    Compared(About),
     /// An input, or what has been reported.
     Skipped,
 }
@@ -56,19 +52,15 @@ enum Column {
 #[derive(Default)]
 struct RecordedRow {
     t_ms: i64,
-    /// The latest value of each output that was recorded: an empty cell keeps it.
-    outputs: Vec<Option<Value>>,
-    situation: Option<BTreeSet<StepId>>,
-    flags: Option<BTreeSet<&'static str>>,
+    /// For each column that is compared, what was recorded: of an output the latest value, since an empty cell keeps it.
+    cells: Vec<Option<Saying>>,
 }
 
 /// A recording that is read as far as the run has come.
 pub struct Recording<'a, R> {
     rows: Rows<R>,
     said: Said,
-    chart: &'a Chart,
-    outputs: Vec<&'a Variable>,
-    steps: BTreeMap<&'a str, StepId>,
+    results: Results<'a>,
     columns: Vec<Column>,
     times: Times,
     row: Row,
@@ -87,29 +79,21 @@ pub struct Recording<'a, R> {
     count: u64,
 }
 
-const FLAG_NAMES: [&str; 4] = ["LIVELOCK", "ALLOC_CONFLICT", "FORCE_CONFLICT", "DIV0"];
-
 impl<'a, R: Read> Recording<'a, R> {
     /// A recording of a chart, whose header is read.
     ///
     /// # Errors
     /// The text cannot be read.
     pub fn new(file: FileId, text: R, chart: &'a Chart, kept: Kept) -> io::Result<Self> {
-        let outputs: Vec<&Variable> = chart.variables.iter().filter(|v| v.kind == VariableKind::Output).collect();
+        let results = Results::new(chart);
         let (mut rows, mut said, mut header) = (Rows::new(text)?, Said::new(file, kept), Row::default());
         let found = rows.header(&mut header, &mut said)?;
-        let columns = if found { roles(&mut said, &header, chart, &outputs) } else { Vec::new() };
-        let mut steps = BTreeMap::new();
-        for (id, step) in chart.steps.iter_enumerated() {
-            steps.entry(step.label.as_str()).or_insert(id);
-        }
-        let recorded = RecordedRow { outputs: vec![None; outputs.len()], ..RecordedRow::default() };
+        let columns = if found { roles(&mut said, &header, &results) } else { Vec::new() };
+        let recorded = RecordedRow { t_ms: 0, cells: vec![None; columns.len()] };
         Ok(Recording {
             rows,
             said,
-            chart,
-            outputs,
-            steps,
+            results,
             columns,
             times: Times::default(),
             row: Row::default(),
@@ -175,7 +159,7 @@ impl<'a, R: Read> Recording<'a, R> {
         if self.has_compared || self.said.has_errors() {
             return None;
         }
-        let is_compared = |column: &Column| matches!(column, Column::Output(_) | Column::Situation | Column::Flags);
+        let is_compared = |column: &Column| matches!(column, Column::Compared(_));
         let message = if !self.columns.iter().any(is_compared) {
             "the recording has no column that is compared"
         } else if self.count == 0 {
@@ -209,74 +193,32 @@ impl<'a, R: Read> Recording<'a, R> {
             return Ok(self.is_waiting);
         }
         self.times.pass(&mut self.row);
-        match self.rows.read(&mut self.row) {
-            Ok(true) => {
-                self.count += 1;
-                self.read_row();
-                self.is_waiting = true;
-            }
-            Ok(false) => self.is_over = true,
-            Err(fault) => {
-                self.is_over = true;
-                self.said.fault(&mut self.row, fault)?;
-            }
+        if self.rows.next(&mut self.row, &mut self.said)? {
+            self.count += 1;
+            self.read_row();
+            self.is_waiting = true;
+        } else {
+            self.is_over = true;
         }
         Ok(self.is_waiting)
     }
 
     fn read_row(&mut self) {
-        (self.recorded.situation, self.recorded.flags) = (None, None);
-        if self.said.fits(&self.row, self.columns.len()) {
-            for (column, role) in self.columns.iter().enumerate() {
-                let text = self.row.cell(column);
-                match *role {
-                    Column::Time => self.times.take(&self.row, column, &mut self.said),
-                    Column::Output(_) if text.is_empty() => {}
-                    Column::Output(place) => match parse_value(text, self.outputs[place].ty) {
-                        Ok(value) => self.recorded.outputs[place] = Some(value),
-                        Err(expected) => {
-                            let message = format!("`{text}` is not a value of `{}`", self.outputs[place].name);
-                            self.said.bad_value(&self.row, column, message, &expected);
-                        }
-                    },
-                    Column::Situation => {
-                        let mut found = BTreeSet::new();
-                        for label in situation::labels(text) {
-                            match self.steps.get(label) {
-                                Some(id) => _ = found.insert(*id),
-                                None => {
-                                    let place = self.said.cell(&self.row, column);
-                                    let message = format!("`{label}` is not a step of the chart");
-                                    let error = Diagnostic::new(Code::E0603, place, message);
-                                    let meant = Suggestions::new().nearest(label, self.steps.keys().copied());
-                                    let help = meant.map_or_else(
-                                        || "write the labels of the active steps, with blanks between them".to_string(),
-                                        |meant| format!("write `{meant}`"),
-                                    );
-                                    self.said.error(error.help(help));
-                                }
-                            }
-                        }
-                        self.recorded.situation = Some(found);
+        let fits = self.said.fits(&self.row, self.columns.len());
+        for (column, role) in self.columns.iter().enumerate() {
+            match *role {
+                Column::Time if fits => self.times.take(&self.row, column, &mut self.said),
+                Column::Compared(about) => {
+                    let is_kept = matches!(about, About::Output(_));
+                    let text = self.row.cell(column);
+                    if fits && !(is_kept && text.is_empty()) {
+                        let read = self.results.read(about, text, (&self.row, column), &mut self.said);
+                        self.recorded.cells[column] = read.or(self.recorded.cells[column].take().filter(|_| is_kept));
+                    } else if !is_kept {
+                        self.recorded.cells[column] = None;
                     }
-                    Column::Flags => {
-                        let mut found = BTreeSet::new();
-                        for name in text.split_whitespace() {
-                            match FLAG_NAMES.iter().find(|flag| **flag == name) {
-                                Some(flag) => _ = found.insert(*flag),
-                                None => {
-                                    let place = self.said.cell(&self.row, column);
-                                    let all = FLAG_NAMES.join(", ");
-                                    let message = format!("`{name}` is not a flag");
-                                    let error = Diagnostic::new(Code::E0603, place, message);
-                                    self.said.error(error.help(format!("the flags are {all}")));
-                                }
-                            }
-                        }
-                        self.recorded.flags = Some(found);
-                    }
-                    Column::Skipped => {}
                 }
+                Column::Time | Column::Skipped => {}
             }
         }
         self.recorded.t_ms = self.times.latest();
@@ -284,9 +226,7 @@ impl<'a, R: Read> Recording<'a, R> {
 
     /// How a row differs from what the chart does, if it does.
     fn differences(&mut self, response: &Response) -> Option<Diagnostic> {
-        let recorded = &self.recorded;
-        self.has_compared |=
-            recorded.situation.is_some() || recorded.flags.is_some() || recorded.outputs.iter().any(Option::is_some);
+        self.has_compared |= self.recorded.cells.iter().any(Option::is_some);
         let mut found = self.places_that_differ(response).into_iter();
         let (message, column) = found.next()?;
         let place = |said: &mut Said, column: usize| said.cell(&self.row, column);
@@ -300,62 +240,56 @@ impl<'a, R: Read> Recording<'a, R> {
         Some(diagnostic)
     }
 
-    /// What differs, with the columns: situation first, because outputs follow from it.
+    /// What differs, with the columns: situation first, because outputs follow from it, and flags last.
     fn places_that_differ(&self, response: &Response) -> Vec<(String, usize)> {
-        let mut found = Vec::new();
-        let place = |wanted: fn(Column) -> bool| self.columns.iter().position(|column| wanted(*column));
-        let step = |id: StepId| &self.chart.steps[id].label;
-        let row = &self.recorded;
-        if let (Some(situation), Some(column)) = (&row.situation, place(|c| matches!(c, Column::Situation))) {
-            let expected: BTreeSet<StepId> = response.situation.iter().copied().collect();
-            let surplus = situation.difference(&expected);
-            found.extend(surplus.map(|id| (format!("step `{}` is active and should not be", step(*id)), column)));
-            let lacking = expected.difference(situation);
-            found.extend(lacking.map(|id| (format!("step `{}` should be active and is not", step(*id)), column)));
-        }
+        let (mut of_situation, mut of_outputs, mut of_flags) = (Vec::new(), Vec::new(), Vec::new());
         for (column, role) in self.columns.iter().enumerate() {
-            let Column::Output(place) = *role else { continue };
-            let (variable, Some(expected)) = (self.outputs[place], response.outputs.get(place)) else { continue };
-            if let Some(value) = row.outputs[place]
-                && !agree(variable.ty, value, *expected)
-            {
-                let (name, ty) = (&variable.name, variable.ty);
-                let message = format!("output `{name}` is {} and should be {}", cell(ty, value), cell(ty, *expected));
-                found.push((message, column));
+            let (Column::Compared(about), Some(recorded)) = (*role, &self.recorded.cells[column]) else { continue };
+            let Some(done) = self.results.done(about, response, &[]) else { continue };
+            if self.results.agree(about, recorded, &done) {
+                continue;
+            }
+            match (recorded, &done) {
+                (Saying::Situation(recorded), Saying::Situation(done)) => {
+                    let step = |id: StepId| &self.results.chart.steps[id].label;
+                    let surplus = recorded.difference(done);
+                    of_situation.extend(
+                        surplus.map(|id| (format!("step `{}` is active and should not be", step(*id)), column)),
+                    );
+                    let lacking = done.difference(recorded);
+                    of_situation.extend(
+                        lacking.map(|id| (format!("step `{}` should be active and is not", step(*id)), column)),
+                    );
+                }
+                (Saying::Flags(recorded), Saying::Flags(done)) => {
+                    let surplus = recorded.difference(done);
+                    of_flags.extend(surplus.map(|flag| (format!("flag {flag} is raised and should not be"), column)));
+                    let lacking = done.difference(recorded);
+                    of_flags.extend(lacking.map(|flag| (format!("flag {flag} should be raised and is not"), column)));
+                }
+                (Saying::Value(_) | Saying::Situation(_) | Saying::Flags(_), _) => {
+                    let [is, should] = [recorded, &done].map(|saying| self.results.spelled(about, saying));
+                    let name = self.results.name(about);
+                    of_outputs.push((format!("output `{name}` is {is} and should be {should}"), column));
+                }
             }
         }
-        if let (Some(flags), Some(column)) = (&row.flags, place(|c| matches!(c, Column::Flags))) {
-            let expected: BTreeSet<&str> = response.flags.names().collect();
-            let surplus = flags.difference(&expected);
-            found.extend(surplus.map(|flag| (format!("flag {flag} is raised and should not be"), column)));
-            let lacking = expected.difference(flags);
-            found.extend(lacking.map(|flag| (format!("flag {flag} should be raised and is not"), column)));
-        }
-        found
+        of_situation.append(&mut of_outputs);
+        of_situation.append(&mut of_flags);
+        of_situation
     }
 }
 
-fn roles(said: &mut Said, header: &Row, chart: &Chart, outputs: &[&Variable]) -> Vec<Column> {
-    let inputs: Vec<&Variable> = chart.variables.iter().filter(|v| v.kind == VariableKind::Input).collect();
+fn roles(said: &mut Said, header: &Row, results: &Results) -> Vec<Column> {
+    let inputs: Vec<&Variable> = results.chart.variables.iter().filter(|v| v.kind == VariableKind::Input).collect();
     let mut roles: BTreeMap<&str, Column> = BTreeMap::new();
     roles.extend(inputs.iter().map(|variable| (variable.name.as_str(), Column::Skipped)));
-    roles.extend(outputs.iter().enumerate().map(|(place, v)| (v.name.as_str(), Column::Output(place))));
-    let own = [(SITUATION, Column::Situation), (FLAGS, Column::Flags), (RESTART, Column::Skipped)];
-    let (all, looks) = ([inputs.as_slice(), outputs].concat(), Suggestions::new());
+    let outputs = results.outputs.iter().enumerate();
+    roles.extend(outputs.map(|(place, v)| (v.name.as_str(), Column::Compared(About::Output(place)))));
+    let [situation, flags] = own_columns(Column::Compared);
+    let own = [situation, flags, (RESTART, Column::Skipped)];
+    let (all, looks) = ([inputs.as_slice(), &results.outputs].concat(), Suggestions::new());
     let fault =
         |name: &str, span| unknown(format!("the chart has no input or output `{name}`"), name, span, &all, &looks);
-    columns(said, header, (Column::Time, Column::Skipped), &own, &roles, fault)
-}
-
-/// Reals agree to as many digits as tools print: six of a `real`, twelve of an `lreal`. What is infinite or no number
-/// agrees with its like alone.
-fn agree(ty: Type, a: Value, b: Value) -> bool {
-    let tolerance = if ty == Type::Real { 1e-6 } else { 1e-12 };
-    match (a, b) {
-        (Value::Real(a), Value::Real(b)) if a.is_finite() && b.is_finite() => {
-            a == b || (a - b).abs() <= tolerance * a.abs().max(b.abs())
-        }
-        (Value::Real(a), Value::Real(b)) => a == b || a.is_nan() && b.is_nan(),
-        (a, b) => a == b,
-    }
+    columns(said, header, 0..header.len(), (Column::Time, Column::Skipped), &own, &roles, fault)
 }

@@ -10,6 +10,7 @@ use crate::resolve::suggest::Suggestions;
 use grafc_diagnostics::{Code, Diagnostic, Fix, Span};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// The column of times.
 pub const TIME: &str = "t_ms";
@@ -19,6 +20,8 @@ pub const RESTART: &str = "restart";
 pub const SITUATION: &str = "situation";
 /// The column of raised flags.
 pub const FLAGS: &str = "flags";
+/// The column that parts what is given from what is expected.
+pub const BAR: &str = "|";
 
 /// A cell of a header.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -48,19 +51,25 @@ pub fn heading(name: &str) -> Cow<'_, str> {
     if is_own(name) { Cow::Owned(format!("`{name}`")) } else { Cow::Borrowed(name) }
 }
 
-/// The roles of the columns, of which the first is that of times. `own` gives those of the trace's own, `variables` those
-/// of the chart's variables; what is neither, or there twice, is reported and has the role `unknown`.
+/// Where the column is that parts what is given from what is expected, if there is one.
+pub(super) fn bar(header: &Row) -> Option<usize> {
+    (0..header.len()).find(|column| header.cell(*column) == BAR)
+}
+
+/// The roles of some columns; the first of the table is that of times. `own` gives those of the trace's own, `variables`
+/// those of the chart's variables; what is neither, or there twice, is reported and has the role `unknown`.
 pub(super) fn columns<R: Copy>(
     said: &mut Said,
     header: &Row,
+    part: Range<usize>,
     (time, unknown): (R, R),
     own: &[(&str, R)],
     variables: &BTreeMap<&str, R>,
     fault: impl Fn(&str, Span) -> Diagnostic,
 ) -> Vec<R> {
     let mut seen: BTreeMap<Heading, Span> = BTreeMap::new();
-    let mut columns = Vec::with_capacity(header.len());
-    for (column, range) in header.ranges().into_iter().enumerate().take(header.len()) {
+    let mut columns = Vec::with_capacity(part.len());
+    for (column, range) in header.ranges().into_iter().enumerate().take(part.end).skip(part.start) {
         let (cell, span) = (header.cell(column), said.place(header, range));
         let heading = Heading::read(cell);
         let of_its_own = own.iter().find(|(name, _)| heading.is(name));
@@ -100,7 +109,7 @@ pub(super) fn columns<R: Copy>(
 }
 
 fn is_own(name: &str) -> bool {
-    [TIME, RESTART, SITUATION, FLAGS].contains(&name)
+    [TIME, RESTART, SITUATION, FLAGS, BAR].contains(&name)
 }
 
 fn in_backquotes(name: &str) -> String {
@@ -156,11 +165,11 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read_as_the_same_name() {
-        for name in ["a", "t_ms", "restart", "situation", "flags", "Restart", "with, comma"] {
+        for name in ["a", "t_ms", "restart", "situation", "flags", "|", "Restart", "with, comma"] {
             let written = heading(name);
             let read = Heading::read(&written);
             assert_eq!(read.name, name);
-            assert!(![TIME, RESTART, SITUATION, FLAGS].into_iter().any(|own| read.is(own)), "{name}");
+            assert!(![TIME, RESTART, SITUATION, FLAGS, BAR].into_iter().any(|own| read.is(own)), "{name}");
         }
     }
 

@@ -109,6 +109,14 @@ impl<R: Read> Rows<R> {
             Err(fault) => said.fault(header, fault).map(|()| false),
         }
     }
+
+    /// Reads the next row; whether there is one. A fault in it is said.
+    pub fn next(&mut self, row: &mut Row, said: &mut Said) -> io::Result<bool> {
+        match self.read(row) {
+            Ok(is_there) => Ok(is_there),
+            Err(fault) => said.fault(row, fault).map(|()| false),
+        }
+    }
 }
 
 /// The same as `Read::read`, which may be interrupted for nothing.

@@ -60,6 +60,11 @@ impl Said {
         self.errors > 0
     }
 
+    /// How many errors there are, those included that are not told.
+    pub fn errors(&self) -> usize {
+        self.errors
+    }
+
     /// A part of a row as a place; none that counts if nothing more is told.
     pub fn place(&mut self, row: &Row, part: Range<usize>) -> Span {
         if self.is_full() {

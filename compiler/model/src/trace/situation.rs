@@ -3,6 +3,9 @@
 use crate::chart::{Chart, StepId};
 use std::borrow::Cow;
 
+/// How a cell says that no step is active, where a blank one says nothing.
+pub(super) const EMPTY: &str = "{}";
+
 /// Writes the cell for a situation.
 pub(super) fn write(cell: &mut String, chart: &Chart, situation: &[StepId]) {
     for (place, step) in situation.iter().enumerate() {
@@ -14,7 +17,11 @@ pub(super) fn write(cell: &mut String, chart: &Chart, situation: &[StepId]) {
 }
 
 fn quoted(label: &str) -> Cow<'_, str> {
-    if label.contains(char::is_whitespace) { Cow::Owned(format!("`{label}`")) } else { Cow::Borrowed(label) }
+    if label.contains(char::is_whitespace) || label == EMPTY {
+        Cow::Owned(format!("`{label}`"))
+    } else {
+        Cow::Borrowed(label)
+    }
 }
 
 /// The labels in a cell, in order; any may stand in backquotes.
@@ -38,9 +45,14 @@ mod tests {
 
     #[test]
     fn labels_with_blanks_stand_apart() {
-        for all in
-            [&["1", "2"][..], &["tank full", "tank", "full"], &["a b"], &["", "x"][1..], &["\u{a0}", "a\u{3000}b"]]
-        {
+        for all in [
+            &["1", "2"][..],
+            &["{}"],
+            &["tank full", "tank", "full"],
+            &["a b"],
+            &["", "x"][1..],
+            &["\u{a0}", "a\u{3000}b"],
+        ] {
             let written: Vec<Cow<str>> = all.iter().map(|label| quoted(label)).collect();
             assert_eq!(labels(&written.join(" ")).collect::<Vec<_>>(), all);
         }

@@ -37,6 +37,13 @@ pub struct Run<'a> {
     pub show: &'a [String],
 }
 
+/// A profile with the bound on micro-steps that is known to be enough, if one is that is no larger than usual.
+pub fn known_bound(chart: &Chart, profile: Profile) -> Profile {
+    let Some(net) = flatten(chart.clone(), false, &mut Diagnostics::new()) else { return profile };
+    let lowering = grafc_logic::Options { profile, ..grafc_logic::Options::default() };
+    bounded(&lowering, true, &Analysis::new(net)).profile
+}
+
 /// A chart that can be run over traces.
 pub struct Simulation {
     /// The chart.
@@ -69,13 +76,8 @@ impl Simulation {
             Ok(found) => found,
             Err(word) => return (Err(NotShown { near: shown::near(&chart, &word), word }), diagnostics),
         };
-        let mut lowering = grafc_logic::Options { profile: how.profile, ..grafc_logic::Options::default() };
-        if how.bound_as_known
-            && let Some(net) = flatten(chart.clone(), false, &mut Diagnostics::new())
-        {
-            lowering = bounded(&lowering, true, &Analysis::new(net));
-        }
-        let simulation = Simulation { chart, probes, before, profile: lowering.profile, calls: how.calls };
+        let profile = if how.bound_as_known { known_bound(&chart, how.profile) } else { how.profile };
+        let simulation = Simulation { chart, probes, before, profile, calls: how.calls };
         (Ok(Some(simulation)), diagnostics)
     }
 

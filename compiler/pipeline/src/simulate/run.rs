@@ -1,9 +1,9 @@
 //! A run over a trace as it comes, beside a recording as it comes, that hands on what comes of it.
 
 use super::Simulation;
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Extract, FileId, Policy, Severity, render};
-use grafc_model::simulate::{Call, MOST_CALLS, Onlooker, Run};
-use grafc_model::trace::{Kept, Recording, Stimuli};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Extract, FileId, Policy, Severity};
+use grafc_model::simulate::{Call, Onlooker, Run};
+use grafc_model::trace::{Between, Kept, Recording, Stimuli};
 use std::io::{self, Read};
 
 /// A text that is read as it comes.
@@ -88,8 +88,8 @@ impl Simulation {
                 Err(Stop::Refused(ended)) => return Err(ended),
             }
             for found in watch.found.drain(..) {
-                let message = found.told(&mut rows);
-                rows.say(message);
+                let (here, before) = rows.places();
+                rows.say(found.told(here, before));
             }
         }
         let differs = watch.recording.as_ref().is_some_and(Recording::differs);
@@ -126,7 +126,7 @@ struct Watch<'a, R> {
     has_restarts: bool,
     is_begun: bool,
     is_denied: bool,
-    found: Vec<Found>,
+    found: Vec<Between>,
 }
 
 /// Why the chart is not called any more.
@@ -135,15 +135,6 @@ enum Stop {
     Found,
     /// Something cannot be read or written.
     Refused(Ended),
-}
-
-/// What was found before the row at hand.
-#[derive(Clone, Copy)]
-enum Found {
-    /// A delay ended at this time, and no call saw it.
-    Unseen(i64),
-    /// There were too many calls.
-    TooMany,
 }
 
 impl<R: Read> Watch<'_, R> {
@@ -167,36 +158,12 @@ impl<R: Read> Onlooker for Watch<'_, R> {
     }
 
     fn unseen(&mut self, t_ms: i64) -> Result<(), Stop> {
-        self.found.push(Found::Unseen(t_ms));
+        self.found.push(Between::Unseen(t_ms));
         if self.is_denied { Err(Stop::Found) } else { Ok(()) }
     }
 
     fn too_many(&mut self) -> Stop {
-        self.found.push(Found::TooMany);
+        self.found.push(Between::TooMany);
         Stop::Found
-    }
-}
-
-impl Found {
-    /// The message, at the row at hand.
-    fn told<R: Read>(self, rows: &mut Stimuli<R>) -> Diagnostic {
-        let (here, before) = rows.places();
-        match self {
-            Found::Unseen(at) => {
-                let message = format!("at {at} ms a delay ends, and no row shows what follows");
-                Diagnostic::new(Code::W0601, here, message)
-                    .here("the next row")
-                    .also(before, "the row before")
-                    .note("a controller is called all the time, and would see it then")
-                    .help("add a row at this time, or let the simulation call the chart there: `--events`, or `--scan 20ms`")
-            }
-            Found::TooMany => {
-                let most = render::grouped(usize::try_from(MOST_CALLS).unwrap_or(usize::MAX));
-                let message = format!("before this row there are more than {most} calls between rows");
-                Diagnostic::new(Code::E0606, here, message)
-                    .also(before, "the row before")
-                    .help("scan less often, or only where a delay ends: `--events`; perhaps a time is mistyped")
-            }
-        }
     }
 }

@@ -1,0 +1,125 @@
+//! The tests of a chart, run one after the other.
+
+use super::find::{Tested, called, shown, table_called};
+use crate::report::{Failure, Report};
+use grafc::files;
+use grafc_diagnostics::{Diagnostics, FileId};
+use grafc_model::chart::{Chart, ControlNames};
+use grafc_model::reaction::Profile;
+use grafc_testing::coverage::Coverage;
+use std::path::{Path, PathBuf};
+
+/// A chart with its tests.
+pub struct Loaded {
+    /// Its text.
+    pub file: FileId,
+    /// What it is called in names of tests.
+    pub name: String,
+    /// Its name without folders.
+    pub path: PathBuf,
+    /// None if it has errors.
+    pub chart: Option<Chart>,
+    /// Its tests, by their names.
+    pub tests: Vec<Test>,
+}
+
+/// A test.
+pub struct Test {
+    /// `chart::test`
+    pub name: String,
+    what: What,
+}
+
+enum What {
+    /// A table, in this file.
+    Table(PathBuf),
+}
+
+/// How tests are run.
+#[derive(Clone, Copy)]
+pub struct How {
+    /// How charts evolve.
+    pub profile: Profile,
+    /// Whether the bound on micro-steps is the one that is known to be enough.
+    pub bound_as_known: bool,
+}
+
+/// What came of a test.
+pub struct Done {
+    /// Its name.
+    pub name: String,
+    /// What is wrong, and what else is to be said.
+    pub said: Diagnostics,
+    /// Whether it failed.
+    pub has_failed: bool,
+}
+
+impl Loaded {
+    /// Reads a chart, and finds its tests. What is wrong with the chart is reported.
+    pub fn new(path: &Path, tested: &Tested, controls: &ControlNames, report: &mut Report) -> Result<Loaded, Failure> {
+        let (name, shown) = (called(path), shown(path));
+        let mut chart = None;
+        let file = match grafc::add(&mut report.sources, shown, files::read(path)?) {
+            Ok(file) => {
+                let (checked, diagnostics) =
+                    grafc::check(file, &report.sources.file(file).text, &grafc::chart_name(path));
+                report.diagnostics.append(diagnostics);
+                chart = checked;
+                file
+            }
+            Err(diagnostic) => {
+                let file = diagnostic.primary.span.file;
+                report.diagnostics.push(diagnostic);
+                file
+            }
+        };
+        if let Some(Err(found)) = chart.as_mut().map(|chart| chart.control(controls)) {
+            report.diagnostics.append(found);
+            chart = None;
+        }
+        let tables = tested.tables.iter().map(|table| Test {
+            name: format!("{name}::{}", table_called(path, table)),
+            what: What::Table(table.clone()),
+        });
+        let tests = tables.collect();
+        Ok(Loaded { file, path: path.to_path_buf(), chart, tests, name })
+    }
+}
+
+/// Runs some tests of a chart, and tells each as it ends; what they cover, if somebody measures that.
+pub fn run<'c>(
+    loaded: &'c Loaded,
+    tests: &[&Test],
+    how: How,
+    is_measured: bool,
+    report: &mut Report,
+    told: &mut dyn FnMut(&str, bool) -> Result<(), Failure>,
+) -> Result<(Vec<Done>, Option<Coverage<'c>>), Failure> {
+    let Some(chart) = &loaded.chart else { return Ok((Vec::new(), None)) };
+    let mut profile = how.profile;
+    if how.bound_as_known {
+        profile = grafc::known_bound(chart, profile);
+    }
+    let mut coverage = is_measured.then(|| Coverage::new(chart));
+    let mut all = Vec::new();
+    for test in tests {
+        let mut said = match &test.what {
+            What::Table(path) => match grafc::add(&mut report.sources, shown(path), files::read(path)?) {
+                Ok(file) => {
+                    let text = &report.sources.file(file).text;
+                    grafc_testing::table(chart, profile, (file, text), coverage.as_mut())
+                }
+                Err(diagnostic) => {
+                    let mut said = Diagnostics::new();
+                    said.push(diagnostic);
+                    said
+                }
+            },
+        };
+        report.policy.apply(&mut said);
+        let has_failed = said.has_errors();
+        told(&test.name, has_failed)?;
+        all.push(Done { name: test.name.clone(), said, has_failed });
+    }
+    Ok((all, coverage))
+}

@@ -1,0 +1,90 @@
+//! What is said of tests while they run and at their end, as cargo says it.
+
+use super::run::{Done, Loaded};
+use crate::report::{Failure, Format, Messages, is_coloured};
+use grafc::files::print;
+use grafc_diagnostics::{Diagnostics, Severity, SourceMap, render};
+use std::io::IsTerminal;
+
+/// What is said.
+pub struct Told {
+    count: usize,
+    messages: Messages,
+}
+
+impl Told {
+    /// Of so many tests.
+    pub fn new(count: usize, messages: Messages) -> Told {
+        Told { count, messages }
+    }
+
+    /// Tests begin.
+    pub fn begin(&self) -> Result<(), Failure> {
+        let tests = if self.count == 1 { "test" } else { "tests" };
+        Ok(print(&format!("\nrunning {} {tests}\n", self.count))?)
+    }
+
+    /// A test is over. Who wants to hear of errors alone is not told of others.
+    pub fn test(&self, name: &str, has_failed: bool) -> Result<(), Failure> {
+        if self.messages.quiet && !has_failed {
+            return Ok(());
+        }
+        Ok(print(&format!("test {name} ... {}\n", if has_failed { "FAILED" } else { "ok" }))?)
+    }
+
+    /// All are over: what was wrong with them, and how many they were. Says whether one failed.
+    pub fn end(
+        &self,
+        suites: &[(&Loaded, Vec<Done>)],
+        left_out: usize,
+        faulty: usize,
+        sources: &SourceMap,
+    ) -> Result<bool, Failure> {
+        let all = || suites.iter().flat_map(|(_, tests)| tests);
+        let failed: Vec<&Done> = all().filter(|test| test.has_failed).collect();
+        let mut text = String::new();
+        let is_terminal = std::io::stdout().is_terminal();
+        let rendered = |said: &Diagnostics| match self.messages.format {
+            Format::Human => render::human(sources, &self.wanted(said), is_coloured(is_terminal)),
+            Format::Json => render::json(sources, &self.wanted(said)),
+            Format::Sarif => render::sarif(sources, &self.wanted(said), env!("CARGO_PKG_VERSION")),
+        };
+        // What is to be said of tests that did not fail.
+        for test in all().filter(|test| !test.has_failed) {
+            let said = rendered(&test.said);
+            if !self.wanted(&test.said).is_empty() {
+                text.push_str(&format!("\n---- {} ----\n{said}", test.name));
+            }
+        }
+        if !failed.is_empty() {
+            text.push_str("\nfailures:\n");
+            for test in &failed {
+                text.push_str(&format!("\n---- {} ----\n{}", test.name, rendered(&test.said)));
+            }
+            text.push_str("\nfailures:\n");
+            failed.iter().for_each(|test| text.push_str(&format!("    {}\n", test.name)));
+        }
+        let (count, failures) = (all().count(), failed.len());
+        let result = if failures + faulty == 0 { "ok" } else { "FAILED" };
+        text.push_str(&format!(
+            "\ntest result: {result}. {} passed; {failures} failed; {left_out} filtered out",
+            count - failures
+        ));
+        match faulty {
+            0 => {}
+            1 => text.push_str("; 1 chart has errors"),
+            _ => text.push_str(&format!("; {faulty} charts have errors")),
+        }
+        text.push('\n');
+        print(&text)?;
+        Ok(failures + faulty > 0)
+    }
+
+    fn wanted(&self, said: &Diagnostics) -> Diagnostics {
+        let mut said = said.clone();
+        if self.messages.quiet {
+            said.retain(|one| one.severity() == Severity::Error);
+        }
+        said
+    }
+}
