@@ -12,6 +12,7 @@ pub(crate) mod function_block;
 pub mod ironplc;
 pub mod jobs;
 pub mod js;
+pub mod lanes;
 pub mod matiec;
 mod net;
 pub mod rust;
@@ -29,6 +30,7 @@ pub fn all() -> Vec<Box<dyn Executor>> {
     let mut all: Vec<Box<dyn Executor>> = vec![Box::new(Simulator)];
     all.extend(net::executors());
     all.extend(scan::executors());
+    all.push(Box::new(lanes::AtOnce));
     all.push(Box::new(rust::Rust::find()));
     all.push(Box::new(js::JavaScript::find()));
     all.extend(matiec::executors());

@@ -1,0 +1,52 @@
+//! 64 scenarios at once: each lane does what the program does alone.
+
+use grafc_model::chart::Chart;
+use grafc_model::reaction::{Profile, Stimulus};
+use grafc_testsuite::charts::{cases, charts_folder, check, stimuli, vectors_folder};
+use grafc_testsuite::compare::{first_difference, report};
+use grafc_testsuite::executors::lanes::run;
+use grafc_testsuite::random::{ChartKind, checked, profile, trace};
+use grafc_testsuite::runs::{self, compile};
+use grafc_testsuite::ways::exact;
+
+/// All traces at once, and one by one.
+fn agree(name: &str, chart: &Chart, profile: Profile, traces: &[&[Stimulus]]) {
+    for (way, options) in exact(profile) {
+        let Ok(program) = compile(chart, &options) else { continue };
+        for (stimuli, actual) in traces.iter().zip(run(&program, traces)) {
+            let expected = runs::run(&program, stimuli);
+            assert!(
+                first_difference(&expected, &actual).is_none(),
+                "{name}, {way}\n{}",
+                report(chart, profile, stimuli, &expected, &actual)
+            );
+        }
+    }
+}
+
+#[test]
+fn vectors_and_charts() {
+    let mut calls = 0;
+    for case in cases(&vectors_folder()).into_iter().chain(cases(&charts_folder())) {
+        let chart = check(&case.name, &case.text).expect("a chart without errors");
+        let own = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
+        let drawn: Vec<Vec<Stimulus>> = (1..12).map(|seed| trace(seed, &chart, 20 + seed as usize)).collect();
+        let traces: Vec<&[Stimulus]> = std::iter::once(own.as_slice()).chain(drawn.iter().map(Vec::as_slice)).collect();
+        calls += traces.iter().map(|trace| trace.len()).sum::<usize>();
+        agree(&case.name, &chart, case.profile, &traces);
+    }
+    assert!(calls > 5_000, "{calls}");
+}
+
+/// Numbers, delays, divisions by zero, livelocks, restarts: of lengths that differ, in all 64 lanes.
+#[test]
+fn random_charts() {
+    for seed in 0..16 {
+        let kind = if seed % 3 == 0 { ChartKind::Flat } else { ChartKind::Hierarchical };
+        let drawn = checked(seed, kind);
+        let own: Vec<Vec<Stimulus>> =
+            (0..64).map(|lane| trace(64 * seed + lane, &drawn.chart, 4 + lane as usize % 9)).collect();
+        let traces: Vec<&[Stimulus]> = own.iter().map(Vec::as_slice).collect();
+        agree(&format!("seed {seed}"), &drawn.chart, profile(seed), &traces);
+    }
+}
