@@ -115,6 +115,9 @@ codes! {
     E0413 "edge-inside-edge" Error;
     E0414 "edge-in-continuous-action" Error;
     E0415 "edge-in-delay" Error;
+    E0416 "edge-or-delay-in-claim" Error;
+    E0417 "assumption-beyond-inputs" Error;
+    E0418 "claim-without-step" Error;
 
     W0401 "output-read" Warning;
     W0402 "level-event" Warning;
@@ -197,6 +200,9 @@ impl Code {
                 | E0413
                 | E0414
                 | E0415
+                | E0416
+                | E0417
+                | E0418
         )
     }
 }

@@ -4,6 +4,7 @@ use crate::analysis::components::Components;
 use crate::analysis::transients::Transients;
 use crate::analysis::{Analysis, Conditions};
 use crate::encode;
+use crate::encode::claims;
 use crate::encode::controls;
 use crate::encode::first_call::first_call;
 use crate::encode::heading::heading;
@@ -16,7 +17,7 @@ use crate::encode::task::Task;
 use crate::lower::Lowering;
 use crate::lower::cover::is_small;
 use crate::options::{Encoding, Options};
-use crate::scan::{Elements, Flag, Heading, Limit, Observed, Program, Repeat, Role, Statement};
+use crate::scan::{Claimed, Elements, Flag, Heading, Limit, Observed, Program, Repeat, Role, Statement};
 use crate::tidy::{absorb, idle_delays, join, long_chains, once, sweep};
 use crate::warn::overlap;
 use grafc_diagnostics::Diagnostics;
@@ -32,23 +33,30 @@ pub fn compile(analysis: Analysis, options: &Options) -> (Program, Diagnostics) 
 
 /// The same with what gives saved memory back, for a target that saves it.
 pub fn compile_saved(analysis: Analysis, options: &Options) -> (Program, Diagnostics) {
-    make(analysis, options, Extras { saved: true, observed: Observed::Nothing })
+    make(analysis, options, Extras { saved: true, ..Extras::default() })
 }
 
 /// The same with what gives saved memory back, and with what is shown of micro-steps.
 ///
 /// Where a micro-step more would find nothing to do, it is done all the same: who looks on sees each of R9.
 pub fn compile_observed(analysis: Analysis, options: &Options, observed: Observed) -> (Program, Diagnostics) {
-    make(analysis, options, Extras { saved: true, observed })
+    make(analysis, options, Extras { saved: true, observed, ..Extras::default() })
 }
 
-/// What a target asks for beside a call.
-#[derive(Clone, Copy, Default)]
-struct Extras {
+/// The same with all that is asked for.
+pub fn compile_with(analysis: Analysis, options: &Options, extras: Extras) -> (Program, Diagnostics) {
+    make(analysis, options, extras)
+}
+
+/// What is asked for beside a call.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Extras {
     /// What gives saved memory back.
-    saved: bool,
-    /// What is shown.
-    observed: Observed,
+    pub saved: bool,
+    /// What is shown of micro-steps.
+    pub observed: Observed,
+    /// Which claims are computed.
+    pub claims: Claimed,
 }
 
 fn make(analysis: Analysis, options: &Options, extras: Extras) -> (Program, Diagnostics) {
@@ -60,7 +68,7 @@ fn make(analysis: Analysis, options: &Options, extras: Extras) -> (Program, Diag
     if options.simplify {
         absorb::absorb(&mut program);
         // A small chart calls all of them, which takes fewer lines; and who looks on sees all of them.
-        if !is_small && extras.observed == Observed::Nothing {
+        if !is_small && extras.observed == Observed::Nothing && extras.claims == Claimed::Nothing {
             idle_delays::rest(&mut program);
         }
         once::once(&mut program);
@@ -154,6 +162,8 @@ fn assemble(
         livelock::statements(&mut lowering, options.profile, again, seen, extras.saved)
     });
     after.append(&mut overriding.after);
+    let claimed = claims::lower(&mut lowering, |_| extras.claims == Claimed::All);
+    after.extend(claimed.after);
     if let Some(watch) = &mut watch {
         micro_step.extend(watch.after_micro_step(&mut lowering, options.profile));
     }
@@ -171,6 +181,7 @@ fn assemble(
     }
     let mut before = lowering.call_step_timers();
     before.extend(input_event.found(&mut lowering));
+    before.extend(claimed.before);
 
     let restoring = extras.saved.then(|| {
         // Steps that overlap are active together, whatever excludes each other by the rules.
@@ -209,6 +220,7 @@ fn assemble(
         after,
         restoring,
         observing,
+        claims: claimed.seen,
     };
     (program, overriding.kept)
 }

@@ -34,7 +34,7 @@ mod warn;
 
 pub use analysis::Analysis;
 pub use analysis::transients::Transients;
-pub use compile::{compile, compile_observed, compile_saved};
+pub use compile::{Extras, compile, compile_observed, compile_saved, compile_with};
 pub use grafc_model::dump::type_name;
 pub use grafc_model::misleading_points;
 pub use options::{Encoding, Options};

@@ -4,8 +4,8 @@
 //! where what it says does. Later stages keep expressions, actions and labels, and write them like here.
 
 use crate::chart::{
-    Chart, Continuous, DelayTime, Event, Expr, ExprId, ExprKind, GrafcetId, MacroId, Mode, Node, Note, Situation,
-    StepId, Stored, TransitionId, Type, Value, Variable, VariableId, VariableKind,
+    Chart, Claim, ClaimBody, Claims, Continuous, DelayTime, Event, Expr, ExprId, ExprKind, GrafcetId, MacroId, Mode,
+    Node, Note, Situation, StepId, Stored, TransitionId, Type, Value, Variable, VariableId, VariableKind,
 };
 pub use crate::resolve::types::name as type_name;
 pub use grafc_syntax::dump::plain_or_quoted as name;
@@ -40,7 +40,21 @@ pub fn dump(chart: &Chart) -> String {
         format!("{} forces {}{{{situation}}}", chart.step(order.step), chart.grafcet(order.grafcet))
     });
     section(&mut out, "orders", orders);
+    section(&mut out, "claims", claims(&chart.claims, chart));
     out
+}
+
+/// What is said of a chart, one claim a line.
+pub fn claims(claims: &Claims, labels: &impl Labels) -> Vec<String> {
+    let line = |claim: &Claim| {
+        let condition = |id| expression(&claims.exprs, labels, id);
+        let body = match claim.body {
+            ClaimBody::Condition(id) => condition(id),
+            ClaimBody::Leads(from, to) => format!("{} leads to {}", condition(from), condition(to)),
+        };
+        format!("{} {:?}: {body}", claim.kind.keyword(), claim.name())
+    };
+    claims.list.iter().map(line).collect()
 }
 
 fn grafcet(chart: &Chart, id: GrafcetId) -> Vec<String> {

@@ -101,6 +101,7 @@ pub fn into_net(chart: Chart) -> Net {
         orders: chart.orders,
         conflict_at_start: false,
         exprs: chart.exprs,
+        claims: chart.claims,
         facts: Vec::new(),
     }
 }

@@ -4,7 +4,9 @@
 
 use crate::net::{Fact, Forced, Net, RankedOrder};
 use grafc_model::chart::{GrafcetId, MacroId, Situation, StepId, TransitionId, VariableId};
-use grafc_model::dump::{Labels, actions, arcs, comment, designation, expression, list, name, section, variable};
+use grafc_model::dump::{
+    Labels, actions, arcs, claims, comment, designation, expression, list, name, section, variable,
+};
 
 /// The whole net.
 pub fn dump(net: &Net) -> String {
@@ -29,6 +31,7 @@ pub fn dump(net: &Net) -> String {
     if net.conflict_at_start {
         section(&mut out, "start", ["orders disagree on it".to_owned()]);
     }
+    section(&mut out, "claims", claims(&net.claims, net));
     out
 }
 

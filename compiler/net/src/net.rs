@@ -25,8 +25,8 @@
 use ecow::EcoString;
 use grafc_diagnostics::Span;
 use grafc_model::chart::{
-    Continuous, Controls, Expr, ExprId, GrafcetId, MacroId, Note, Order, StepId, Stored, TransitionId, Variable,
-    VariableId,
+    Claims, Continuous, Controls, Expr, ExprId, GrafcetId, MacroId, Note, Order, StepId, Stored, TransitionId,
+    Variable, VariableId,
 };
 use index_vec::IndexVec;
 use rustc_hash::FxHashSet;
@@ -78,6 +78,8 @@ pub struct Net {
     pub conflict_at_start: bool,
     /// Conditions and values.
     pub exprs: IndexVec<ExprId, Expr>,
+    /// What is said of the chart and changes nothing in it.
+    pub claims: Claims,
     /// Inputs that act on the chart as a whole.
     pub controls: Controls,
     /// What the passes so far have brought about.

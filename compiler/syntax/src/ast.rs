@@ -92,6 +92,63 @@ pub enum Item {
     Transition(Box<Transition>),
     /// `allow W0409 "reason"`.
     Allow(Box<Allow>),
+    /// `assume …`, `assert …`, `reach …`, `final …`.
+    Claim(Box<Claim>),
+}
+
+/// `assert "never both valves" : not (VA and VB)`: what is said of a chart and changes nothing in it.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// Which keyword.
+    pub kind: ClaimKind,
+    /// What the author calls it.
+    pub text: Option<Box<Text>>,
+    /// What is claimed.
+    pub body: ClaimBody,
+    /// The body as written, on one line and without comments: what a claim without a text is called.
+    pub written: EcoString,
+    /// The keyword.
+    pub keyword: Span,
+    /// The whole item.
+    pub span: Span,
+}
+
+/// The keyword of a claim.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum ClaimKind {
+    /// `assume`: true of the inputs of every reaction.
+    Assume,
+    /// `assert`: true in every state.
+    Assert,
+    /// `reach`: true in some state.
+    Reach,
+    /// `final`: a state in which the chart may end.
+    Final,
+}
+
+impl ClaimKind {
+    /// The keyword.
+    pub fn keyword(self) -> &'static str {
+        match self {
+            ClaimKind::Assume => "assume",
+            ClaimKind::Assert => "assert",
+            ClaimKind::Reach => "reach",
+            ClaimKind::Final => "final",
+        }
+    }
+}
+
+/// The forms of what is claimed.
+#[derive(Clone, PartialEq, Debug)]
+pub enum ClaimBody {
+    /// `not (x1 and x2)`
+    Condition(ExprId),
+    /// `at most one of a, b, c`
+    AtMostOne(Vec<ExprId>),
+    /// `after X5 : VB`
+    After(ExprId, ExprId),
+    /// `X6 leads to X11`
+    Leads(ExprId, ExprId),
 }
 
 /// `allow W0409 V "interlocked by hardware"`: a warning that the author has looked at.

@@ -2,6 +2,7 @@
 
 use crate::ast::*;
 use crate::faults::MOST_FAULTS;
+use crate::format;
 use crate::habits::words::{TYPES, ours};
 use crate::numeral::{self, Numeral};
 use crate::spelling::distance;
@@ -224,6 +225,41 @@ impl<'text> Builder<'text> {
             self.fault(fault.help("say why the warning may be there, for those who read the chart after you"));
         }
         Allow { code, about, reason, span: self.span(start, end) }
+    }
+
+    /// A claim, of which the places of its keyword and of its body are given.
+    pub(crate) fn claim(
+        &mut self,
+        (start, keyword_end): (u32, u32),
+        (body_start, end): (u32, u32),
+        kind: ClaimKind,
+        text: Option<Box<Text>>,
+        body: ClaimBody,
+    ) -> Claim {
+        let keyword = self.span(start, keyword_end);
+        let form = match body {
+            ClaimBody::After(..) => Some("after …"),
+            ClaimBody::Leads(..) => Some("… leads to …"),
+            ClaimBody::Condition(_) | ClaimBody::AtMostOne(_) => None,
+        };
+        if let Some(form) = form.filter(|_| kind != ClaimKind::Assert) {
+            let message = format!("`{form}` can be asserted only");
+            let fault = Diagnostic::new(Code::E0107, keyword, message).help("write `assert`");
+            self.fault(fault.fix(Fix::maybe("write `assert`").replace(keyword, "assert")));
+        }
+        if let ClaimBody::AtMostOne(conditions) = &body
+            && conditions.len() == 1
+        {
+            let place = self.span(body_start, end);
+            let fault = Diagnostic::new(Code::E0107, place, "`at most one of` has one condition only");
+            self.fault(fault.help("name the others, separated by commas"));
+        }
+        if let Some(text) = text.as_ref().filter(|text| text.text.trim().is_empty()) {
+            let fault = Diagnostic::new(Code::E0107, text.span, "the text of the claim is empty");
+            self.fault(fault.help("write what is claimed, or leave out the text and its colon"));
+        }
+        let written = format::on_one_line(self.slice(body_start, end));
+        Claim { kind, text, body, written, keyword, span: self.span(start, end) }
     }
 
     /// `IF a THEN K` is read as four actions, since none of its words is ours.

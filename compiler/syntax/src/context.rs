@@ -4,27 +4,135 @@
 //! `allow` begins an item where a name follows it: outside of the braces of steps and transitions no two names follow
 //! each other. In these braces two names are two actions, but no string follows a name there, so `allow W0409 "reason"`
 //! cannot be anything else.
+//!
+//! `assume`, `assert`, `reach` and `final` begin a claim where an item can begin: outside of these braces and of the head
+//! of a transition, behind what may end an item. In a claim, `at most one of`, `after` and `leads to` are words where two
+//! names would follow each other.
 
-use crate::token::{Lexeme, Token, begins_item, may_end_item};
+use crate::token::{Lexeme, Token, begins_item, is_claim, may_end_item};
 
 /// Finds the words among the names.
 pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
     let mut braces = Braces::default();
     for at in 0..lexemes.len() {
-        let (before, rest) = lexemes.split_at_mut(at);
-        let Some((lexeme, after)) = rest.split_first_mut() else { break };
-        if lexeme.token == Token::Name && &text[lexeme.start as usize..lexeme.end as usize] == "allow" {
-            let follows = |n: usize, token: Token| after.get(n).is_some_and(|next| next.token == token);
-            let with_reason = follows(0, Token::Name)
-                && (follows(1, Token::String) || follows(1, Token::Name) && follows(2, Token::String));
-            let may_begin = before.last().is_none_or(|last| may_end_item(last.token));
-            if braces.of_items > 0 && with_reason {
-                lexeme.token = Token::AllowInside;
-            } else if braces.of_items == 0 && follows(0, Token::Name) && may_begin {
-                lexeme.token = Token::Allow;
+        if lexemes[at].token == Token::Name {
+            let place = Place { text, lexemes: &*lexemes, at, braces: &braces };
+            match place.word(0) {
+                "allow" => place.allow().into_iter().for_each(|token| lexemes[at].token = token),
+                "assume" | "assert" | "reach" | "final" => {
+                    place.claim().into_iter().for_each(|token| lexemes[at].token = token);
+                }
+                "at" if place.is_at_most_one() => {
+                    let words = [Token::AtMost, Token::Most, Token::One, Token::Of];
+                    lexemes[at..].iter_mut().zip(words).for_each(|(lexeme, word)| lexeme.token = word);
+                }
+                "after" if place.is_after() => lexemes[at].token = Token::After,
+                "leads" if place.is_leads_to() => {
+                    (lexemes[at].token, lexemes[at + 1].token) = (Token::Leads, Token::LeadsTo);
+                }
+                _ => {}
             }
         }
-        braces.pass(lexeme.token);
+        braces.pass(lexemes[at].token);
+    }
+}
+
+/// A name among the tokens.
+#[derive(Clone, Copy)]
+struct Place<'t> {
+    text: &'t str,
+    lexemes: &'t [Lexeme],
+    at: usize,
+    braces: &'t Braces,
+}
+
+impl<'t> Place<'t> {
+    /// The token so many behind it.
+    fn token(self, behind: usize) -> Option<Token> {
+        self.lexemes.get(self.at + behind).map(|lexeme| lexeme.token)
+    }
+
+    /// The token so many before it.
+    fn before(self, count: usize) -> Option<Token> {
+        Some(self.lexemes[self.at.checked_sub(count)?].token)
+    }
+
+    /// The name so many behind it; empty if that is none.
+    fn word(self, behind: usize) -> &'t str {
+        match self.lexemes.get(self.at + behind) {
+            Some(lexeme) if lexeme.token == Token::Name => &self.text[lexeme.start as usize..lexeme.end as usize],
+            _ => "",
+        }
+    }
+
+    /// Whether an item can begin here, as far as what stands before tells.
+    fn may_begin(self) -> bool {
+        self.before(1).is_none_or(may_end_item)
+    }
+
+    fn allow(self) -> Option<Token> {
+        let follows = |n: usize, token: Token| self.token(n) == Some(token);
+        let with_reason = follows(1, Token::Name)
+            && (follows(2, Token::String) || follows(2, Token::Name) && follows(3, Token::String));
+        if self.braces.of_items > 0 {
+            return with_reason.then_some(Token::AllowInside);
+        }
+        (follows(1, Token::Name) && self.may_begin()).then_some(Token::Allow)
+    }
+
+    fn claim(self) -> Option<Token> {
+        let claim = match self.word(0) {
+            "assume" => Token::Assume,
+            "assert" => Token::Assert,
+            "reach" => Token::Reach,
+            _ => Token::Final,
+        };
+        let has_text = (self.token(1), self.token(2)) == (Some(Token::String), Some(Token::Colon));
+        let begins = if self.braces.of_items > 0 {
+            // Nothing else has a string behind a name there: a brace is missing.
+            has_text && self.may_begin()
+        } else {
+            // `allow W0409 assert "reason"` is about a variable of that name.
+            let is_allowed = self.before(2) == Some(Token::Allow) && self.token(1) == Some(Token::String) && !has_text;
+            !self.braces.in_head_of_transition && !is_allowed && self.may_begin()
+        };
+        begins.then_some(claim)
+    }
+
+    /// Whether what is claimed begins here.
+    fn begins_body(self) -> bool {
+        let before = self.before(1);
+        before.is_some_and(is_claim)
+            || before == Some(Token::Colon)
+                && self.before(2) == Some(Token::String)
+                && self.before(3).is_some_and(is_claim)
+    }
+
+    fn is_at_most_one(self) -> bool {
+        self.begins_body() && (self.word(1), self.word(2), self.word(3)) == ("most", "one", "of")
+    }
+
+    /// `after X5 : …`, and what is wrong with it only in that something else than a name follows.
+    fn is_after(self) -> bool {
+        let operand = match self.token(1) {
+            Some(Token::Name) => self.token(2) == Some(Token::Colon),
+            Some(
+                Token::OpenParen
+                | Token::OpenBracket
+                | Token::Not
+                | Token::Rise
+                | Token::Fall
+                | Token::Whole
+                | Token::True
+                | Token::False,
+            ) => true,
+            _ => false,
+        };
+        operand && self.begins_body()
+    }
+
+    fn is_leads_to(self) -> bool {
+        self.braces.in_claim && self.word(1) == "to" && self.before(1).is_some_and(may_end_item)
     }
 }
 
@@ -33,6 +141,9 @@ pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
 pub(crate) struct Braces {
     /// The head of a grafcet or an expansion was read, its brace follows.
     in_head_of_block: bool,
+    /// The `:` of a transition was not read yet.
+    in_head_of_transition: bool,
+    in_claim: bool,
     /// Those of steps, transitions and forced situations.
     pub(crate) of_items: usize,
 }
@@ -40,7 +151,10 @@ pub(crate) struct Braces {
 impl Braces {
     pub(crate) fn pass(&mut self, token: Token) {
         match token {
-            Token::Grafcet | Token::Expansion => *self = Braces { in_head_of_block: true, of_items: 0 },
+            Token::Grafcet | Token::Expansion => *self = Braces { in_head_of_block: true, ..Braces::default() },
+            Token::Transition => *self = Braces { in_head_of_transition: true, ..Braces::default() },
+            token if is_claim(token) => *self = Braces { in_claim: true, ..Braces::default() },
+            Token::Colon => self.in_head_of_transition = false,
             Token::OpenBrace if self.in_head_of_block => self.in_head_of_block = false,
             Token::OpenBrace => self.of_items += 1,
             // That of a block, if no other is open.

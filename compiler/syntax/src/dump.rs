@@ -58,6 +58,24 @@ impl Dump<'_> {
                 Item::Step(step) => self.step(step),
                 Item::Transition(transition) => self.transition(transition),
                 Item::Allow(allow) => self.allow(allow),
+                Item::Claim(claim) => self.claim(claim),
+            }
+        }
+    }
+
+    fn claim(&mut self, claim: &Claim) {
+        let text = claim.text.as_ref().map(|text| format!(" {:?}", text.text)).unwrap_or_default();
+        self.line(&format!("{}{text}", claim.kind.keyword()));
+        match &claim.body {
+            ClaimBody::Condition(condition) => self.below("holds", *condition),
+            ClaimBody::AtMostOne(conditions) => conditions.iter().for_each(|c| self.below("at most one", *c)),
+            ClaimBody::After(step, holds) => {
+                self.below("after", *step);
+                self.below("holds", *holds);
+            }
+            ClaimBody::Leads(from, to) => {
+                self.below("from", *from);
+                self.below("leads to", *to);
             }
         }
     }

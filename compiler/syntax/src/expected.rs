@@ -44,7 +44,7 @@ pub(crate) fn describe(previous: Token, expected: &[String]) -> String {
         ("at", "`at`"),
         ("{", "`{`"),
         ("}", "`}`"),
-        ("string", "an attached comment"),
+        ("string", if has("at most") { "a text in quotation marks" } else { "an attached comment" }),
         ("end", "the next item"),
     ] {
         if has(terminal) && !(before_arrow && matches!(terminal, "->" | "string")) {

@@ -11,6 +11,8 @@
 use crate::ast::{Chart, Item};
 use crate::lexer;
 use crate::token::{Lexeme, Token, begins_item, is_prefix};
+use ecow::EcoString;
+use grafc_diagnostics::FileId;
 use std::collections::HashSet;
 
 /// The actions of a step stand on its line up to this width.
@@ -33,6 +35,22 @@ pub fn format(text: &str, chart: &Chart) -> String {
     };
     formatter.chart();
     if text.contains("\r\n") { formatter.out.replace('\n', "\r\n") } else { formatter.out }
+}
+
+/// A condition on one line and without its comments, with the blanks of the canonical text.
+pub(crate) fn on_one_line(text: &str) -> EcoString {
+    let mut line = EcoString::new();
+    let mut state = State::default();
+    let mut before: Option<Lexeme> = None;
+    let slice = |lexeme: Lexeme| &text[lexeme.start as usize..lexeme.end as usize];
+    for lexeme in lexer::lex(FileId::default(), text).lexemes {
+        let blanks = before.map_or(0, |before| state.blanks(slice(before), before.token, lexeme.token));
+        line.extend(std::iter::repeat_n(' ', blanks));
+        line.push_str(slice(lexeme));
+        state.advance(lexeme.token, false);
+        before = Some(lexeme);
+    }
+    line
 }
 
 /// A token or a comment.
@@ -97,7 +115,7 @@ fn action_starts(chart: &Chart) -> HashSet<u32> {
     while let Some(items) = lists.pop() {
         for item in items {
             match item {
-                Item::Declaration(_) | Item::Allow(_) => {}
+                Item::Declaration(_) | Item::Allow(_) | Item::Claim(_) => {}
                 Item::Grafcet(grafcet) => lists.push(&grafcet.items),
                 Item::Expansion(expansion) => lists.push(&expansion.items),
                 Item::Step(step) => {

@@ -72,19 +72,24 @@ fn items(a: &[Item], b: &[Item]) -> bool {
                 && all(&a.allows, &b.allows, allow)
         }
         (Item::Allow(a), Item::Allow(b)) => allow(a, b),
+        (Item::Claim(a), Item::Claim(b)) => {
+            a.kind == b.kind && text(&a.text, &b.text) && a.body == b.body && a.written == b.written
+        }
         (
             Item::Declaration(_)
             | Item::Grafcet(_)
             | Item::Expansion(_)
             | Item::Step(_)
             | Item::Transition(_)
-            | Item::Allow(_),
+            | Item::Allow(_)
+            | Item::Claim(_),
             Item::Declaration(_)
             | Item::Grafcet(_)
             | Item::Expansion(_)
             | Item::Step(_)
             | Item::Transition(_)
-            | Item::Allow(_),
+            | Item::Allow(_)
+            | Item::Claim(_),
         ) => false,
     })
 }

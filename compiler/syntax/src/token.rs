@@ -167,6 +167,28 @@ pub(crate) enum Token {
     Allow,
     /// `allow` in the braces of a step or transition
     AllowInside,
+    /// `assume`, as an item
+    Assume,
+    /// `assert`, as an item
+    Assert,
+    /// `reach`, as an item
+    Reach,
+    /// `final`, as an item
+    Final,
+    /// `at` of `at most one of`, in a claim
+    AtMost,
+    /// `most` of `at most one of`
+    Most,
+    /// `one` of `at most one of`
+    One,
+    /// `of` of `at most one of`
+    Of,
+    /// `after`, in a claim
+    After,
+    /// `leads` of `leads to`, in a claim
+    Leads,
+    /// `to` of `leads to`
+    LeadsTo,
     /// The end of an item; the parser puts it there.
     End,
 }
@@ -236,7 +258,8 @@ pub(crate) fn may_end_item(token: Token) -> bool {
         | Enclosing | Macro | If | On | Force | And | Or | Xor | Not | Rise | Fall | Mod | Plus | Minus | Star
         | Slash | Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual | Assign | Colon | Comma | Arrow
         | OpenParen | OpenBracket | Numeral | LineComment | BlockComment | ForeignComment | Activation
-        | Deactivation | Event | At | Retain | Allow | AllowInside | End => false,
+        | Deactivation | Event | At | Retain | Allow | AllowInside | Assume | Assert | Reach | Final | AtMost
+        | Most | One | Of | After | Leads | LeadsTo | End => false,
     }
 }
 
@@ -245,7 +268,14 @@ pub(crate) fn is_prefix(token: Token) -> bool {
 }
 
 pub(crate) fn may_stand_in_block(token: Token) -> bool {
-    is_prefix(token) || matches!(token, Token::Step | Token::Transition | Token::Expansion | Token::Allow)
+    is_prefix(token)
+        || is_claim(token)
+        || matches!(token, Token::Step | Token::Transition | Token::Expansion | Token::Allow)
+}
+
+/// Whether it is the keyword of a claim.
+pub(crate) fn is_claim(token: Token) -> bool {
+    matches!(token, Token::Assume | Token::Assert | Token::Reach | Token::Final)
 }
 
 fn is_top_level(token: Token) -> bool {

@@ -14,6 +14,7 @@ fn outline(text: &str) -> String {
             Item::Grafcet(g) => format!("{}({})", g.name.text, write(&g.items)),
             Item::Expansion(e) => format!("{}({})", e.macro_step.text, write(&e.items)),
             Item::Allow(a) => format!("allow {}", a.code.text),
+            Item::Claim(c) => format!("{}:{}", c.kind.keyword(), c.written),
             Item::Step(s) => format!("{}{}", s.label.text, "'".repeat(s.actions.len())),
             Item::Transition(t) => {
                 let list = |names: &[grafc_syntax::ast::Name]| {

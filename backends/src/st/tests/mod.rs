@@ -36,6 +36,7 @@ impl Build {
             after: Vec::new(),
             restoring: None,
             observing: None,
+            claims: Vec::new(),
         };
         Build { program }
     }

@@ -3,7 +3,7 @@
 //!
 //! Shorter labels come first, so that step 2 stands before step 10 as an author would write them.
 
-use grafc_model::chart::{Controls, GrafcetId, StepId, TransitionId};
+use grafc_model::chart::{Claims, Controls, GrafcetId, StepId, TransitionId};
 use grafc_net::net::{Forced, Grafcet, Place, Steps, Transition};
 use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
@@ -75,6 +75,7 @@ impl Canonical {
             orders: Vec::new(),
             conflict_at_start: net.conflict_at_start,
             exprs: IndexVec::new(),
+            claims: Claims::default(),
             controls: Controls::default(),
             facts: net.facts.clone(),
         };

@@ -13,6 +13,7 @@
 mod allocate;
 mod bits;
 mod by_grafcet;
+pub(crate) mod claims;
 pub(crate) mod clearings;
 pub(crate) mod controls;
 pub(crate) mod first_call;
@@ -33,6 +34,7 @@ mod state_case;
 pub(crate) mod stored;
 mod switch;
 pub(crate) mod task;
+pub(crate) mod without_flag;
 
 use crate::lower::{Context, Lowering};
 use crate::options::Encoding;

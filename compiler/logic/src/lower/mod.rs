@@ -75,6 +75,16 @@ impl Context {
         self.latched_in_order.push(value);
     }
 
+    /// The variable of a wire holds its value.
+    pub(crate) fn has_wire(&mut self, wire: VariableId) {
+        self.wires.insert(wire);
+    }
+
+    /// An expression that is lowered in a way of its own.
+    pub(crate) fn know(&mut self, e: ExprId, formula: FormulaId) {
+        self.exprs.insert(e, formula);
+    }
+
     pub(crate) fn new(moment: Moment) -> Self {
         Context {
             moment,

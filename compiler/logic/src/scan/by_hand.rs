@@ -24,6 +24,7 @@ pub(crate) fn empty() -> Program {
         after: Vec::new(),
         restoring: None,
         observing: None,
+        claims: Vec::new(),
     }
 }
 

@@ -12,7 +12,7 @@
 //! | `words` | what a statement is called where it needs a label |
 //! | `division` | which divisors a division looks at first, and what comes out then |
 //! | `restoring` | what gives saved memory back |
-//! | `observing` | what is shown of micro-steps |
+//! | `observing`, `claims` | what is shown of micro-steps, and what is claimed |
 //! | `fingerprint` | a number that tells programs apart |
 //! | `facts` | sections, loops over all statements, what is read of timers, which state a variable takes its values from |
 //! | `verify` | the check of the invariants |
@@ -32,6 +32,7 @@
 
 #[cfg(test)]
 pub(crate) mod by_hand;
+mod claims;
 mod division;
 mod dump;
 mod elements;
@@ -50,6 +51,7 @@ mod verify;
 mod words;
 mod worst;
 
+pub use claims::{ClaimKind, Claimed, SeenBody, SeenClaim};
 pub use division::{ByMinusOne, Division, Guard};
 pub use dump::{dump, equations};
 pub use elements::{Action, Elements, Grafcet, Order, Origins, Transition, When};
@@ -106,6 +108,8 @@ pub struct Program {
     pub restoring: Option<Restoring>,
     /// What it shows of its micro-steps, for a target that lets somebody look on.
     pub observing: Option<Observing>,
+    /// What is claimed of the chart, in the order of the text; empty unless somebody asked.
+    pub claims: Vec<SeenClaim>,
 }
 
 /// The stability loop (R9).

@@ -160,6 +160,7 @@ pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagn
         after: prepared.after,
         restoring: None,
         observing: None,
+        claims: Vec::new(),
     };
     let (given, memory, shown) = (prepared.given, prepared.memory, prepared.shown);
     Ok(Sequence { program, given, memory, shown, steps, transitions, wires })

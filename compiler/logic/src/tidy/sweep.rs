@@ -320,6 +320,9 @@ fn renumber(program: &mut Program, dead: &IndexVec<VarId, bool>) {
     if let Some(observing) = &mut program.observing {
         observing.each_variable(|v| *v = new[*v]);
     }
+    for variable in program.claims.iter_mut().flat_map(|claim| claim.variables()) {
+        *variable = new[*variable];
+    }
     for step in &mut program.steps {
         if let Held::Bit(v) = &mut step.held {
             *v = new[*v];

@@ -7,10 +7,12 @@
 //! [`check`](crate::check()) makes one of the other, so what runs or lowers a chart asks for a `Chart`, and what draws
 //! or describes one is content with tables.
 
+mod claims;
 mod controls;
 mod expression;
 mod note;
 
+pub use claims::{Claim, ClaimBody, ClaimKind, Claims};
 pub use controls::{ControlNames, Controls};
 use ecow::EcoString;
 pub use expression::{Arithmetic, Comparison, DelayTime, Expr, ExprKind, below};
@@ -124,6 +126,8 @@ pub struct Tables {
     pub orders: Vec<Order>,
     /// The pool of expressions.
     pub exprs: IndexVec<ExprId, Expr>,
+    /// What is said of the chart and changes nothing in it.
+    pub claims: Claims,
     /// The warnings that the text allows.
     pub allowances: Allowances,
     /// Inputs that act on the chart as a whole, if somebody asked for some.

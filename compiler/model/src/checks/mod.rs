@@ -9,6 +9,7 @@ mod always_true_cycle;
 mod arc_crosses_frame;
 mod arcs;
 mod assigned_and_allocated;
+mod assumption_beyond_inputs;
 mod chart_without_steps;
 mod constant_out_of_range;
 mod cyclic_continuous_actions;
@@ -18,6 +19,7 @@ mod deceptive_name;
 mod edge_in_continuous_action;
 mod edge_in_delay;
 mod edge_inside_edge;
+mod edge_or_delay_in_claim;
 mod edges;
 mod enclosing_step_without_enclosure;
 mod enclosure_may_be_empty;
@@ -87,6 +89,8 @@ pub const ERRORS: &[Rule] = &[
     edge_inside_edge::check,
     edge_in_continuous_action::check,
     edge_in_delay::check,
+    edge_or_delay_in_claim::check,
+    assumption_beyond_inputs::check,
 ];
 
 /// The rules that an author may break knowingly. They expect a chart that breaks none of the others.

@@ -6,6 +6,7 @@
 mod actions;
 mod addresses;
 mod allowances;
+mod claims;
 mod declarations;
 mod definitions;
 mod expressions;
@@ -67,8 +68,17 @@ pub fn resolve<'a>(
     let expanded = structure::build(&mut parts, &scope, &mut chart, &mut symbols, diagnostics);
     let interpreted =
         actions::interpret(&tree.exprs, &parts, &scope, &values.constants, &mut chart, &mut symbols, diagnostics);
+    let context = expressions::Context {
+        tree: &tree.exprs,
+        scope: &scope,
+        variables: &chart.variables,
+        constants: &values.constants,
+        step: None,
+    };
+    let (claims, claimed) = claims::read(&parts, context, &mut symbols, diagnostics);
+    chart.claims = claims;
     chart.allowances = allowances::read(&parts, &scope, &chart.variables, &mut symbols, diagnostics);
-    Resolved { parts, scope, expanded, chart, complete: values.complete && interpreted, symbols }
+    Resolved { parts, scope, expanded, chart, complete: values.complete && interpreted && claimed, symbols }
 }
 
 fn comment(text: &Option<Box<ast::Text>>) -> Option<Note> {

@@ -50,6 +50,8 @@ pub struct Parts<'a> {
     pub bare: Vec<Span>,
     /// What is allowed, each with the part of the text that it is allowed in.
     pub allows: Vec<(&'a ast::Allow, Scope)>,
+    /// Claims.
+    pub claims: Vec<&'a ast::Claim>,
     /// The end of the text.
     pub end: Span,
 }
@@ -118,6 +120,7 @@ impl<'a> Parts<'a> {
             stray: None,
             bare: Vec::new(),
             allows: Vec::new(),
+            claims: Vec::new(),
             end: chart.span.behind(),
         };
         let has_blocks = chart.items.iter().any(|item| matches!(item, ast::Item::Grafcet(_)));
@@ -160,6 +163,7 @@ impl<'a> Parts<'a> {
                     parts.allows.extend(transition.allows.iter().map(|allow| (allow, Scope::Item(transition.span))));
                 }
                 ast::Item::Allow(allow) => parts.allows.push((allow, Scope::Block(block))),
+                ast::Item::Claim(claim) => parts.claims.push(claim),
             }
         }
         parts

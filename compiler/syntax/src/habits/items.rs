@@ -7,7 +7,7 @@ use crate::token::{Token, begins_item};
 use grafc_diagnostics::Fix;
 
 /// The words that begin an item, as they are written.
-pub(crate) const WORDS: [&str; 13] = [
+pub(crate) const WORDS: [&str; 17] = [
     "chart",
     "input",
     "output",
@@ -21,6 +21,10 @@ pub(crate) const WORDS: [&str; 13] = [
     "activated",
     "enclosing",
     "macro",
+    "assume",
+    "assert",
+    "reach",
+    "final",
 ];
 
 /// What a word seems to be that stands where an item could begin.

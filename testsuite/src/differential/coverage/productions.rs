@@ -192,6 +192,7 @@ impl FoundProductions<'_> {
                 Item::Allow(allow) => {
                     self.see(true, if allow.about.is_some() { "allow of a declaration" } else { "allow" });
                 }
+                Item::Claim(_) => {}
             }
         }
         let implied = self.chart.items.iter().any(|item| matches!(item, Item::Step(_)));

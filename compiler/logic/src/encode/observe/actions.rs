@@ -4,8 +4,9 @@
 use crate::encode::input_event::InputEvent;
 use crate::encode::stored;
 use crate::encode::task::Task;
+use crate::encode::without_flag::without_flag;
 use crate::lower::{Context, Lowering};
-use crate::scan::{ActionId, Flag, Heading, Observing, Origin, Role, Statement, VarId};
+use crate::scan::{ActionId, Heading, Observing, Origin, Role, Statement, VarId};
 use ecow::eco_format;
 use grafc_diagnostics::Span;
 use grafc_formula::{FormulaId, Type};
@@ -186,20 +187,5 @@ pub(super) fn continuous(lowering: &mut Lowering, mut cx: Context, acting: &mut 
     if !out.is_empty() {
         out.insert(0, Statement::Heading(Heading::WhatIsSeenOfActions));
     }
-    out
-}
-
-/// The statements, and DIV0 as it was before them.
-fn without_flag(lowering: &mut Lowering, statements: Vec<Statement>) -> Vec<Statement> {
-    if !statements.iter().any(|statement| matches!(statement, Statement::Divide(_))) {
-        return statements;
-    }
-    let flag = lowering.symbols.flag(Flag::Div0);
-    let before = lowering.symbols.fresh(Role::Temporary, "div0_before", Type::Bool, None);
-    let raised = lowering.symbols.read(&mut lowering.pool, flag);
-    let mut out = vec![Statement::assign(Origin::Chart, before, raised)];
-    out.extend(statements);
-    let kept = lowering.symbols.read(&mut lowering.pool, before);
-    out.push(Statement::assign(Origin::Chart, flag, kept));
     out
 }

@@ -1,6 +1,6 @@
 //! What the tables of a program say, and what its statements have to fit.
 
-use crate::scan::{Flag, Held, Limit, Origin, Program, Repeat, Role, Statement, Step, Told, VarId};
+use crate::scan::{Flag, Held, Limit, Origin, Program, Repeat, Role, SeenBody, Statement, Step, Told, VarId};
 use grafc_formula::{Comparison, Formula, Type, Value};
 
 /// Checks steps, timers, the initial reaction, what is shown, and the stability loop.
@@ -96,6 +96,14 @@ fn starts(program: &Program) -> Result<(), String> {
 
 /// What is shown stands in variables that are there for nothing else.
 fn shown(program: &Program) -> Result<(), String> {
+    let is_none = |v: &VarId| program.variables.get(*v).is_none_or(|v| v.role != Role::Observed || v.ty != Type::Bool);
+    let claimed = program.claims.iter().flat_map(|claim| match claim.body {
+        SeenBody::Condition(v) => [Some(v), None],
+        SeenBody::Leads(from, to) => [Some(from), Some(to)],
+    });
+    if let Some(v) = claimed.flatten().find(is_none) {
+        return Err(format!("{v} says whether a claim is true, and is no variable for that"));
+    }
     let Some(observing) = &program.observing else { return Ok(()) };
     let transitions = observing
         .transitions
@@ -104,7 +112,7 @@ fn shown(program: &Program) -> Result<(), String> {
     let situation = observing.frozen.iter().map(|(_, v)| *v).chain(observing.forced.iter().map(|(_, v)| *v));
     let numbered = observing.orders.iter().chain(&observing.actions).map(|(_, v)| *v);
     let mut all = observing.wanted.into_iter().chain(transitions).chain(situation).chain(numbered);
-    match all.find(|v| program.variables.get(*v).is_none_or(|v| v.role != Role::Observed || v.ty != Type::Bool)) {
+    match all.find(is_none) {
         Some(v) => Err(format!("{v} shows something, and is no variable for that")),
         None => Ok(()),
     }
