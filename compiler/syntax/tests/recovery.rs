@@ -246,3 +246,10 @@ fn a_semicolon_within_an_assignment_without_an_event() {
         ["E0108 3:3-13 the assignment of `I` does not say when it is done", "E0101 3:12 unexpected character `;`"]
     );
 }
+
+/// What cannot stand there is not asked for its name.
+#[test]
+fn a_block_without_a_name_inside_another() {
+    let text = "grafcet G1 {\n  initial step 1\n  grafcet {\n    step 2\n    transition 1 -> 2 : a\n  }\n}\n";
+    assert_eq!(faults(text), ["E0107 3:3-9 `grafcet` cannot stand inside `grafcet G1`"]);
+}

@@ -77,6 +77,7 @@ impl Reader<'_> {
             Ok(next) => self.at = next,
             Err((run, stop)) => {
                 self.builder.discard_item();
+                self.report(&run, &stop);
                 self.faulty_item(&run, &stop);
             }
         }
@@ -85,7 +86,8 @@ impl Reader<'_> {
 
     fn item(&mut self) {
         let token = self.lexed.lexemes[self.at].token;
-        if !self.stack.is_empty() && !may_stand_in_block(token) {
+        let is_misplaced = !self.stack.is_empty() && !may_stand_in_block(token);
+        if is_misplaced {
             self.misplaced(token);
         }
         let run = self.cutter().cut(self.at);
@@ -98,15 +100,19 @@ impl Reader<'_> {
             }
             Err((place, expected)) => {
                 self.builder.discard(arena);
-                self.faulty_item(&run, &Stop { at: run.start + place, expected });
+                let stop = Stop { at: run.start + place, expected };
+                // Of what cannot stand here nobody asks what it is called.
+                if !is_misplaced || place > 1 {
+                    self.report(&run, &stop);
+                }
+                self.faulty_item(&run, &stop);
             }
         }
         self.stray_reported = false;
     }
 
-    /// An item that could not be read: says why, and keeps of it what can be kept.
+    /// Keeps what can be kept of an item that could not be read.
     fn faulty_item(&mut self, run: &Run, stop: &Stop) {
-        self.report(run, stop);
         // Beyond the faults that are listed, nobody asks what can be kept.
         let kept = if self.builder.is_full() { self.nameless(run) } else { self.salvage(run, stop) };
         if let Some(parsed) = kept {
