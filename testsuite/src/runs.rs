@@ -4,7 +4,7 @@ use crate::charts;
 use grafc_diagnostics::{Code, Diagnostics};
 use grafc_logic::scan::evaluate::Evaluator;
 use grafc_logic::scan::{Observed, Program};
-use grafc_logic::{Analysis, Options};
+use grafc_logic::{Analysis, Extras, Options};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{Profile, Response, Stimulus};
 use grafc_model::simulate::Simulator;
@@ -32,6 +32,12 @@ pub fn compile_observed(chart: &Chart, options: &Options, observed: Observed) ->
         chart,
         lowered_by(chart, options, |analysis, options| grafc_logic::compile_observed(analysis, options, observed)),
     )
+}
+
+/// The same with all that is asked for.
+pub fn compile_with(chart: &Chart, options: &Options, extras: Extras) -> Result<Program, String> {
+    let compile = |analysis, options: &Options| grafc_logic::compile_with(analysis, options, extras);
+    made(chart, lowered_by(chart, options, compile))
 }
 
 fn made(chart: &Chart, (program, diagnostics): (Program, Diagnostics)) -> Result<Program, String> {

@@ -68,7 +68,7 @@ fn diagnose(code: Code, chart: &FencedBlock, trace: Option<&FencedBlock>) -> BTr
             diagnostics.append(match code {
                 Code::E0607 => grafc_testing::table(&checked, Profile::default(), (FileId(1), &trace.text), None),
                 Code::E0605 => compared(&checked, &trace.text),
-                Code::W0601 => {
+                Code::W0601 | Code::W0602 | Code::E0609 => {
                     let (chart, trace) = ((FileId(0), chart.text.as_str()), (FileId(1), trace.text.as_str()));
                     grafc::simulate(chart, "example", trace, None, grafc::Run::default()).1
                 }

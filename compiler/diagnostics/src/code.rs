@@ -159,7 +159,9 @@ codes! {
     E0606 "too-many-calls" Error;
     E0607 "expectation-not-met" Error;
     E0608 "test-without-chart" Error;
+    E0609 "assertion-false" Error;
     W0601 "delay-ends-between-rows" Warning;
+    W0602 "assumption-broken" Warning;
 
     E0701 "malformed-xml" Error;
     E0702 "xml-beyond-bounds" Error;

@@ -4,7 +4,7 @@ use crate::Exit;
 use crate::stream::Stream;
 use clap::ValueEnum;
 use grafc::files::{Refusal, print};
-use grafc_diagnostics::{Diagnostics, FileId, Policy, Severity, SourceMap, render};
+use grafc_diagnostics::{Code, Diagnostics, FileId, Policy, Severity, SourceMap, render};
 use std::fmt;
 use std::io::{IsTerminal, Write};
 
@@ -105,6 +105,13 @@ impl Report {
     pub fn is_refused(&mut self) -> bool {
         self.policy.apply(&mut self.diagnostics);
         self.has_errors()
+    }
+
+    /// Whether one of the texts has an error: that an assertion came out false is none.
+    pub fn is_faulty(&mut self) -> bool {
+        self.policy.apply(&mut self.diagnostics);
+        let mut errors = self.diagnostics.iter().filter(|found| found.severity() == Severity::Error);
+        errors.any(|error| error.code != Code::E0609)
     }
 
     /// Whether one of the texts has an error.

@@ -161,9 +161,9 @@ fn assemble(
         let seen = watch.as_ref().map(|watch| watch.acting_on_outputs(&lowering)).unwrap_or_default();
         livelock::statements(&mut lowering, options.profile, again, seen, extras.saved)
     });
-    after.append(&mut overriding.after);
     let claimed = claims::lower(&mut lowering, |_| extras.claims == Claimed::All);
     after.extend(claimed.after);
+    after.append(&mut overriding.after);
     if let Some(watch) = &mut watch {
         micro_step.extend(watch.after_micro_step(&mut lowering, options.profile));
     }

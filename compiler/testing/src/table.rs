@@ -5,7 +5,7 @@ use grafc_diagnostics::{Diagnostics, FileId};
 use grafc_model::chart::{Chart, Value};
 use grafc_model::reaction::{Profile, Response};
 use grafc_model::simulate::{Call, Calls, Observer, Onlooker, Run};
-use grafc_model::trace::{Between, Expectations};
+use grafc_model::trace::{Between, BrokenClaims, Expectations};
 
 /// Runs a test, and says what is wrong with it, or with what the chart does in it. What it makes happen is added to the
 /// coverage, if somebody measures that.
@@ -18,8 +18,8 @@ pub fn table(
     // Memory can be read.
     let Ok(mut expectations) = Expectations::new(file, text.as_bytes(), chart) else { return Diagnostics::new() };
     let probes = expectations.probes().to_vec();
-    let mut run = Run::new(chart, profile, Calls::Rows, &probes);
-    let mut watch = Watch { latest: None, found: Vec::new(), coverage };
+    let mut run = Run::new(chart, profile, Calls::Rows, &probes).watching_claims();
+    let mut watch = Watch { latest: None, found: Vec::new(), broken: BrokenClaims::default(), coverage };
     watch.begin();
     // A faulty table is read to its end, but the chart is not run on guesses.
     let mut is_running = !expectations.has_errors();
@@ -36,6 +36,8 @@ pub fn table(
             let said = found.told(here, before);
             expectations.say(if found == Between::TooMany { said } else { said.help("add a row at this time") });
         }
+        let (here, _) = expectations.places();
+        watch.broken.told(chart, here).into_iter().for_each(|told| expectations.say(told));
         let latest = watch.latest.as_ref().map(|(response, looks)| (response, looks.as_slice()));
         expectations.compare(latest);
     }
@@ -46,6 +48,7 @@ pub fn table(
 struct Watch<'a, 'c> {
     latest: Option<(Response, Vec<Value>)>,
     found: Vec<Between>,
+    broken: BrokenClaims,
     coverage: Option<&'a mut Coverage<'c>>,
 }
 
@@ -64,6 +67,7 @@ impl Onlooker for Watch<'_, '_> {
     type End = Stop;
 
     fn called(&mut self, call: Call) -> Result<(), Stop> {
+        self.broken.called(call.stimulus.t_ms, call.broken);
         self.latest = Some((call.response.clone(), call.looks.to_vec()));
         Ok(())
     }

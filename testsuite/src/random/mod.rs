@@ -9,6 +9,7 @@
 //! happen: rings rather than dead ends, conditions of one or two inputs, delays that the traces meet to the millisecond.
 
 mod boolean;
+mod claims;
 mod expression;
 mod ink;
 mod plain;
@@ -16,6 +17,7 @@ mod structure;
 mod trace;
 mod write;
 
+pub use claims::with_claims;
 use grafc_diagnostics::FileId;
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{Evolution, LivelockOutputs, Profile};

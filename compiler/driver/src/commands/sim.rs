@@ -122,7 +122,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     for (file, extract) in outcome.extracts {
         report.sources.show(file, extract);
     }
-    let is_refused = report.is_refused();
+    // A result that breaks an assertion is one to look at.
+    let is_refused = report.is_faulty();
     // What was written before the first error stands before what is said of that.
     results.end(!is_refused)?;
     let exit = report.tell(messages);

@@ -122,28 +122,8 @@ fn moved(id: ExprId, offset: usize) -> ExprId {
 /// The net with the conditions of its claims behind its own.
 fn with_claims(net: &Net, offset: usize) -> Net {
     let mut net = net.clone();
-    let m = |id: ExprId| moved(id, offset);
     for expr in &net.claims.exprs {
-        let kind = match expr.kind {
-            ExprKind::Literal(_)
-            | ExprKind::Variable(_)
-            | ExprKind::StepActive(_)
-            | ExprKind::StepTime(_)
-            | ExprKind::MacroActive(_)
-            | ExprKind::GrafcetActive(_) => expr.kind,
-            ExprKind::Not(a) => ExprKind::Not(m(a)),
-            ExprKind::And(a, b) => ExprKind::And(m(a), m(b)),
-            ExprKind::Or(a, b) => ExprKind::Or(m(a), m(b)),
-            ExprKind::Xor(a, b) => ExprKind::Xor(m(a), m(b)),
-            ExprKind::Rise(a) => ExprKind::Rise(m(a)),
-            ExprKind::Fall(a) => ExprKind::Fall(m(a)),
-            ExprKind::Delay { on, operand, off } => ExprKind::Delay { on, operand: m(operand), off },
-            ExprKind::Compare(op, a, b) => ExprKind::Compare(op, m(a), m(b)),
-            ExprKind::Arithmetic(op, a, b) => ExprKind::Arithmetic(op, m(a), m(b)),
-            ExprKind::Negate(a) => ExprKind::Negate(m(a)),
-            ExprKind::Widen(a) => ExprKind::Widen(m(a)),
-        };
-        net.exprs.push(Expr { kind, ..*expr });
+        net.exprs.push(Expr { kind: expr.kind.moved(offset), ..*expr });
     }
     net
 }

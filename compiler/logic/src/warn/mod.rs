@@ -2,6 +2,7 @@
 //! its places and its reasons.
 
 mod allocation_conflict;
+mod assuming;
 mod constant_condition;
 mod counter_race;
 mod dead_end;
@@ -15,7 +16,8 @@ mod transition_never_clears;
 mod wording;
 
 use crate::analysis::Analysis;
-use grafc_diagnostics::Diagnostics;
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
+use rustc_hash::FxHashMap;
 
 /// A rule.
 type Rule = fn(&Analysis, &mut Diagnostics);
@@ -40,6 +42,28 @@ pub fn warn(analysis: &Analysis) -> Diagnostics {
     for rule in WARNINGS {
         rule(analysis, &mut diagnostics);
     }
+    if let Some(assuming) = diagnostics.iter().any(is_about_inputs).then(|| assuming::analysis(analysis)).flatten() {
+        let mut left = Diagnostics::new();
+        for rule in WARNINGS {
+            rule(&assuming, &mut left);
+        }
+        // Of what is found in both cases, the one in which all assumptions are kept is shown.
+        let place = |warning: &Diagnostic| (warning.code, warning.primary.span);
+        let left: FxHashMap<_, _> = left.iter().map(|warning| (place(warning), warning.clone())).collect();
+        let all = std::mem::take(&mut diagnostics);
+        for warning in &all {
+            match left.get(&place(warning)) {
+                Some(assuming) if is_about_inputs(warning) => diagnostics.push(assuming.clone()),
+                None if is_about_inputs(warning) => {}
+                Some(_) | None => diagnostics.push(warning.clone()),
+            }
+        }
+    }
     diagnostics.sort_by_place();
     diagnostics
+}
+
+/// Whether assumptions on inputs can answer a warning.
+fn is_about_inputs(warning: &Diagnostic) -> bool {
+    matches!(warning.code, Code::W0409 | Code::W0411 | Code::W0412 | Code::W0424)
 }

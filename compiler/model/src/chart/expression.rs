@@ -63,6 +63,30 @@ pub enum ExprKind {
 }
 
 impl ExprKind {
+    /// The same in a pool in which its operands stand so many places further on.
+    pub fn moved(self, by: usize) -> ExprKind {
+        let m = |id: ExprId| ExprId::new(id.index() + by);
+        match self {
+            ExprKind::Literal(_)
+            | ExprKind::Variable(_)
+            | ExprKind::StepActive(_)
+            | ExprKind::StepTime(_)
+            | ExprKind::MacroActive(_)
+            | ExprKind::GrafcetActive(_) => self,
+            ExprKind::Not(a) => ExprKind::Not(m(a)),
+            ExprKind::And(a, b) => ExprKind::And(m(a), m(b)),
+            ExprKind::Or(a, b) => ExprKind::Or(m(a), m(b)),
+            ExprKind::Xor(a, b) => ExprKind::Xor(m(a), m(b)),
+            ExprKind::Rise(a) => ExprKind::Rise(m(a)),
+            ExprKind::Fall(a) => ExprKind::Fall(m(a)),
+            ExprKind::Delay { on, operand, off } => ExprKind::Delay { on, operand: m(operand), off },
+            ExprKind::Compare(op, a, b) => ExprKind::Compare(op, m(a), m(b)),
+            ExprKind::Arithmetic(op, a, b) => ExprKind::Arithmetic(op, m(a), m(b)),
+            ExprKind::Negate(a) => ExprKind::Negate(m(a)),
+            ExprKind::Widen(a) => ExprKind::Widen(m(a)),
+        }
+    }
+
     /// The operands, from left to right.
     pub fn operands(&self) -> impl DoubleEndedIterator<Item = ExprId> + use<> {
         let (first, second) = match *self {

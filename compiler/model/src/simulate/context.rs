@@ -5,7 +5,7 @@ use super::delay::{Delay, first_value};
 use super::flat::{active_grafcets, active_macro_steps};
 use super::plan::{Memory, Plan, Valued};
 use super::{Activity, State};
-use crate::chart::{Chart, Event, ExprId, ExprKind, GrafcetId, MacroId, Mode, StepId, Value, VariableId};
+use crate::chart::{Chart, Event, Expr, ExprId, ExprKind, GrafcetId, MacroId, Mode, StepId, Value, VariableId};
 use index_vec::IndexVec;
 
 /// Values of expressions and continuously assigned names.
@@ -23,6 +23,20 @@ impl Values {
             exprs: chart.exprs.iter().map(|expr| literal(&expr.kind)).collect(),
             wires: chart.variables.iter().map(|_| false).collect(),
         }
+    }
+
+    /// The same for the expressions of claims.
+    pub fn of_claims(chart: &Chart) -> Self {
+        let literal = |kind: &ExprKind| if let ExprKind::Literal(value) = kind { *value } else { Value::Bool(false) };
+        Values {
+            exprs: chart.claims.exprs.iter().map(|expr| literal(&expr.kind)).collect(),
+            wires: chart.variables.iter().map(|_| false).collect(),
+        }
+    }
+
+    /// Continuously assigned names have the values that they have there.
+    pub fn take_wires(&mut self, values: &Values) {
+        self.wires.clone_from(&values.wires);
     }
 
     /// The value of an expression that has been evaluated.
@@ -44,6 +58,7 @@ impl Values {
 /// What expressions are evaluated against: situation, variables, inputs and time.
 struct Context<'a> {
     chart: &'a Chart,
+    exprs: &'a IndexVec<ExprId, Expr>,
     plan: &'a Plan,
     active: &'a Activity,
     macro_steps: IndexVec<MacroId, bool>,
@@ -67,6 +82,7 @@ pub(super) fn evaluate(
     let (of_macro_steps, of_grafcets) = plan.reads;
     let context = Context {
         chart,
+        exprs: &chart.exprs,
         plan,
         active: &state.active,
         macro_steps: if of_macro_steps { active_macro_steps(chart, &state.active) } else { IndexVec::new() },
@@ -86,6 +102,33 @@ pub(super) fn evaluate(
         }
     }
     DividedByZero(div0)
+}
+
+/// Evaluates the claims, with the edges that there are by what their operands were. None of them holds a delay.
+pub(super) fn evaluate_claims(
+    chart: &Chart,
+    plan: &Plan,
+    memory: Memory,
+    state: &State,
+    edges: &IndexVec<ExprId, bool>,
+    t: i64,
+    values: &mut Values,
+) {
+    let context = Context {
+        chart,
+        exprs: &chart.claims.exprs,
+        plan,
+        active: &state.active,
+        macro_steps: active_macro_steps(chart, &state.active),
+        grafcets: active_grafcets(chart, &state.active),
+        variables: &state.variables,
+        since: &state.since,
+        t,
+    };
+    for id in chart.claims.exprs.indices() {
+        let value = context.expression(id, memory, &mut IndexVec::new(), edges, values, &mut false);
+        values.exprs[id] = value;
+    }
 }
 
 /// Whether an evaluation divided by zero; must go into the flags.
@@ -110,9 +153,9 @@ impl Context<'_> {
         values: &Values,
         div0: &mut bool,
     ) -> Value {
-        let ty = self.chart.exprs[id].ty;
+        let ty = self.exprs[id].ty;
         let is = |operand| values.holds(operand);
-        match self.chart.exprs[id].kind {
+        match self.exprs[id].kind {
             ExprKind::Literal(value) => value,
             // X1: a continuously assigned name is what its actions say in this very context.
             ExprKind::Variable(variable) => match self.chart.variables[variable].mode {

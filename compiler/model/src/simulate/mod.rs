@@ -11,12 +11,13 @@
 //! | R9-R14 reactions | `reaction` |
 //! | R12 when time alone changes something | `events` |
 //!
-//! `run` calls a chart over a whole trace, `probe` looks at more than its outputs.
+//! `run` calls a chart over a whole trace, `probe` looks at more than its outputs, `claims` at what is claimed of it.
 //!
 //! It is the oracle of the compiler's tests: plain before fast, and sharing no code with the lowering of charts. It
 //! neither panics nor recurses, whatever the chart.
 
 mod arithmetic;
+mod claims;
 mod context;
 mod delay;
 mod events;
@@ -35,6 +36,7 @@ mod tests;
 
 use crate::chart::{Chart, ExprId, Mode, StepId, TransitionId, Value, Variable, VariableId};
 use crate::reaction::{Flags, Profile};
+use claims::Watched;
 use context::Values;
 use delay::Delay;
 use flat::Flat;
@@ -83,6 +85,8 @@ pub struct Simulator<'a> {
     seen: Option<Box<Seen>>,
     /// Whether the next micro-step is the first one after the start, whose actions are seen with it.
     begins: bool,
+    /// What is known of claims, if somebody looks at them.
+    watched: Option<Box<Watched>>,
     /// Values of the latest context; those that a context reads it has written before.
     values: Values,
     /// The same with all edges replaced by 0.
@@ -128,6 +132,7 @@ impl<'a> Simulator<'a> {
             cleared: chart.transitions.iter().map(|_| false).collect(),
             seen: None,
             begins: false,
+            watched: None,
             values: Values::new(chart),
             level_values: Values::new(chart),
         }
@@ -146,6 +151,9 @@ impl<'a> Simulator<'a> {
         self.previous = None;
         self.flags = Flags::default();
         self.shown.clear();
+        if let Some(watched) = &mut self.watched {
+            watched.forget();
+        }
     }
 
     /// The state after the latest reaction, or the latest micro-step of one that is observed.

@@ -58,7 +58,9 @@ impl<'a> Simulator<'a> {
                 false
             }
         };
-        self.publish(t, cut_off)
+        let response = self.publish(t, cut_off);
+        self.look_at_claims(t, cut_off);
+        response
     }
 
     /// Whether an input that acts on the chart as a whole is true.

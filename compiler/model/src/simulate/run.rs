@@ -32,6 +32,8 @@ pub struct Call<'a> {
     pub response: &'a Response,
     /// What was looked at after it.
     pub looks: &'a [Value],
+    /// The claims that it broke, by their places; none if nobody looks at claims.
+    pub broken: &'a [usize],
 }
 
 /// What looks on while a chart is run, and may end that.
@@ -107,6 +109,12 @@ impl<'a> Run<'a> {
         }
     }
 
+    /// The same, and looks at what is claimed of the chart.
+    pub fn watching_claims(mut self) -> Self {
+        self.simulator.watch_claims();
+        self
+    }
+
     /// Calls the chart up to the next row, and at it.
     ///
     /// # Errors
@@ -177,7 +185,8 @@ impl<'a> Run<'a> {
             [] => Vec::new(),
             probes => self.simulator.look(probes, stimulus.t_ms),
         };
-        onlooker.called(Call { stimulus, response: &response, looks: &looks })?;
+        let broken = self.simulator.broken();
+        onlooker.called(Call { stimulus, response: &response, looks: &looks, broken })?;
         self.shown = Some(response);
         Ok(())
     }

@@ -11,6 +11,7 @@
 
 mod against;
 mod between;
+mod broken;
 mod columns;
 mod expected;
 mod given;
@@ -29,6 +30,7 @@ mod write;
 
 pub use against::{Recording, compare_trace};
 pub use between::Between;
+pub use broken::BrokenClaims;
 pub use columns::{BAR, heading};
 pub use expected::Expectations;
 pub use read::{Stimuli, parse_trace};

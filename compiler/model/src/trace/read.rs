@@ -89,6 +89,11 @@ impl<'a, R: Read> Stimuli<'a, R> {
         self.said.say(diagnostic);
     }
 
+    /// Says what came of a run over the trace, which may be right all the same.
+    pub fn came_of_it(&mut self, diagnostic: Diagnostic) {
+        self.said.came_of_it(diagnostic);
+    }
+
     /// All that was said, and the rows that it is about, if nobody has the text.
     pub fn finish(self) -> (Diagnostics, Extract) {
         self.said.finish()

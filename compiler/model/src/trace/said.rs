@@ -92,6 +92,11 @@ impl Said {
         self.errors += 1;
     }
 
+    /// Says what came of a run over the text, which may be right all the same.
+    pub fn came_of_it(&mut self, diagnostic: Diagnostic) {
+        self.diagnostics.push(diagnostic);
+    }
+
     /// Says something: all that is no error, however much there is of it.
     pub fn say(&mut self, diagnostic: Diagnostic) {
         match diagnostic.severity() {

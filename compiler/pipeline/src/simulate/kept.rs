@@ -91,7 +91,7 @@ impl Results for Calls {
     }
 
     fn called(&mut self, call: Call) -> io::Result<()> {
-        let Call { stimulus, response, looks } = call;
+        let Call { stimulus, response, looks, broken: _ } = call;
         self.calls.push(KeptCall { stimulus: stimulus.clone(), response: response.clone(), looks: looks.to_vec() });
         Ok(())
     }

@@ -3,7 +3,7 @@
 use super::Simulation;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Extract, FileId, Policy, Severity};
 use grafc_model::simulate::{Call, Onlooker, Run};
-use grafc_model::trace::{Between, Kept, Recording, Stimuli};
+use grafc_model::trace::{Between, BrokenClaims, Kept, Recording, Stimuli};
 use std::io::{self, Read};
 
 /// A text that is read as it comes.
@@ -74,8 +74,16 @@ impl Simulation {
         let recording = recorded.map(|text| Recording::new(text.file, text.bytes, &self.chart, text.kept));
         let recording = recording.transpose().map_err(Ended::Recording)?;
         let (has_restarts, is_denied) = (rows.has_restarts(), is_denied(policy));
-        let mut watch = Watch { results, recording, has_restarts, is_begun: false, is_denied, found: Vec::new() };
-        let mut run = Run::new(&self.chart, self.profile, self.calls, &self.probes);
+        let mut watch = Watch {
+            results,
+            recording,
+            has_restarts,
+            is_begun: false,
+            is_denied,
+            found: Vec::new(),
+            broken: BrokenClaims::default(),
+        };
+        let mut run = Run::new(&self.chart, self.profile, self.calls, &self.probes).watching_claims();
         let mut is_running = true;
         while let Some(stimulus) = rows.next_row().map_err(Ended::Trace)? {
             is_running &= !rows.has_errors();
@@ -90,6 +98,10 @@ impl Simulation {
             for found in watch.found.drain(..) {
                 let (here, before) = rows.places();
                 rows.say(found.told(here, before));
+            }
+            if watch.broken.has_found() {
+                let (here, _) = rows.places();
+                watch.broken.told(&self.chart, here).into_iter().for_each(|told| rows.came_of_it(told));
             }
         }
         let differs = watch.recording.as_ref().is_some_and(Recording::differs);
@@ -127,6 +139,7 @@ struct Watch<'a, R> {
     is_begun: bool,
     is_denied: bool,
     found: Vec<Between>,
+    broken: BrokenClaims,
 }
 
 /// Why the chart is not called any more.
@@ -147,6 +160,7 @@ impl<R: Read> Onlooker for Watch<'_, R> {
     type End = Stop;
 
     fn called(&mut self, call: Call) -> Result<(), Stop> {
+        self.broken.called(call.stimulus.t_ms, call.broken);
         if let Some(recording) = &mut self.recording {
             let compared = recording.called(call.stimulus.t_ms, call.response);
             compared.map_err(|error| Stop::Refused(Ended::Recording(error)))?;
