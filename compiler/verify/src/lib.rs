@@ -22,9 +22,11 @@
 //! | `explore` | all paths from all states |
 //! | `when` | the inputs of paths, as a condition |
 //! | `graph` | the graph of reachable situations, or of states |
+//! | `circuit` | the program as a sequential circuit, for engines of others |
 
 mod atom;
 mod beyond;
+pub mod circuit;
 mod clocks;
 mod explore;
 mod graph;
