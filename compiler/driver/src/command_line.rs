@@ -2,7 +2,8 @@
 
 use crate::choices;
 use crate::commands::{
-    check, compile, completions, draw, explain, fmt, graph, import, man, new, page, serve, sim, stats, test,
+    check, compile, completions, draw, explain, fmt, generate_tests, graph, import, man, new, page, serve, sim, stats,
+    test,
 };
 use crate::meant;
 use crate::stream::Stream;
@@ -76,6 +77,8 @@ pub enum Command {
     Sim(sim::Arguments),
     /// Run the tests of charts, tables and scenarios, and measure what they cover
     Test(test::Arguments),
+    /// Make tests that cover what a chart can come to, with what the rules make of them
+    GenerateTests(generate_tests::Arguments),
     /// Draw a chart by the symbols of the standard, as SVG, PDF or PNG
     Draw(draw::Arguments),
     /// Make a page of a chart on which it runs: one HTML file that needs nothing else

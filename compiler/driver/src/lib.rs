@@ -43,6 +43,7 @@ pub fn run(command_line: CommandLine) -> Exit {
         Some(Command::Check(args)) => commands::check::run(args),
         Some(Command::Sim(args)) => commands::sim::run(args),
         Some(Command::Test(args)) => commands::test::run(args),
+        Some(Command::GenerateTests(args)) => commands::generate_tests::run(args),
         Some(Command::New(args)) => commands::new::run(args),
         Some(Command::Stats(args)) => commands::stats::run(args),
         Some(Command::Draw(args)) => commands::draw::run(args),

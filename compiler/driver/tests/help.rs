@@ -5,10 +5,11 @@ mod common;
 use common::Folder;
 use grafc_diagnostics::Code;
 
-const COMMANDS: [&str; 14] = [
+const COMMANDS: [&str; 15] = [
     "check",
     "sim",
     "test",
+    "generate-tests",
     "new",
     "fmt",
     "draw",

@@ -60,6 +60,32 @@ impl Bound {
         }
     }
 
+    /// The least value that is not below it, and the greatest that is.
+    pub(crate) fn sides(self, ty: Type) -> (Value, Value) {
+        let of = |n: i64| if ty == Type::Time { Value::Time(n) } else { Value::Int(n) };
+        match self {
+            Bound::Whole(n) => (of(n), of(n.saturating_sub(1))),
+            // Keys are in the order of the numbers; a `real` has only some of them.
+            Bound::Real { key: at, beyond } => {
+                let next = |key: i64, by: i64| {
+                    let x = number(key);
+                    if ty != Type::Real {
+                        // Both zeros are one number.
+                        let other = number(key.saturating_add(by));
+                        return Value::Real(if other == x { number(key.saturating_add(2 * by)) } else { other });
+                    }
+                    let near = x as f32;
+                    let step = if by > 0 { near.next_up() } else { near.next_down() };
+                    let fits = |y: f32| if by > 0 { f64::from(y) > x } else { f64::from(y) < x };
+                    Value::Real(f64::from(if fits(near) { near } else { step }))
+                };
+                let is_held = |x: f64| ty != Type::Real || f64::from(x as f32) == x;
+                let itself = |by: i64| if is_held(number(at)) { Value::Real(number(at)) } else { next(at, by) };
+                if beyond { (next(at, 1), itself(-1)) } else { (itself(1), next(at, -1)) }
+            }
+        }
+    }
+
     /// Whether all values of the type, or none, are not below it.
     fn trivial(self, ty: Type) -> Option<bool> {
         let Bound::Whole(n) = self else { return None };
@@ -219,6 +245,29 @@ mod tests {
         assert_eq!(Bound::new(Type::Int, Value::Real(2.5), true), Bound::Whole(3));
         assert_eq!(Bound::new(Type::Int, Value::Real(3.0), false), Bound::Whole(3));
         assert_eq!(Bound::new(Type::Int, Value::Real(3.0), true), Bound::Whole(4));
+    }
+
+    #[test]
+    fn the_sides_of_a_bound_are_values_of_the_type() {
+        let sides = |ty, value, beyond| Bound::new(ty, value, beyond).sides(ty);
+        assert_eq!(sides(Type::Int, Value::Int(5), false), (Value::Int(5), Value::Int(4)));
+        assert_eq!(sides(Type::Int, Value::Int(5), true), (Value::Int(6), Value::Int(5)));
+        assert_eq!(sides(Type::Time, Value::Time(5), false), (Value::Time(5), Value::Time(4)));
+        let real = |ty, x: f64, beyond| match sides(ty, Value::Real(x), beyond) {
+            (Value::Real(a), Value::Real(b)) => (a, b),
+            other => panic!("{other:?}"),
+        };
+        for ty in [Type::Real, Type::Lreal] {
+            // 0.1 is no number of single precision.
+            for x in [-2.5, 0.0, 0.1, 8.0] {
+                let (at, below) = real(ty, x, false);
+                assert!(at >= x && below < x, "{ty:?} {x}: {at} {below}");
+                let (above, at) = real(ty, x, true);
+                assert!(above > x && at <= x, "{ty:?} {x}: {above} {at}");
+                let held = |y: f64| ty == Type::Lreal || f64::from(y as f32) == y;
+                assert!([at, below, above].into_iter().all(held), "{ty:?} {x}");
+            }
+        }
     }
 
     #[test]

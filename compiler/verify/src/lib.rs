@@ -20,6 +20,7 @@
 //! | `live` | the variables that make a state |
 //! | `machine` | one path through one reaction |
 //! | `explore` | all paths from all states |
+//! | `moves` | reactions that real times allow, each with inputs and a time |
 //! | `when` | the inputs of paths, as a condition |
 //! | `graph` | the graph of reachable situations, or of states |
 //! | `circuit` | the program as a sequential circuit, for engines of others |
@@ -32,7 +33,9 @@ mod explore;
 mod graph;
 mod live;
 mod machine;
+mod moves;
 mod when;
 
 pub use beyond::Beyond;
 pub use graph::{Edge, Graph, Livelock, Node, Of, graph};
+pub use moves::{Move, Moves, Times, moves};

@@ -21,6 +21,14 @@ pub(crate) enum End {
     Livelock(Vec<TransitionId>),
 }
 
+/// What happened in a reaction.
+pub(crate) struct Way<'m> {
+    /// The transitions that were cleared, in order of time; one may be there several times.
+    pub(crate) cleared: &'m [TransitionId],
+    /// The timers after it.
+    pub(crate) timers: &'m IndexVec<TimerId, Phase>,
+}
+
 /// Runs a program.
 pub(crate) struct Machine<'p> {
     program: &'p Program,
@@ -31,6 +39,8 @@ pub(crate) struct Machine<'p> {
     memo: Vec<(u64, Seen)>,
     mark: u64,
     stack: Vec<(FormulaId, bool)>,
+    /// The transitions that the latest reaction has cleared so far.
+    passed: Vec<TransitionId>,
 }
 
 /// What is known of a formula.
@@ -59,6 +69,7 @@ impl<'p> Machine<'p> {
             memo: vec![(0, Seen::Value(Value::Bool(false))); program.pool.len()],
             mark: 0,
             stack: Vec::new(),
+            passed: Vec::new(),
         })
     }
 
@@ -68,15 +79,30 @@ impl<'p> Machine<'p> {
         from: Option<&State>,
         mut visit: impl FnMut(End, &[(Atom, bool)]) -> bool,
     ) -> Result<(), Beyond> {
+        self.reactions_seen(from, |end, answers, _| visit(end, answers))
+    }
+
+    /// The same, with what happened on the way.
+    pub(crate) fn reactions_seen(
+        &mut self,
+        from: Option<&State>,
+        mut visit: impl FnMut(End, &[(Atom, bool)], Way) -> bool,
+    ) -> Result<(), Beyond> {
         let mut path = Path::default();
         loop {
             path.rewind();
             self.load(from);
             let end = self.react(&mut path)?;
-            if !visit(end, path.answers()) || !path.advance() {
+            let way = Way { cleared: &self.passed, timers: &self.timers };
+            if !visit(end, path.answers(), way) || !path.advance() {
                 return Ok(());
             }
         }
+    }
+
+    /// The timers of the program, and what they measure.
+    pub(crate) fn clocks(&self) -> &Clocks {
+        &self.clocks
     }
 
     /// The names and values of what makes a state beside the situation.
@@ -135,10 +161,15 @@ impl<'p> Machine<'p> {
 
     fn react(&mut self, path: &mut Path) -> Result<End, Beyond> {
         let program = self.program;
+        self.passed.clear();
         self.run(&program.first, path)?;
         self.run(&program.before, path)?;
         match program.repeat {
-            None => self.run(&program.micro_step, path)?,
+            None => {
+                self.run(&program.micro_step, path)?;
+                let cleared = self.cleared();
+                self.passed.extend(cleared);
+            }
             Some(repeat) => {
                 // The states that micro-steps began in, with what they cleared.
                 let mut seen: Vec<(State, Vec<TransitionId>)> = Vec::new();
@@ -148,7 +179,9 @@ impl<'p> Machine<'p> {
                         return Ok(End::Livelock(ring(&seen[at..])));
                     }
                     self.run(&program.micro_step, path)?;
-                    seen.push((head, self.cleared()));
+                    let cleared = self.cleared();
+                    self.passed.extend(&cleared);
+                    seen.push((head, cleared));
                     if self.values[repeat.again] != Value::Bool(true) {
                         break;
                     }

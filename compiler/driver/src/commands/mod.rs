@@ -6,6 +6,7 @@ pub mod completions;
 pub mod draw;
 pub mod explain;
 pub mod fmt;
+pub mod generate_tests;
 pub mod graph;
 pub mod import;
 pub mod man;

@@ -22,6 +22,7 @@ mod row;
 mod rows;
 mod said;
 mod situation;
+mod test_write;
 #[cfg(test)]
 mod tests;
 mod times;
@@ -35,4 +36,5 @@ pub use columns::{BAR, heading};
 pub use expected::Expectations;
 pub use read::{Stimuli, parse_trace};
 pub use said::{Kept, MOST_ERRORS};
+pub use test_write::write_test;
 pub use write::{Shown, Table, write_trace};
