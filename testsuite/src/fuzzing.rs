@@ -166,7 +166,11 @@ pub fn seeds(target: &str) -> Vec<(String, String)> {
             let header = "t_ms,a,b,c,d,e,f,g,h\n0,0,1,2,3,4,5.5,-6e3,1s\n10,1,-1,2,3,4,0.1,7,1500ms\n".to_owned();
             cases().map(|case| (case.name, case.trace)).chain([("types".to_owned(), header)]).collect()
         }
-        _ => cases().map(|case| (case.name, case.text)).collect(),
+        _ => {
+            let tested = "input a : bool output V : bool initial step 1 step 2 { V } transition 1 -> 2 : a\n\
+                scenario \"s\" { 0s : a = 0  after 1s : a = 1 ↑ -> V, not X1  until X2 within 1min -> T2 = 3s }";
+            cases().map(|case| (case.name, case.text)).chain([("scenario".to_owned(), tested.to_owned())]).collect()
+        }
     }
 }
 

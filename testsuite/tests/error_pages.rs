@@ -76,6 +76,14 @@ fn diagnose(code: Code, chart: &FencedBlock, trace: Option<&FencedBlock>) -> BTr
             });
         }
         None => {
+            if code == Code::E0609 {
+                let checked = checked.expect("a chart without errors");
+                for scenario in &checked.scenarios {
+                    let said = grafc_testing::scenario(&checked, Profile::default(), scenario, 10, None);
+                    diagnostics.append(said);
+                }
+                return codes(&diagnostics);
+            }
             if let Some((_, options)) = COMPILED_WITH.iter().find(|(c, _)| *c == code) {
                 return compile(&chart.text, options);
             }

@@ -160,6 +160,8 @@ codes! {
     E0607 "expectation-not-met" Error;
     E0608 "test-without-chart" Error;
     E0609 "assertion-false" Error;
+    E0610 "faulty-scenario" Error;
+    E0611 "until-not-reached" Error;
     W0601 "delay-ends-between-rows" Warning;
     W0602 "assumption-broken" Warning;
 

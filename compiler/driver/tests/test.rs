@@ -171,7 +171,7 @@ fn a_faulty_chart_does_not_keep_others_from_their_tests() {
     let run = folder.run(&["test"]);
     run.ends(1, "error[E0201]");
     assert!(
-        run.out.ends_with("test result: FAILED. 1 passed; 0 failed; 0 filtered out; 1 chart has errors\n"),
+        run.out.ends_with("test result: FAILED. 1 passed; 0 failed; 0 filtered out; 1 file has errors\n"),
         "{}",
         run.out
     );
@@ -291,4 +291,150 @@ fn sim_reads_a_test_as_a_trace() {
     let run = folder.run(&["sim", "valve.gct", "--trace", "valve.test.csv"]);
     let result = "t_ms,V,situation,flags\n0,0,1,\n10,1,2,\n20,1,2,\n30,0,1,\n";
     assert_eq!(run.is_done().out, result);
+}
+
+/// The lamp goes on with an edge, and off ten seconds later.
+const LAMP: &str = "\
+chart Lamp
+input  button : bool
+output lamp : bool
+initial step 1
+step 2 { lamp }
+transition (1) 1 -> 2 : ↑button
+transition (2) 2 -> 1 : 10s/X2
+";
+
+fn lamp(scenarios: &str) -> Folder {
+    Folder::new(&[("lamp.gct", &format!("{LAMP}{scenarios}"))])
+}
+
+/// The edge is at 1 s, so the light goes out at 11 s; the lines: 1 s, 10 s, 11 s.
+#[test]
+fn a_scenario_in_the_chart() {
+    let folder = lamp(
+        "scenario \"light\" {
+  0s : button = 0 -> not lamp
+  1s : button = 1 ↑ -> lamp, X2, T2 = 0s
+  after 9s : -> lamp, T2 = 9s
+  until not lamp within 1s -> X1
+  after 0s : button = 1 -> X2
+}
+scenario \"again\" { 0s : -> not lamp }
+",
+    );
+    let run = folder.run(&["test"]);
+    let said = "\nrunning 2 tests\ntest lamp::light ... ok\ntest lamp::again ... ok\n\ntest result: ok. 2 passed; 0 failed; 0 filtered out\n";
+    assert_eq!(run.is_done().out, said);
+    assert!(
+        folder.run(&["test", "--filter", "again"]).is_done().out.contains("running 1 test\ntest lamp::again ... ok")
+    );
+    // A scan of 7 ms: the edge is at 1001, the line at 10001, and 11001 is a scan; off it is then.
+    folder.run(&["test", "--scan", "7ms", "--filter", "again"]).is_done();
+}
+
+/// At 1 s nothing is pressed, so step 2 is not active: `lamp` and `X2` are 0, `n` of the line is the duration 0.
+#[test]
+fn what_a_scenario_expects_and_is_not_is_told_with_its_place() {
+    let folder =
+        lamp("scenario \"dark\" {\n  1s : -> lamp, not X1\n  until X2 within 2s -> lamp\n  after 1s : -> lamp\n}\n");
+    let run = folder.run(&["test"]);
+    assert_eq!(run.code, 1);
+    for (message, place) in [
+        ("error[E0607]: at 1000 ms `lamp` is 0, expected 1", "lamp.gct:9:11"),
+        ("error[E0607]: at 1000 ms `X1` is 1, expected 0", "lamp.gct:9:17"),
+        ("error[E0609]: this was not so within 2000 ms", "lamp.gct:10:9"),
+    ] {
+        assert!(run.out.contains(message) && run.out.contains(place), "{message}: {}", run.out);
+    }
+    assert!(run.out.contains("note: at 3000 ms the situation was {1}"), "{}", run.out);
+    assert!(run.out.contains("note: `X2` was 0"), "{}", run.out);
+    // What is behind a line that was not reached is not run.
+    assert_eq!(run.out.matches("error[").count(), 3, "{}", run.out);
+}
+
+/// A pulse is one scan long; what a later line says counts.
+#[test]
+fn a_pulse_is_over_in_the_next_scan() {
+    let chart = "input a : bool output V : bool initial step 1 { V if a }
+scenario \"s\" {
+  0s : a = 1 ↑ -> V
+  10ms : -> not V
+  20ms : a = 1 ↑ -> V
+  30ms : a = 1 -> V
+  40ms : -> V
+  45ms : a = 0 -> not V
+}
+";
+    let folder = Folder::new(&[("c.gct", chart)]);
+    folder.run(&["test"]).is_done();
+}
+
+#[test]
+fn scenarios_beside_a_chart() {
+    let folder = lamp("scenario \"own\" { 0s : -> X1 }\n");
+    std::fs::write(folder.path("lamp.scenarios"), "// beside\nscenario \"beside\" { 1s : button = 1 -> lamp }\n")
+        .unwrap();
+    let run = folder.run(&["test"]);
+    assert!(run.is_done().out.contains("test lamp::own ... ok\ntest lamp::beside ... ok\n"), "{}", run.out);
+    let run = folder.run(&["test", "lamp.scenarios"]);
+    assert!(run.is_done().out.contains("running 1 test\ntest lamp::beside ... ok\n"), "{}", run.out);
+    let faulty = "scenario \"s\" { 0s : buton = 1 -> lamp }\nstep 7\nscenario \"t\" { 0s : -> lamp = 2 }\n";
+    std::fs::write(folder.path("lamp.scenarios"), faulty).unwrap();
+    let run = folder.run(&["test"]);
+    run.ends(1, "error[E0201]")
+        .ends(1, "lamp.scenarios:1:21")
+        .ends(1, "error[E0610]: a file of scenarios has scenarios alone");
+    run.ends(1, "lamp.scenarios:3:");
+    assert!(run.out.ends_with("1 passed; 0 failed; 0 filtered out; 1 file has errors\n"), "{}", run.out);
+}
+
+#[test]
+fn faults_of_scenarios_are_told_together() {
+    let folder = lamp(
+        "var n : int
+scenario \"s\" {
+  0s : lamp = 1, X1 = 1, button = 0 ↑, button = 3 -> n, nothing
+  1s : -> n = 1.5, lamp
+  500ms : -> lamp
+  until ↑button within 1s
+  until 3s/lamp within 1s
+}
+scenario \"s\" { 0s : button = 1 }
+",
+    );
+    let run = folder.run(&["check", "lamp.gct"]);
+    for message in [
+        "error[E0610]: `lamp` is an output, and only inputs are given",
+        "error[E0610]: `X1` is what the chart comes to, and only inputs are given",
+        "error[E0610]: `↑` stands behind a Boolean input that is given 1",
+        "error[E0610]: `n` is not Boolean",
+        "error[E0201]",
+        "error[E0604]: the time goes back from 1000 ms to 500 ms",
+        "error[E0610]: `until` looks at what is after a scan",
+        "error[E0202]: there are two scenarios `s`",
+        "error[E0610]: the scenario expects nothing",
+    ] {
+        run.ends(1, message);
+    }
+    assert_eq!(run.err.matches("`until` looks at").count(), 2, "{}", run.err);
+}
+
+/// Code is the same with scenarios and without, in every target; a variable that only a scenario names is not used.
+#[test]
+fn scenarios_change_no_code() {
+    let scenario = "scenario \"s\" { 0s : button = 1 -> lamp  until X1 and lamp within 1s }\n";
+    for target in ["st", "il", "rust", "js", "plcopen", "awl", "scl"] {
+        let plain = lamp("").run(&["lamp.gct", "--target", target, "-q"]).out.clone();
+        assert_eq!(lamp(scenario).run(&["lamp.gct", "--target", target, "-q"]).out, plain, "{target}");
+        assert!(!plain.is_empty(), "{target}");
+    }
+    let folder = lamp("input spare : bool\nscenario \"s\" { 0s : spare = 1 -> not lamp  until spare within 1s }\n");
+    folder.run(&["check", "lamp.gct"]).ends(0, "warning[W0419]: the input `spare` is never read");
+}
+
+#[test]
+fn coverage_counts_scenarios() {
+    let folder = lamp("scenario \"light\" { 0s : -> X1  1s : button = 1 ↑ -> X2  until X1 within 11s }\n");
+    let run = folder.run(&["test", "--coverage"]);
+    assert!(run.is_done().out.contains("  transitions           2 of 2      100 %"), "{}", run.out);
 }

@@ -1,8 +1,8 @@
 //! The pipeline from syntax tree to checked chart.
 
-use crate::chart::{Chart, MacroId, Tables};
+use crate::chart::{Chart, MacroId, Scenario, Tables};
 use crate::checks;
-use crate::resolve::{Resolved, definitions, resolve};
+use crate::resolve::{Resolved, definitions, resolve, resolve_beside};
 use crate::symbols::Symbols;
 use grafc_diagnostics::Diagnostics;
 use grafc_syntax::ast;
@@ -74,6 +74,14 @@ pub fn examine(tree: &ast::Chart, default_name: &str) -> Checked {
         Outcome::Faulty(tables)
     };
     Checked { diagnostics, symbols, chart }
+}
+
+/// The scenarios of a text that lies beside a chart's, which has no errors, and what is wrong with them.
+pub fn scenarios(tree: &ast::Chart, beside: &ast::Chart) -> (Vec<Scenario>, Diagnostics) {
+    let mut diagnostics = Diagnostics::new();
+    let scenarios = resolve_beside(tree, beside, &mut diagnostics);
+    diagnostics.sort_by_place();
+    (scenarios, diagnostics)
 }
 
 /// The chart under check is complete after this if no rule is broken.

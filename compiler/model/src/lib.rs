@@ -17,7 +17,7 @@ pub mod simulate;
 pub mod symbols;
 pub mod trace;
 
-pub use check::{Checked, check, examine};
+pub use check::{Checked, check, examine, scenarios};
 pub use dump::dump;
 
 /// The code points of what misleads in a name, to be shown beside it; none without the feature `names`.

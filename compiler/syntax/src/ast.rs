@@ -94,6 +94,24 @@ pub enum Item {
     Allow(Box<Allow>),
     /// `assume …`, `assert …`, `reach …`, `final …`.
     Claim(Box<Claim>),
+    /// `scenario "one batch" { … }`.
+    Scenario(Box<Scenario>),
+}
+
+impl Item {
+    /// The whole item.
+    pub fn span(&self) -> Span {
+        match self {
+            Item::Declaration(item) => item.span,
+            Item::Grafcet(item) => item.span,
+            Item::Expansion(item) => item.span,
+            Item::Step(item) => item.span,
+            Item::Transition(item) => item.span,
+            Item::Allow(item) => item.span,
+            Item::Scenario(item) => item.span,
+            Item::Claim(item) => item.span,
+        }
+    }
 }
 
 /// `assert "never both valves" : not (VA and VB)`: what is said of a chart and changes nothing in it.
@@ -149,6 +167,84 @@ pub enum ClaimBody {
     After(ExprId, ExprId),
     /// `X6 leads to X11`
     Leads(ExprId, ExprId),
+}
+
+/// `scenario "one batch" { 0s : a = 1 -> V  until X5 within 60s }`: a test of the chart, in words of time.
+#[derive(Clone, Debug)]
+pub struct Scenario {
+    /// What it is called.
+    pub name: Text,
+    /// Its lines, in order.
+    pub lines: Vec<ScenarioLine>,
+    /// The whole item.
+    pub span: Span,
+}
+
+/// One line of a scenario.
+#[derive(Clone, Debug)]
+pub struct ScenarioLine {
+    /// When it is, and what is given.
+    pub kind: ScenarioLineKind,
+    /// What is expected after that, behind `->`.
+    pub expected: Vec<Expectation>,
+    /// The whole line.
+    pub span: Span,
+}
+
+/// The forms of lines.
+#[derive(Clone, Debug)]
+pub enum ScenarioLineKind {
+    /// `1s : CS = 1`, `after 8s : TD = 1 ↑`
+    At {
+        /// The time.
+        time: ExprId,
+        /// Whether it counts from the line before.
+        is_after: bool,
+        /// What inputs are given.
+        given: Vec<Given>,
+    },
+    /// `until X11 within 60s`
+    Until {
+        /// What is waited for.
+        condition: ExprId,
+        /// How long at most.
+        within: ExprId,
+    },
+}
+
+/// `TD = 1 ↑`
+#[derive(Clone, Debug)]
+pub struct Given {
+    /// The input.
+    pub name: Name,
+    /// Its value.
+    pub value: ExprId,
+    /// Where `↑` stands, if it does: in the next scan the input is 0 again.
+    pub pulse: Option<Span>,
+    /// The whole of it.
+    pub span: Span,
+}
+
+/// `X2`, `not BM`, `n = 3`
+#[derive(Clone, Debug)]
+pub struct Expectation {
+    /// The variable, also an implicit one.
+    pub name: Name,
+    /// What it is to be.
+    pub value: Expected,
+    /// The whole of it.
+    pub span: Span,
+}
+
+/// What a variable is to be.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Expected {
+    /// True.
+    True,
+    /// False.
+    False,
+    /// This value.
+    Value(ExprId),
 }
 
 /// `allow W0409 V "interlocked by hardware"`: a warning that the author has looked at.

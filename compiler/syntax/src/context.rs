@@ -8,16 +8,27 @@
 //! `assume`, `assert`, `reach` and `final` begin a claim where an item can begin: outside of these braces and of the head
 //! of a transition, behind what may end an item. In a claim, `at most one of`, `after` and `leads to` are words where two
 //! names would follow each other.
+//!
+//! `scenario` begins an item where a string and a brace follow it. In its braces `until`, and `after` before a time, begin a
+//! line, except where a name must stand: behind a comma, `->`, `not`. Behind `until` all is a condition, up to `within`
+//! before a time.
 
+use crate::scenario::Scenario;
 use crate::token::{Lexeme, Token, begins_item, is_claim, may_end_item};
 
 /// Finds the words among the names.
 pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
     let mut braces = Braces::default();
+    let mut scenario = Scenario::default();
     for at in 0..lexemes.len() {
         if lexemes[at].token == Token::Name {
             let place = Place { text, lexemes: &*lexemes, at, braces: &braces };
             match place.word(0) {
+                word if scenario.is_open() => {
+                    let found = scenario.word(word, place.before(1), place.token(1));
+                    found.into_iter().for_each(|token| lexemes[at].token = token);
+                }
+                "scenario" if place.is_scenario() => lexemes[at].token = Token::Scenario,
                 "allow" => place.allow().into_iter().for_each(|token| lexemes[at].token = token),
                 "assume" | "assert" | "reach" | "final" => {
                     place.claim().into_iter().for_each(|token| lexemes[at].token = token);
@@ -33,6 +44,7 @@ pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
                 _ => {}
             }
         }
+        scenario.pass(lexemes[at].token);
         braces.pass(lexemes[at].token);
     }
 }
@@ -78,6 +90,11 @@ impl<'t> Place<'t> {
             return with_reason.then_some(Token::AllowInside);
         }
         (follows(1, Token::Name) && self.may_begin()).then_some(Token::Allow)
+    }
+
+    fn is_scenario(self) -> bool {
+        let follows = (self.token(1), self.token(2)) == (Some(Token::String), Some(Token::OpenBrace));
+        follows && self.braces.of_items == 0 && self.may_begin()
     }
 
     fn claim(self) -> Option<Token> {

@@ -59,6 +59,7 @@ impl Dump<'_> {
                 Item::Transition(transition) => self.transition(transition),
                 Item::Allow(allow) => self.allow(allow),
                 Item::Claim(claim) => self.claim(claim),
+                Item::Scenario(scenario) => self.scenario(scenario),
             }
         }
     }
@@ -83,6 +84,38 @@ impl Dump<'_> {
     fn allow(&mut self, allow: &Allow) {
         let about = allow.about.as_ref().map(|about| format!(" {}", name(about)));
         self.line(&format!("allow {}{} {:?}", name(&allow.code), about.unwrap_or_default(), allow.reason.text));
+    }
+
+    fn scenario(&mut self, scenario: &Scenario) {
+        self.line(&format!("scenario {:?}", scenario.name.text));
+        self.level += 1;
+        for line in &scenario.lines {
+            match &line.kind {
+                ScenarioLineKind::At { time, is_after, given } => {
+                    self.labelled(if *is_after { "after" } else { "at" }, *time);
+                    self.level += 1;
+                    for given in given {
+                        let pulse = if given.pulse.is_some() { " ↑" } else { "" };
+                        self.labelled(&format!("given {}{pulse}", name(&given.name)), given.value);
+                    }
+                }
+                ScenarioLineKind::Until { condition, within } => {
+                    self.labelled("until", *condition);
+                    self.level += 1;
+                    self.labelled("within", *within);
+                }
+            }
+            for expected in &line.expected {
+                let what = name(&expected.name);
+                match expected.value {
+                    Expected::True => self.line(&format!("expected {what}")),
+                    Expected::False => self.line(&format!("expected not {what}")),
+                    Expected::Value(value) => self.labelled(&format!("expected {what}"), value),
+                }
+            }
+            self.level -= 1;
+        }
+        self.level -= 1;
     }
 
     fn block(&mut self, items: &[Item]) {

@@ -45,6 +45,8 @@ pub(crate) fn describe(previous: Token, expected: &[String]) -> String {
         ("{", "`{`"),
         ("}", "`}`"),
         ("string", if has("at most") { "a text in quotation marks" } else { "an attached comment" }),
+        ("until", "`until`"),
+        ("within", "`within`"),
         ("end", "the next item"),
     ] {
         if has(terminal) && !(before_arrow && matches!(terminal, "->" | "string")) {

@@ -108,7 +108,7 @@ fn without_empty_braces(pieces: Vec<Piece>) -> Vec<Piece> {
     kept
 }
 
-/// Where the actions of steps and transitions begin.
+/// Where the actions of steps and transitions begin, and the lines of scenarios.
 fn action_starts(chart: &Chart) -> HashSet<u32> {
     let mut starts = HashSet::new();
     let mut lists = vec![&chart.items];
@@ -116,6 +116,7 @@ fn action_starts(chart: &Chart) -> HashSet<u32> {
         for item in items {
             match item {
                 Item::Declaration(_) | Item::Allow(_) | Item::Claim(_) => {}
+                Item::Scenario(scenario) => starts.extend(scenario.lines.iter().map(|line| line.span.start)),
                 Item::Grafcet(grafcet) => lists.push(&grafcet.items),
                 Item::Expansion(expansion) => lists.push(&expansion.items),
                 Item::Step(step) => {
@@ -385,7 +386,9 @@ impl State {
             self.value = false;
         }
         self.unary = match token {
-            Token::Not | Token::Rise | Token::Fall => true,
+            // Behind a value it is the mark of a pulse.
+            Token::Rise => !self.operand,
+            Token::Not | Token::Fall => true,
             Token::Minus => !self.operand,
             _ => false,
         };

@@ -21,6 +21,7 @@ mod numeral;
 mod pasted;
 mod repeated;
 mod same;
+mod scenario;
 mod shown;
 pub mod spelling;
 mod token;

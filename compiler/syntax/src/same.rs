@@ -75,6 +75,7 @@ fn items(a: &[Item], b: &[Item]) -> bool {
         (Item::Claim(a), Item::Claim(b)) => {
             a.kind == b.kind && text(&a.text, &b.text) && a.body == b.body && a.written == b.written
         }
+        (Item::Scenario(a), Item::Scenario(b)) => a.name.text == b.name.text && all(&a.lines, &b.lines, scenario_line),
         (
             Item::Declaration(_)
             | Item::Grafcet(_)
@@ -82,14 +83,16 @@ fn items(a: &[Item], b: &[Item]) -> bool {
             | Item::Step(_)
             | Item::Transition(_)
             | Item::Allow(_)
-            | Item::Claim(_),
+            | Item::Claim(_)
+            | Item::Scenario(_),
             Item::Declaration(_)
             | Item::Grafcet(_)
             | Item::Expansion(_)
             | Item::Step(_)
             | Item::Transition(_)
             | Item::Allow(_)
-            | Item::Claim(_),
+            | Item::Claim(_)
+            | Item::Scenario(_),
         ) => false,
     })
 }
@@ -97,6 +100,21 @@ fn items(a: &[Item], b: &[Item]) -> bool {
 fn allow(a: &Allow, b: &Allow) -> bool {
     let about = |allow: &Allow| allow.about.as_ref().map(|n| (n.text.clone(), n.quoted));
     name(&a.code, &b.code) && about(a) == about(b) && a.reason.text == b.reason.text
+}
+
+fn scenario_line(a: &ScenarioLine, b: &ScenarioLine) -> bool {
+    use ScenarioLineKind::*;
+    let expected = |a: &Expectation, b: &Expectation| name(&a.name, &b.name) && a.value == b.value;
+    let given =
+        |a: &Given, b: &Given| name(&a.name, &b.name) && a.value == b.value && a.pulse.is_some() == b.pulse.is_some();
+    let kind = match (&a.kind, &b.kind) {
+        (At { time: s, is_after: f, given: a }, At { time: t, is_after: g, given: b }) => {
+            s == t && f == g && all(a, b, given)
+        }
+        (Until { condition: c, within: s }, Until { condition: d, within: t }) => c == d && s == t,
+        (At { .. } | Until { .. }, At { .. } | Until { .. }) => false,
+    };
+    kind && all(&a.expected, &b.expected, expected)
 }
 
 fn assignment(a: &Assignment, b: &Assignment) -> bool {

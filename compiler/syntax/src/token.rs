@@ -183,12 +183,18 @@ pub(crate) enum Token {
     One,
     /// `of` of `at most one of`
     Of,
-    /// `after`, in a claim
+    /// `after`, in a claim, and before a time in a scenario
     After,
     /// `leads` of `leads to`, in a claim
     Leads,
     /// `to` of `leads to`
     LeadsTo,
+    /// `scenario`, as an item
+    Scenario,
+    /// `until` in a scenario
+    Until,
+    /// `within` before the time of `until`
+    Within,
     /// The end of an item; the parser puts it there.
     End,
 }
@@ -259,7 +265,7 @@ pub(crate) fn may_end_item(token: Token) -> bool {
         | Slash | Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual | Assign | Colon | Comma | Arrow
         | OpenParen | OpenBracket | Numeral | LineComment | BlockComment | ForeignComment | Activation
         | Deactivation | Event | At | Retain | Allow | AllowInside | Assume | Assert | Reach | Final | AtMost
-        | Most | One | Of | After | Leads | LeadsTo | End => false,
+        | Most | One | Of | After | Leads | LeadsTo | Scenario | Until | Within | End => false,
     }
 }
 
@@ -279,7 +285,7 @@ pub(crate) fn is_claim(token: Token) -> bool {
 }
 
 fn is_top_level(token: Token) -> bool {
-    declares(token) || matches!(token, Token::Chart | Token::Retain | Token::Grafcet)
+    declares(token) || matches!(token, Token::Chart | Token::Retain | Token::Grafcet | Token::Scenario)
 }
 
 /// Whether it is the keyword of a declaration.

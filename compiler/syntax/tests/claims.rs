@@ -13,7 +13,7 @@ fn claims(chart: &Chart) -> Vec<&Claim> {
             Item::Claim(claim) => found.push(&**claim),
             Item::Grafcet(grafcet) => open.extend(grafcet.items.iter().rev()),
             Item::Expansion(expansion) => open.extend(expansion.items.iter().rev()),
-            Item::Declaration(_) | Item::Step(_) | Item::Transition(_) | Item::Allow(_) => {}
+            Item::Declaration(_) | Item::Step(_) | Item::Transition(_) | Item::Allow(_) | Item::Scenario(_) => {}
         }
     }
     found

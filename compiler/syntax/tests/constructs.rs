@@ -350,10 +350,55 @@ fn allow_is_a_name_where_it_always_was() {
 }
 
 #[test]
+fn scenarios() {
+    let text = "scenario \"one batch\" {
+        0s : a = 0, n = -3, on_time = 1s500ms
+        1s :
+        after 8s : TD = 1 ↑, b = TRUE -> not BM, X2, n = 16#F
+        until X11 and [n > 3] within 1min -> MR
+    }";
+    let (_, Item::Scenario(scenario)) = only(text) else { panic!("a scenario was written") };
+    assert_eq!(scenario.name.text, "one batch");
+    let shape = |line: &ScenarioLine| match &line.kind {
+        ScenarioLineKind::At { is_after, given, .. } => (*is_after, given.len(), line.expected.len()),
+        ScenarioLineKind::Until { .. } => (false, 9, line.expected.len()),
+    };
+    assert_eq!(
+        scenario.lines.iter().map(shape).collect::<Vec<_>>(),
+        [(false, 3, 0), (false, 0, 0), (true, 2, 3), (false, 9, 1)]
+    );
+    let ScenarioLineKind::At { given, .. } = &scenario.lines[2].kind else { panic!("a line with a time") };
+    assert_eq!(given.iter().map(|given| given.pulse.is_some()).collect::<Vec<_>>(), [true, false]);
+    let values: Vec<bool> = scenario.lines[2].expected.iter().map(|e| matches!(e.value, Expected::Value(_))).collect();
+    assert_eq!(values, [false, false, true]);
+    let (_, Item::Scenario(empty)) = only("scenario \"s\" { }") else { panic!("a scenario was written") };
+    assert!(empty.lines.is_empty());
+}
+
+/// Each of its words stands as a name wherever a name must.
+#[test]
+fn the_words_of_scenarios_are_names_elsewhere() {
+    let text = "input scenario, until, within, after : bool output V : bool initial step scenario \"c\" { V }
+        step until { after if within } transition scenario -> until : scenario and until or within
+        transition until -> scenario : 3s/after grafcet scenario \"g\" { step after }
+        scenario \"words\" { 0s : until = 1, after = 0, within = 1 ↑ -> until, after, not within
+            1s : until until within 1s -> after after 2s : after = 1 until within and within within 3s
+            until after or scenario within 5s 4s : within = 0 -> scenario, within }";
+    let chart = chart(text);
+    let scenarios: Vec<usize> = chart
+        .items
+        .iter()
+        .filter_map(|item| if let Item::Scenario(s) = item { Some(s.lines.len()) } else { None })
+        .collect();
+    // 0s; 1s; until; after 2s; until; until; 4s
+    assert_eq!(scenarios, [7]);
+}
+
+#[test]
 fn every_construct_at_once() {
     let text = include_str!("samples/every_construct.gct");
     let chart = chart(text);
-    assert_eq!(chart.items.len(), 19);
+    assert_eq!(chart.items.len(), 20);
     assert_eq!(chart.comments.len(), 5);
     assert_eq!(chart.span.range(), 0..text.len());
 }

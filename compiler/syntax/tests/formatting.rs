@@ -29,6 +29,20 @@ grafcet X9/G4 \"e\" {
 }
 
 #[test]
+fn scenarios_have_a_line_a_line() {
+    assert_eq!(
+        format(
+            "scenario \"s\"{0s:a=0,b=- 1\n after 8s:TD=1↑->not BM,X2 until X11 and ↑ c within 60s->MR 3s: a=1 rise}"
+        ),
+        "scenario \"s\" {\n  0s : a = 0, b = -1\n  after 8s : TD = 1 ↑ -> not BM, X2\n  until X11 and ↑c within 60s -> MR\n  3s : a = 1 rise\n}\n"
+    );
+    assert_eq!(
+        format("scenario \"s\" { 0s : a = 0 until X1 within 1s }"),
+        "scenario \"s\" { 0s : a = 0   until X1 within 1s }\n"
+    );
+}
+
+#[test]
 fn the_author_s_spellings_stay() {
     assert_eq!(
         format("transition 1→2:a AND NOT b XOR TRUE OR(NOT(c))"),

@@ -15,6 +15,7 @@ fn outline(text: &str) -> String {
             Item::Expansion(e) => format!("{}({})", e.macro_step.text, write(&e.items)),
             Item::Allow(a) => format!("allow {}", a.code.text),
             Item::Claim(c) => format!("{}:{}", c.kind.keyword(), c.written),
+            Item::Scenario(s) => format!("scenario {}", s.name.text),
             Item::Step(s) => format!("{}{}", s.label.text, "'".repeat(s.actions.len())),
             Item::Transition(t) => {
                 let list = |names: &[grafc_syntax::ast::Name]| {

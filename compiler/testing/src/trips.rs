@@ -153,9 +153,23 @@ impl<'m> Plan<'m> {
     }
 
     /// Trips that cover all that can be covered.
-    pub(crate) fn trips(&self) -> Vec<Vec<Leg>> {
+    pub(crate) fn trips(&mut self) -> Vec<Vec<Leg>> {
         let mut open = self.coverable();
-        let home: BTreeSet<usize> = self.moves.first.iter().map(|first| self.moves.situation_of[first.to]).collect();
+        let mut trips = self.trips_to(&mut open);
+        if !self.any_start {
+            // What only another start comes to.
+            self.any_start = true;
+            let mut rest = self.coverable();
+            trips.iter().flatten().flat_map(|leg| self.items(*leg)).for_each(|item| _ = rest.remove(&item));
+            let more = self.trips_to(&mut rest);
+            self.any_start = !more.is_empty();
+            trips.extend(more);
+        }
+        trips
+    }
+
+    fn trips_to(&self, open: &mut BTreeSet<Item>) -> Vec<Vec<Leg>> {
+        let home = self.home();
         let is_home = |leg: Leg| home.contains(&self.moves.situation_of[self.at(leg).to]);
         let mut trips = Vec::new();
         while !open.is_empty() {

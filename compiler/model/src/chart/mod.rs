@@ -11,6 +11,7 @@ mod claims;
 mod controls;
 mod expression;
 mod note;
+mod scenario;
 
 pub use claims::{Claim, ClaimBody, ClaimKind, Claims};
 pub use controls::{ControlNames, Controls};
@@ -20,6 +21,7 @@ use grafc_diagnostics::{Allowances, Span};
 pub use grafc_syntax::ast::Type;
 use index_vec::{IndexVec, define_index_type};
 pub use note::Note;
+pub use scenario::{Condition, Scenario, ScenarioExpectation, ScenarioInput, ScenarioLine, ScenarioTime};
 use smallvec::SmallVec;
 use std::ops::Deref;
 
@@ -132,6 +134,8 @@ pub struct Tables {
     pub allowances: Allowances,
     /// Inputs that act on the chart as a whole, if somebody asked for some.
     pub controls: Controls,
+    /// The tests in its text; they change nothing of what it does.
+    pub scenarios: Vec<Scenario>,
 }
 
 /// A declared variable.

@@ -14,6 +14,7 @@ pub mod fold;
 mod habits;
 mod names;
 pub mod parts;
+pub mod scenarios;
 pub mod scope;
 mod structure;
 pub mod suggest;
@@ -21,9 +22,9 @@ pub mod types;
 
 pub use definitions::definitions;
 
-use crate::chart::{MacroId, Note, Tables};
+use crate::chart::{MacroId, Note, Scenario, Tables};
 use crate::symbols::Symbols;
-use grafc_diagnostics::Diagnostics;
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use grafc_syntax::ast;
 use index_vec::IndexVec;
 use parts::{ExpansionId, Parts};
@@ -77,8 +78,45 @@ pub fn resolve<'a>(
     };
     let (claims, claimed) = claims::read(&parts, context, &mut symbols, diagnostics);
     chart.claims = claims;
+    let against = scenarios::Against {
+        tree: &tree.exprs,
+        scope: &scope,
+        variables: &chart.variables,
+        constants: &values.constants,
+    };
+    chart.scenarios = scenarios::read(&parts.scenarios, against, &mut symbols, diagnostics);
     chart.allowances = allowances::read(&parts, &scope, &chart.variables, &mut symbols, diagnostics);
     Resolved { parts, scope, expanded, chart, complete: values.complete && interpreted && claimed, symbols }
+}
+
+/// Resolves the scenarios of another text against a chart.
+pub fn resolve_beside(tree: &ast::Chart, beside: &ast::Chart, diagnostics: &mut Diagnostics) -> Vec<Scenario> {
+    let mut unsaid = Diagnostics::new();
+    let mut symbols = Symbols::unasked();
+    let parts = Parts::collect(tree);
+    let scope = Scope::declare(&parts, &mut unsaid);
+    let mut variables = declarations::variables(&parts);
+    symbols.expect(variables.len(), 0);
+    let values = declarations::evaluate(&tree.exprs, &parts, &scope, &mut variables, &mut symbols, &mut unsaid);
+    let mut written = Vec::new();
+    for item in &beside.items {
+        match item {
+            ast::Item::Scenario(scenario) => written.push(&**scenario),
+            ast::Item::Declaration(_)
+            | ast::Item::Grafcet(_)
+            | ast::Item::Expansion(_)
+            | ast::Item::Step(_)
+            | ast::Item::Transition(_)
+            | ast::Item::Allow(_)
+            | ast::Item::Claim(_) => {
+                let fault = Diagnostic::new(Code::E0610, item.span(), "a file of scenarios has scenarios alone");
+                diagnostics.push(fault.help("what belongs to the chart stands in its own file"));
+            }
+        }
+    }
+    let against =
+        scenarios::Against { tree: &beside.exprs, scope: &scope, variables: &variables, constants: &values.constants };
+    scenarios::read(&written, against, &mut symbols, diagnostics)
 }
 
 fn comment(text: &Option<Box<ast::Text>>) -> Option<Note> {

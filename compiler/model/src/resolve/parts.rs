@@ -52,6 +52,8 @@ pub struct Parts<'a> {
     pub allows: Vec<(&'a ast::Allow, Scope)>,
     /// Claims.
     pub claims: Vec<&'a ast::Claim>,
+    /// Scenarios, in source order.
+    pub scenarios: Vec<&'a ast::Scenario>,
     /// The end of the text.
     pub end: Span,
 }
@@ -121,6 +123,7 @@ impl<'a> Parts<'a> {
             bare: Vec::new(),
             allows: Vec::new(),
             claims: Vec::new(),
+            scenarios: Vec::new(),
             end: chart.span.behind(),
         };
         let has_blocks = chart.items.iter().any(|item| matches!(item, ast::Item::Grafcet(_)));
@@ -164,6 +167,7 @@ impl<'a> Parts<'a> {
                 }
                 ast::Item::Allow(allow) => parts.allows.push((allow, Scope::Block(block))),
                 ast::Item::Claim(claim) => parts.claims.push(claim),
+                ast::Item::Scenario(scenario) => parts.scenarios.push(scenario),
             }
         }
         parts

@@ -18,6 +18,7 @@
 
 mod arithmetic;
 mod claims;
+mod condition;
 mod context;
 mod delay;
 mod events;

@@ -163,7 +163,7 @@ pub(super) fn own_columns<R>(of: impl Fn(About) -> R) -> [(&'static str, R); 2] 
 
 /// Reals agree to as many digits as tools print: six of a `real`, twelve of an `lreal`. What is infinite or no number
 /// agrees with its like alone.
-fn agree(ty: Type, a: Value, b: Value) -> bool {
+pub fn agree(ty: Type, a: Value, b: Value) -> bool {
     let tolerance = if ty == Type::Real { 1e-6 } else { 1e-12 };
     match (a, b) {
         (Value::Real(a), Value::Real(b)) if a.is_finite() && b.is_finite() => {

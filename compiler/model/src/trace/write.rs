@@ -130,7 +130,7 @@ fn refused(error: csv::Error) -> io::Error {
 }
 
 /// A value as it stands in a result: reals as short as reading them back allows.
-pub(super) fn cell(ty: Type, value: Value) -> String {
+pub fn cell(ty: Type, value: Value) -> String {
     let mut text = String::new();
     write_value(&mut text, ty, value);
     text

@@ -124,6 +124,8 @@ impl Reader<'_> {
             .also(frame.opened, format!("{inside} begins here"));
         if token == Token::Grafcet {
             self.fault(fault.help("an enclosure stands outside and names its enclosing step: `grafcet X9/G4 { … }`"));
+        } else if token == Token::Scenario {
+            self.fault(fault.help("a scenario stands outside of all braces"));
         } else if !std::mem::replace(&mut frame.reported, true) {
             self.fault(fault.help("declarations stand outside of all braces"));
         }

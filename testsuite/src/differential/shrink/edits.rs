@@ -60,6 +60,7 @@ pub(super) fn of(text: &str) -> Vec<Edit> {
             }
             Item::Allow(allow) => list.push((allow.span, String::new())),
             Item::Claim(claim) => list.push((claim.span, String::new())),
+            Item::Scenario(scenario) => list.push((scenario.span, String::new())),
             Item::Grafcet(grafcet) => {
                 list.push((grafcet.span, String::new()));
                 open.extend(&grafcet.items);
@@ -170,7 +171,7 @@ fn shown(text: &str, chart: &Chart) -> Vec<Edit> {
                 let word = Span::new(declaration.span.file, start + at, start + at + "var".len());
                 hidden.extend(declaration.names.iter().map(|n| (n.name.text.as_str(), word)));
             }
-            Item::Declaration(_) | Item::Allow(_) | Item::Claim(_) | Item::Transition(_) => {}
+            Item::Declaration(_) | Item::Allow(_) | Item::Claim(_) | Item::Scenario(_) | Item::Transition(_) => {}
             Item::Grafcet(grafcet) => open.extend(&grafcet.items),
             Item::Expansion(expansion) => open.extend(&expansion.items),
             Item::Step(step) => actions.extend(step.actions.iter().filter_map(|action| match &action.kind {
@@ -208,7 +209,7 @@ fn pairs(text: &str, chart: &Chart) -> Vec<Edit> {
                 open.extend(&expansion.items);
             }
             Item::Transition(transition) => transitions.push(transition),
-            Item::Declaration(_) | Item::Allow(_) | Item::Claim(_) => {}
+            Item::Declaration(_) | Item::Allow(_) | Item::Claim(_) | Item::Scenario(_) => {}
         }
     }
     let later = |transition: &Transition| {

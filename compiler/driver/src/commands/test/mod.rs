@@ -25,7 +25,8 @@ Example:
   grafc test weigh.gct --lcov weigh.info --coverage-drawing weigh.coverage.svg
 
 NAME.test.csv and NAME.*.test.csv beside NAME.gct are its tests: a trace of its inputs, a column `|`, and what is
-expected of outputs, variables and `situation`; a blank cell expects nothing. Exit code 1: a test failed.";
+expected of outputs, variables and `situation`; a blank cell expects nothing. `scenario` blocks in NAME.gct and in
+NAME.scenarios are tests, too. Exit code 1: a test failed.";
 
 /// Arguments of `grafc test`.
 #[derive(Args, Debug)]
@@ -106,10 +107,10 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         print(&list)?;
         return Ok(report.tell(messages));
     }
-    // A chart of which nothing is asked need not be right.
-    let faulty = charts.iter().filter(|chart| chart.chart.is_none()).count();
+    let faulty = charts.iter().map(|chart| chart.faulty).sum();
     let measured = args.coverage || args.lcov.is_some() || args.coverage_drawing.is_some();
-    let how = run::How { profile: args.profile.profile()?, bound_as_known: args.profile.bound_as_known() };
+    let how =
+        run::How { profile: args.profile.profile()?, bound_as_known: args.profile.bound_as_known(), scan: args.scan.0 };
     let told = told::Told::new(count, messages);
     told.begin()?;
     let mut suites = Vec::new();
@@ -138,7 +139,6 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     if let Some(path) = &args.coverage_drawing {
         drawn::write(path, &coverages)?;
     }
-    let _ = args.scan;
     let exit = report.tell(messages);
     Ok(if has_failed { exit.max(Exit::ChartErrors) } else { exit })
 }

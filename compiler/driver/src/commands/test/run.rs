@@ -4,7 +4,7 @@ use super::find::{Tested, called, shown, table_called};
 use crate::report::{Failure, Report};
 use grafc::files;
 use grafc_diagnostics::{Diagnostics, FileId};
-use grafc_model::chart::{Chart, ControlNames};
+use grafc_model::chart::{Chart, ControlNames, Scenario};
 use grafc_model::reaction::Profile;
 use grafc_testing::coverage::Coverage;
 use std::path::{Path, PathBuf};
@@ -21,6 +21,8 @@ pub struct Loaded {
     pub chart: Option<Chart>,
     /// Its tests, by their names.
     pub tests: Vec<Test>,
+    /// So many files of it have errors: itself, and its scenarios.
+    pub faulty: usize,
 }
 
 /// A test.
@@ -33,6 +35,8 @@ pub struct Test {
 enum What {
     /// A table, in this file.
     Table(PathBuf),
+    /// A scenario.
+    Scenario(Box<Scenario>),
 }
 
 /// How tests are run.
@@ -42,6 +46,8 @@ pub struct How {
     pub profile: Profile,
     /// Whether the bound on micro-steps is the one that is known to be enough.
     pub bound_as_known: bool,
+    /// The period at which scenarios call the chart.
+    pub scan: i64,
 }
 
 /// What came of a test.
@@ -81,9 +87,44 @@ impl Loaded {
             name: format!("{name}::{}", table_called(path, table)),
             what: What::Table(table.clone()),
         });
-        let tests = tables.collect();
-        Ok(Loaded { file, path: path.to_path_buf(), chart, tests, name })
+        let mut tests: Vec<Test> = tables.collect();
+        let mut faulty = usize::from(chart.is_none());
+        if let Some(chart) = &chart {
+            let own = if tested.with_own { chart.scenarios.clone() } else { Vec::new() };
+            tests.extend(own.into_iter().map(|scenario| Test::of(&name, scenario)));
+            if let Some(path) = &tested.scenarios {
+                let beside = beside(path, file, report)?;
+                faulty += usize::from(beside.is_none());
+                tests.extend(beside.into_iter().flatten().map(|scenario| Test::of(&name, scenario)));
+            }
+        }
+        Ok(Loaded { file, path: path.to_path_buf(), chart, tests, name, faulty })
     }
+}
+
+impl Test {
+    fn of(chart: &str, scenario: Scenario) -> Test {
+        Test { name: format!("{chart}::{}", scenario.name), what: What::Scenario(Box::new(scenario)) }
+    }
+}
+
+/// The scenarios in a file beside a chart, which has no errors; none if the file has some, which are reported.
+fn beside(path: &Path, chart: FileId, report: &mut Report) -> Result<Option<Vec<Scenario>>, Failure> {
+    let file = match grafc::add(&mut report.sources, shown(path), files::read(path)?) {
+        Ok(file) => file,
+        Err(diagnostic) => {
+            report.diagnostics.push(diagnostic);
+            return Ok(None);
+        }
+    };
+    let parse = |file| grafc::syntax::parse(file, &report.sources.file(file).text);
+    let (beside, mut said) = parse(file);
+    let (scenarios, more) = grafc_model::scenarios(&parse(chart).0, &beside);
+    said.append(more);
+    said.sort_by_place();
+    let is_right = !said.has_errors();
+    report.diagnostics.append(said);
+    Ok(is_right.then_some(scenarios))
 }
 
 /// Runs some tests of a chart, and tells each as it ends; what they cover, if somebody measures that.
@@ -104,6 +145,7 @@ pub fn run<'c>(
     let mut all = Vec::new();
     for test in tests {
         let mut said = match &test.what {
+            What::Scenario(scenario) => grafc_testing::scenario(chart, profile, scenario, how.scan, coverage.as_mut()),
             What::Table(path) => match grafc::add(&mut report.sources, shown(path), files::read(path)?) {
                 Ok(file) => {
                     let text = &report.sources.file(file).text;

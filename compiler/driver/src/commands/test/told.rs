@@ -72,8 +72,8 @@ impl Told {
         ));
         match faulty {
             0 => {}
-            1 => text.push_str("; 1 chart has errors"),
-            _ => text.push_str(&format!("; {faulty} charts have errors")),
+            1 => text.push_str("; 1 file has errors"),
+            _ => text.push_str(&format!("; {faulty} files have errors")),
         }
         text.push('\n');
         print(&text)?;
