@@ -94,12 +94,14 @@ pub fn certify(
         }
         Cover::Situations | Cover::Edges => Vec::new(),
     };
+    let rows = tests.iter().map(|test| test.stimuli.len()).sum();
     Certified {
-        totals: plan.totals(&trips),
+        totals: Totals { rows, ..plan.totals(&trips) },
         covered: covered.len(),
         open: open.collect(),
         dead,
-        complete: moves.complete && free.complete,
+        complete: moves.complete && free.complete
+            || cover == Cover::Transitions && covered.len() == chart.transitions.len(),
         tests,
     }
 }
@@ -136,12 +138,34 @@ fn ran(chart: &Chart, profile: Profile, period: i64, plan: &Plan, trip: &[Leg]) 
     let inputs = chart.variables.iter().filter(|variable| variable.kind == VariableKind::Input);
     let mut values: Vec<Value> = inputs.map(|input| input.initial).collect();
     let mut t_ms = 0;
-    let mut stimuli = Vec::new();
-    for leg in trip {
+    let (mut stimuli, mut leg_of): (Vec<Stimulus>, Vec<usize>) = (Vec::new(), Vec::new());
+    let mut simulator = Simulator::new(chart, profile);
+    let mut shown: Option<Response> = None;
+    for (place, leg) in trip.iter().enumerate() {
         let to = plan.at(*leg);
-        t_ms += to.after_ms;
+        let next = t_ms + to.after_ms;
+        // Where the end of a delay changes outputs alone on the way, there is a row that shows it.
+        while let (Some(before), Some(event)) = (&shown, simulator.next_event(t_ms, next)) {
+            let waits = Stimulus { t_ms: event, restart: false, inputs: values.clone() };
+            let mut other = simulator.clone();
+            let response = other.react(&waits);
+            if response != *before {
+                if response.situation != before.situation {
+                    break;
+                }
+                stimuli.push(waits);
+                leg_of.push(place);
+                shown = Some(response);
+            }
+            simulator = other;
+            t_ms = event;
+        }
+        t_ms = next;
         to.given.iter().for_each(|(place, value)| values[*place] = *value);
-        stimuli.push(Stimulus { t_ms, restart: false, inputs: values.clone() });
+        let stimulus = Stimulus { t_ms, restart: false, inputs: values.clone() };
+        shown = Some(simulator.react(&stimulus));
+        stimuli.push(stimulus);
+        leg_of.push(place);
     }
     let probes: Vec<Probe> = chart
         .variables
@@ -157,16 +181,17 @@ fn ran(chart: &Chart, profile: Profile, period: i64, plan: &Plan, trip: &[Leg]) 
         }
     }
     let Watch { responses, looks, unseen } = watch;
-    let is_other = |(leg, response): (&Leg, &Response)| {
-        let situation: Vec<usize> = response.situation.iter().map(|step| step.index()).collect();
-        plan.situation(*leg) != situation
+    // The last row of each leg comes to its situation.
+    let is_other = |row: usize| {
+        let situation: Vec<usize> = responses[row].situation.iter().map(|step| step.index()).collect();
+        leg_of.get(row + 1) != Some(&leg_of[row]) && plan.situation(trip[leg_of[row]]) != situation
     };
-    let other = trip.iter().zip(&responses).position(is_other);
+    let other = (0..responses.len()).find(|row| is_other(*row));
     let moved = match profile.evolution {
         Evolution::Stable => None,
         Evolution::Scan => moves_between(chart, profile, period, &stimuli, &responses),
     };
-    let wrong_at = [unseen, other, moved].into_iter().flatten().min();
+    let wrong_at = [unseen, other, moved].into_iter().flatten().min().map(|row| leg_of[row]);
     Ran { stimuli, responses, probes, looks, wrong_at }
 }
 

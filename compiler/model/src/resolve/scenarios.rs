@@ -97,10 +97,13 @@ impl Reading<'_, '_, '_> {
             let expected = line.expected.iter().filter_map(|expected| self.expected(expected)).collect();
             lines.push(ScenarioLine { when, given, expected, span: line.span });
         }
-        if lines.iter().all(|line| line.expected.is_empty() && !matches!(line.when, ScenarioTime::Until(..))) {
+        let expects = |line: &ast::ScenarioLine| {
+            !line.expected.is_empty() || matches!(line.kind, ast::ScenarioLineKind::Until { .. })
+        };
+        if !scenario.lines.iter().any(expects) {
             let fault = Diagnostic::new(Code::E0610, scenario.name.span, "the scenario expects nothing");
             self.diagnostics
-                .push(fault.help("write what is to be behind `->`, or what is waited for: `until X5 within 1min`"));
+                .push(fault.help("write what is to be behind `->`, or what is waited for: `until … within …`"));
         }
         Scenario { name: scenario.name.text.clone(), lines, span: scenario.name.span }
     }
@@ -207,7 +210,7 @@ impl Reading<'_, '_, '_> {
             let message = "`until` looks at what is after a scan, where there is no edge and no delay";
             let fault = Diagnostic::new(Code::E0610, past.span, message);
             self.diagnostics
-                .push(fault.help("wait for a step or a variable, or for the duration of a step: `[T5 >= 3s]`"));
+                .push(fault.help("wait for a step or a variable, or for the duration of a step: `[T… >= …]`"));
             return None;
         }
         Some(Condition { exprs, root, span: self.against.tree[written].span })
