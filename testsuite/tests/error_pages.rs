@@ -76,7 +76,7 @@ fn diagnose(code: Code, chart: &FencedBlock, trace: Option<&FencedBlock>) -> BTr
             });
         }
         None => {
-            if code == Code::E0609 {
+            if code == Code::E0611 {
                 let checked = checked.expect("a chart without errors");
                 for scenario in &checked.scenarios {
                     let said = grafc_testing::scenario(&checked, Profile::default(), scenario, 10, None);
@@ -161,7 +161,7 @@ fn wrong_examples_give_their_code_alone() {
         assert_eq!(chart.language == "xml", of_import, "{code:?}: pages about imports show a file to be imported");
         let trace = only(&wrong, "csv");
         // What is wrong with a scenario shows in the chart that has it.
-        let of_trace = code.as_str()[1..].starts_with("06") && !matches!(code, Code::E0609 | Code::E0610);
+        let of_trace = code.as_str()[1..].starts_with("06") && !matches!(code, Code::E0610 | Code::E0611);
         assert_eq!(trace.is_some(), of_trace, "{code:?}: pages about traces show a trace");
         let found = diagnose(*code, chart, trace);
         if found != BTreeSet::from([*code]) {

@@ -342,7 +342,7 @@ fn what_a_scenario_expects_and_is_not_is_told_with_its_place() {
     for (message, place) in [
         ("error[E0607]: at 1000 ms `lamp` is 0, expected 1", "lamp.gct:9:11"),
         ("error[E0607]: at 1000 ms `X1` is 1, expected 0", "lamp.gct:9:17"),
-        ("error[E0609]: this was not so within 2000 ms", "lamp.gct:10:9"),
+        ("error[E0611]: this was not so within 2000 ms", "lamp.gct:10:9"),
     ] {
         assert!(run.out.contains(message) && run.out.contains(place), "{message}: {}", run.out);
     }
@@ -437,4 +437,25 @@ fn coverage_counts_scenarios() {
     let folder = lamp("scenario \"light\" { 0s : -> X1  1s : button = 1 ↑ -> X2  until X1 within 11s }\n");
     let run = folder.run(&["test", "--coverage"]);
     assert!(run.is_done().out.contains("  transitions           2 of 2      100 %"), "{}", run.out);
+}
+
+/// An assertion that is false in a scan fails a scenario, and a test that is a table; an assumption that is not kept is told.
+#[test]
+fn claims_are_looked_at_in_tests() {
+    let folder =
+        lamp("assert \"always dark\" : not lamp\nscenario \"s\" {\n  0s : -> X1\n  1s : button = 1 ↑ -> lamp\n}\n");
+    let run = folder.run(&["test"]);
+    assert_eq!(run.code, 1);
+    assert!(run.out.contains("error[E0609]: at 1000 ms an assertion is false: always dark"), "{}", run.out);
+    assert!(run.out.contains("lamp.gct:11:3"), "{}", run.out);
+    std::fs::write(folder.path("lamp.test.csv"), "t_ms,button,|,lamp\n0,0,,0\n10,1,,1\n").unwrap();
+    let run = folder.run(&["test", "lamp.test.csv"]);
+    assert!(run.out.contains("error[E0609]: at 10 ms an assertion is false: always dark"), "{}", run.out);
+    let folder = lamp("assume \"released\" : not button\nscenario \"s\" { 1s : button = 1 ↑ -> lamp }\n");
+    let run = folder.run(&["test"]);
+    assert!(
+        run.is_done().out.contains("warning[W0602]: at 1000 ms the inputs break an assumption: released"),
+        "{}",
+        run.out
+    );
 }

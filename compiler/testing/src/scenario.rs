@@ -2,13 +2,13 @@
 //! expected when.
 
 use crate::coverage::Coverage;
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Severity};
+use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use grafc_model::chart::{
     Chart, Condition, Scenario, ScenarioLine, ScenarioTime, StepId, Value, VariableId, VariableKind,
 };
 use grafc_model::reaction::{Profile, Stimulus};
 use grafc_model::simulate::{MOST_CALLS, Observer, Probe, Simulator};
-use grafc_model::trace::{agree, spelled};
+use grafc_model::trace::{BrokenClaims, agree, spelled};
 
 /// Runs a scenario with a call every so many milliseconds, and says what is not as it expects. What it makes happen is added
 /// to the coverage, if somebody measures that.
@@ -22,14 +22,16 @@ pub fn scenario(
     let mut run = Run::new(chart, profile, scan, coverage);
     let mut said = Diagnostics::new();
     for line in &scenario.lines {
-        if let Err(fault) = run.line(line, &mut said) {
+        let reached = run.line(line, &mut said);
+        // What is claimed of the chart is looked at in each scan, and told at the line that it came to by then.
+        run.broken.told(chart, line.span).into_iter().for_each(|broken| said.push(broken));
+        if let Err(fault) = reached {
+            // What stands behind a line that was never reached is not looked at.
             said.push(*fault);
             break;
         }
         run.compare(line, &mut said);
     }
-    // What stands behind a line that was never reached is not looked at.
-    debug_assert!(said.iter().all(|one| one.severity() == Severity::Error));
     said
 }
 
@@ -48,6 +50,7 @@ struct Run<'a, 'c, 'r> {
     /// When the latest line was.
     line: i64,
     left: u64,
+    broken: BrokenClaims,
 }
 
 type Fault = Box<Diagnostic>;
@@ -61,6 +64,7 @@ impl<'a, 'c, 'r> Run<'a, 'c, 'r> {
             coverage.begin();
             simulator.look_on();
         }
+        simulator.watch_claims();
         Run {
             chart,
             simulator,
@@ -72,6 +76,7 @@ impl<'a, 'c, 'r> Run<'a, 'c, 'r> {
             now: None,
             line: 0,
             left: MOST_CALLS,
+            broken: BrokenClaims::default(),
         }
     }
 
@@ -99,6 +104,7 @@ impl<'a, 'c, 'r> Run<'a, 'c, 'r> {
         for place in self.pulses.drain(..) {
             self.values[place] = Value::Bool(false);
         }
+        self.broken.called(t_ms, self.simulator.broken());
         self.now = Some(t_ms);
         Ok(())
     }
@@ -156,7 +162,7 @@ impl<'a, 'c, 'r> Run<'a, 'c, 'r> {
         let active = self.simulator.state().situation().iter_enumerated().filter(|(_, active)| **active);
         let label = |id: StepId| self.chart.steps[id].label.as_str();
         let labels: Vec<&str> = active.map(|(id, _)| label(id)).collect();
-        let mut fault = Diagnostic::new(Code::E0609, condition.span, message)
+        let mut fault = Diagnostic::new(Code::E0611, condition.span, message)
             .note(format!("at {now} ms the situation was {{{}}}", labels.join(", ")));
         let mut probes = condition.probes();
         probes.sort_unstable();
