@@ -6,11 +6,13 @@
 use grafc_logic::Extras;
 use grafc_logic::scan::evaluate::Evaluator;
 use grafc_logic::scan::{Claimed, Program, SeenBody, VarId, dump};
-use grafc_model::chart::{Chart, ClaimBody, ClaimKind, ExprId, Value};
-use grafc_model::reaction::{Profile, Stimulus};
+use grafc_model::chart::{Chart, ClaimBody, ClaimKind, ControlNames, ExprId, Value};
+use grafc_model::reaction::{Profile, Response, Stimulus};
 use grafc_model::simulate::Simulator;
+use grafc_testsuite::executors::jobs::Job;
+use grafc_testsuite::executors::{matiec, rust};
 use grafc_testsuite::random::{ChartKind, checked, profile, trace, with_claims};
-use grafc_testsuite::runs::{compile, compile_with};
+use grafc_testsuite::runs::{compile, compile_saved, compile_with, simulate};
 use grafc_testsuite::ways::exact;
 
 /// The conditions of all claims, each with its place among them.
@@ -90,6 +92,47 @@ fn claims_change_nothing_in_programs() {
             let without = compile(&drawn.chart, &options).unwrap_or_else(|fault| panic!("{fault}"));
             let with = compile(&chart, &options).unwrap_or_else(|fault| panic!("{fault}"));
             assert!(dump(&with) == dump(&without), "{way}:\n{text}");
+        }
+    }
+}
+
+/// Random charts whose assertions are checked, with the option and its output, in all executors of generated code at hand.
+#[test]
+fn generated_code_checks_assertions() {
+    let names = ControlNames { check_assertions: true, clear_flags: Some("ack".into()), ..ControlNames::default() };
+    let (mut jobs, mut charts) = (Vec::new(), Vec::new());
+    for seed in 300..380 {
+        let (text, mut chart) = with_claims(&checked(seed, ChartKind::Hierarchical));
+        chart.control(&names).unwrap_or_else(|_| panic!("{text}"));
+        let ways = exact(profile(seed));
+        let (way, options) = &ways[seed as usize % ways.len()];
+        let stimuli = trace(seed, &chart, 30);
+        let program = compile_saved(&chart, options).unwrap_or_else(|fault| panic!("{fault}"));
+        let expected = simulate(&chart, options.profile, &stimuli);
+        let mut evaluator = Evaluator::new(&program);
+        let actual: Vec<Response> = stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect();
+        assert!(actual == expected, "{way}\n{text}");
+        charts.push((text, chart, expected));
+        jobs.push(Job { program, stimuli });
+    }
+    let told = |(_, chart, expected): &(String, Chart, Vec<Response>)| {
+        chart.controls.assertion.is_some()
+            && expected.iter().any(|response| !matches!(response.outputs.last(), Some(Value::Int(0))))
+    };
+    assert!(charts.iter().filter(|chart| told(chart)).count() > 20, "too few assertions came out false");
+    if let Some(tools) = rust::Tools::find_or_skip() {
+        for (((text, _, expected), job), made) in charts.iter().zip(&jobs).zip(rust::run(&tools, &jobs)) {
+            let made = made.unwrap_or_else(|fault| panic!("{fault}\n{text}"));
+            assert!(made == *expected, "{}\n{text}", job.program.name);
+        }
+    }
+    if let Some(tools) = matiec::Tools::find_or_skip() {
+        let made = matiec::run(&tools, matiec::Language::St, &jobs);
+        for (((text, chart, expected), job), made) in charts.iter().zip(&jobs).zip(made) {
+            if !matiec::miscalculates(chart) {
+                let made = made.unwrap_or_else(|fault| panic!("{fault}\n{text}"));
+                assert!(made == *expected, "{}\n{text}", job.program.name);
+            }
         }
     }
 }

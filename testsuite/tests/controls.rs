@@ -98,7 +98,8 @@ t_ms,motor,trips,share,total,situation,flags
 ";
 
 fn names(reset_keeps_retained: bool) -> ControlNames {
-    ControlNames { reset: Some("again".into()), reset_keeps_retained, clear_flags: Some("ack".into()) }
+    let (reset, clear_flags) = (Some("again".into()), Some("ack".into()));
+    ControlNames { reset, reset_keeps_retained, clear_flags, ..ControlNames::default() }
 }
 
 fn hoist(keeps: bool) -> Chart {

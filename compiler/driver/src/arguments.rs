@@ -153,6 +153,9 @@ pub struct ControlArguments {
     /// An input of this name beside those of the chart: while it is true, flags are lowered
     #[arg(long, value_name = "NAME", value_parser = control_name)]
     clear_flags_input: Option<String>,
+    /// An output `ASSERTION` beside those of the chart: the number of the first assertion that was false
+    #[arg(long)]
+    check_assertions: bool,
 }
 
 impl ControlArguments {
@@ -162,6 +165,7 @@ impl ControlArguments {
             reset: self.reset_input.as_deref().map(Into::into),
             reset_keeps_retained: self.reset_keeps_retained,
             clear_flags: self.clear_flags_input.as_deref().map(Into::into),
+            check_assertions: self.check_assertions,
         }
     }
 }

@@ -68,7 +68,8 @@ fn make(analysis: Analysis, options: &Options, extras: Extras) -> (Program, Diag
     if options.simplify {
         absorb::absorb(&mut program);
         // A small chart calls all of them, which takes fewer lines; and who looks on sees all of them.
-        if !is_small && extras.observed == Observed::Nothing && extras.claims == Claimed::Nothing {
+        let is_asked = extras.claims != Claimed::Nothing || controls.assertion.is_some();
+        if !is_small && extras.observed == Observed::Nothing && !is_asked {
             idle_delays::rest(&mut program);
         }
         once::once(&mut program);
@@ -163,6 +164,8 @@ fn assemble(
     });
     let claimed = claims::lower(&mut lowering, |_| extras.claims == Claimed::All);
     after.extend(claimed.after);
+    let cut_off = repeat.filter(|repeat| repeat.limit.is_some()).map(|repeat| repeat.again);
+    after.extend(claims::check(&mut lowering, cut_off));
     after.append(&mut overriding.after);
     if let Some(watch) = &mut watch {
         micro_step.extend(watch.after_micro_step(&mut lowering, options.profile));

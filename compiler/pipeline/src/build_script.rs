@@ -176,6 +176,12 @@ impl Build {
         self
     }
 
+    /// Whether an output tells the number of the first assertion that was false, as `--check-assertions`.
+    pub fn check_assertions(&mut self, checks: bool) -> &mut Self {
+        self.controls.check_assertions = checks;
+        self
+    }
+
     /// Every warning is an error, as with `-D warnings`, unless the text or [`allow`](Self::allow) allows it. For a build
     /// that nobody looks at:
     ///

@@ -30,7 +30,8 @@ fn spelled(controls: &ControlNames) -> String {
     let named = |option: &str, name: Option<&str>| name.map_or(String::new(), |name| format!(" {option} {name}"));
     let keeps = if controls.reset_keeps_retained { " --reset-keeps-retained" } else { "" };
     let clear_flags = named("--clear-flags-input", controls.clear_flags.as_deref());
-    format!("{}{keeps}{clear_flags}", named("--reset-input", controls.reset.as_deref()))
+    let checks = if controls.check_assertions { " --check-assertions" } else { "" };
+    format!("{}{keeps}{clear_flags}{checks}", named("--reset-input", controls.reset.as_deref()))
 }
 
 fn profile(profile: Profile) -> String {

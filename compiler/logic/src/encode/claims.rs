@@ -11,9 +11,9 @@
 
 use super::without_flag::without_flag;
 use crate::lower::{Context, Lowering, Moment};
-use crate::scan::{ClaimKind, Origin, Role, SeenBody, SeenClaim, Statement, VarId};
+use crate::scan::{ClaimKind, Heading, Origin, Role, SeenBody, SeenClaim, Statement, VarId};
 use ecow::{EcoString, eco_format};
-use grafc_formula::{FormulaId, Type};
+use grafc_formula::{Comparison, FormulaId, Type, Value};
 use grafc_model::chart::{Claim, ClaimBody, Expr, ExprId, ExprKind, Mode, VariableKind};
 use grafc_net::Net;
 use std::sync::Arc;
@@ -38,12 +38,7 @@ pub(crate) fn lower(lowering: &mut Lowering, wanted: impl Fn(ClaimKind) -> bool)
     let offset = net.exprs.len();
     lowering.net = Arc::new(with_claims(&net, offset));
     let mut lowered = Lowered::default();
-    let (mut given, mut reached) = (Context::new(Moment::After), Context::new(Moment::After));
-    for (v, variable) in net.variables.iter_enumerated() {
-        if variable.mode == Mode::Wire && variable.kind == VariableKind::Output {
-            reached.has_wire(v);
-        }
-    }
+    let (mut given, mut reached) = (Context::new(Moment::After), after_outputs(&net));
     let mut kept = Vec::new();
     for (place, claim) in net.claims.list.iter().enumerate().filter(|(_, claim)| wanted(claim.kind)) {
         let cx = if claim.kind == ClaimKind::Assume { &mut given } else { &mut reached };
@@ -69,6 +64,60 @@ pub(crate) fn lower(lowering: &mut Lowering, wanted: impl Fn(ClaimKind) -> bool)
     lowered.after.extend(kept);
     lowering.net = net;
     lowered
+}
+
+/// Checks the assertions of the net, if an output is to tell the first that is false: once one was, it stays. A call that
+/// was `cut_off` has reached no state. The outputs have been lowered.
+pub(crate) fn check(lowering: &mut Lowering, cut_off: Option<VarId>) -> Vec<Statement> {
+    let net = lowering.net.clone();
+    let Some(assertion) = net.controls.assertion else { return Vec::new() };
+    let offset = net.exprs.len();
+    lowering.net = Arc::new(with_claims(&net, offset));
+    let mut cx = after_outputs(&net);
+    let target = lowering.symbols.declared(assertion);
+    let ty = lowering.symbols.table[target].ty;
+    let (mut branches, mut otherwise) = (Vec::new(), Vec::new());
+    for (number, _, condition) in net.claims.assertions() {
+        let holds = lowering.expr(&mut cx, moved(condition, offset));
+        let fails = lowering.pool.not(holds);
+        let value = lowering.pool.constant(Value::Int(number as i64), ty);
+        let told = vec![Statement::assign(Origin::Declaration(assertion), target, value)];
+        match lowering.pool.as_constant(fails) {
+            Some(Value::Bool(true)) => {
+                otherwise = told;
+                break;
+            }
+            Some(_) => {}
+            None => branches.push((fails, told)),
+        }
+    }
+    lowering.net = net;
+    let body = if branches.is_empty() { otherwise } else { vec![Statement::If { branches, otherwise }] };
+    if body.is_empty() {
+        return Vec::new();
+    }
+    let (none, now) = (lowering.pool.constant(Value::Int(0), ty), lowering.symbols.read(&mut lowering.pool, target));
+    let mut when = vec![lowering.pool.compare(Comparison::Equal, now, none)];
+    if let Some(again) = cut_off {
+        let again = lowering.symbols.read(&mut lowering.pool, again);
+        when.push(lowering.pool.not(again));
+    }
+    let when = lowering.pool.and(when);
+    let mut out = vec![Statement::Heading(Heading::Assertions)];
+    out.extend(without_flag(lowering, cx.statements));
+    out.push(Statement::If { branches: vec![(when, body)], otherwise: Vec::new() });
+    out
+}
+
+/// The moment after the outputs, which have their values by then.
+fn after_outputs(net: &Net) -> Context {
+    let mut cx = Context::new(Moment::After);
+    for (v, variable) in net.variables.iter_enumerated() {
+        if variable.mode == Mode::Wire && variable.kind == VariableKind::Output {
+            cx.has_wire(v);
+        }
+    }
+    cx
 }
 
 fn word(kind: ClaimKind) -> &'static str {

@@ -15,7 +15,13 @@ pub(crate) fn add(program: &mut Program, controls: Controls) {
         let flags = program.variables.iter_enumerated().filter(|(_, v)| matches!(v.role, Role::Flag(_)));
         let flags: Vec<VarId> = flags.map(|(id, _)| id).collect();
         let no = program.pool.truth(false);
-        let lowered = flags.into_iter().map(|flag| Statement::assign(Origin::Chart, flag, no)).collect();
+        let mut lowered: Vec<Statement> =
+            flags.into_iter().map(|flag| Statement::assign(Origin::Chart, flag, no)).collect();
+        if let Some(assertion) = controls.assertion {
+            let target = VarId::from(assertion.index());
+            let none = program.pool.constant(Value::Int(0), program.variables[target].ty);
+            lowered.push(Statement::assign(Origin::Declaration(assertion), target, none));
+        }
         first.extend(while_true(program, input, Heading::FlagsAreLowered, lowered));
     }
     if let Some(input) = controls.reset {

@@ -357,6 +357,7 @@ impl Program {
             | Heading::TimersOfTheActiveStep
             | Heading::Outputs
             | Heading::OutputsAfterLivelock
+            | Heading::Assertions
             | Heading::WhatIsSeenOfTransitions
             | Heading::WhatIsSeenOfTheSituation
             | Heading::WhatIsSeenOfActions => words.into(),

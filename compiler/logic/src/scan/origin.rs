@@ -108,6 +108,8 @@ pub enum Heading {
     Outputs,
     /// What outputs do in a call that was cut off.
     OutputsAfterLivelock,
+    /// Which assertion is false.
+    Assertions,
     /// What is shown of transitions.
     WhatIsSeenOfTransitions,
     /// What is shown of grafcets, steps and orders.
@@ -168,6 +170,7 @@ impl Heading {
             Heading::TimersOfTheActiveStep => "timers of the active step",
             Heading::Outputs => "outputs",
             Heading::OutputsAfterLivelock => "outputs where no stable situation was found",
+            Heading::Assertions => "assertions",
             Heading::WhatIsSeenOfTransitions => "what is seen of transitions",
             Heading::WhatIsSeenOfTheSituation => "what is seen of grafcets, steps and orders",
             Heading::WhatIsSeenOfActions => "what is seen of actions",

@@ -9,6 +9,7 @@ use grafc_net::Net;
 pub(super) fn check(analysis: &Analysis, profile: Profile, reasons: &mut Reasons) {
     let net = analysis.net();
     controls(net, reasons);
+    assertions(net, reasons);
     hierarchy(net, reasons);
     transitions(net, reasons);
     selections(analysis, reasons);
@@ -29,6 +30,13 @@ fn controls(net: &Net, reasons: &mut Reasons) {
     }
     if net.controls.clear_flags.is_some() {
         reasons.add(place, "has no flags that an input could lower (`--clear-flags-input`)");
+    }
+}
+
+fn assertions(net: &Net, reasons: &mut Reasons) {
+    if net.controls.assertion.is_some() {
+        let place = net.places.first().map_or_else(Default::default, |place| place.span);
+        reasons.add(place, "has nowhere to check assertions (`--check-assertions`)");
     }
 }
 

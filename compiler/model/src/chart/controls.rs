@@ -1,4 +1,4 @@
-//! Inputs that act on a chart as a whole: no part of its text, but of what is asked of its code.
+//! Inputs that act on a chart as a whole, and the output that says which assertion came out false: no part of its text, but of what is asked of its code.
 
 use super::{Chart, Mode, Type, Value, Variable, VariableId, VariableKind};
 use ecow::EcoString;
@@ -13,6 +13,8 @@ pub struct Controls {
     pub keeps_retained: bool,
     /// While it is true, each call begins with all flags lowered.
     pub clear_flags: Option<VariableId>,
+    /// An output: the number of the first assertion that was false; 0 while none was. It stays as flags do.
+    pub assertion: Option<VariableId>,
 }
 
 impl Controls {
@@ -31,7 +33,12 @@ pub struct ControlNames {
     pub reset_keeps_retained: bool,
     /// Of the one that lowers the flags.
     pub clear_flags: Option<EcoString>,
+    /// Whether assertions are checked, and the first that comes out false is told by the output `ASSERTION`.
+    pub check_assertions: bool,
 }
+
+/// What is called so that says which assertion came out false.
+const ASSERTION: &str = "ASSERTION";
 
 impl Chart {
     /// Gives the chart inputs that act on it as a whole, after those that it declares.
@@ -62,8 +69,43 @@ impl Chart {
         };
         let reset = add(&names.reset, "while true, the chart starts anew", "--reset-input");
         let clear_flags = add(&names.clear_flags, "while true, flags are lowered", "--clear-flags-input");
-        self.edit().controls = Controls { reset, keeps_retained: names.reset_keeps_retained, clear_flags };
+        let assertion = match names.check_assertions.then(|| self.assertion()).transpose() {
+            Ok(assertion) => assertion.flatten(),
+            Err(fault) => {
+                diagnostics.push(*fault);
+                None
+            }
+        };
+        self.edit().controls = Controls { reset, keeps_retained: names.reset_keeps_retained, clear_flags, assertion };
         if diagnostics.has_errors() { Err(diagnostics) } else { Ok(()) }
+    }
+}
+
+impl Chart {
+    /// Gives the chart the output that says which assertion came out false, if it has assertions to check.
+    fn assertion(&mut self) -> Result<Option<VariableId>, Box<Diagnostic>> {
+        let names: Vec<String> =
+            self.claims.assertions().map(|(number, claim, _)| format!("{number}: {}", claim.name())).collect();
+        if names.is_empty() {
+            return Ok(None);
+        }
+        if let Some(fault) = taken(self, ASSERTION, "--check-assertions") {
+            return Err(Box::new(fault.help(format!("give it another name than `{ASSERTION}`"))));
+        }
+        let ty = if names.len() <= i16::MAX as usize { Type::Int } else { Type::Dint };
+        let file = self.grafcets.first().map_or_else(FileId::default, |grafcet| grafcet.span.file);
+        Ok(Some(self.edit().variables.push(Variable {
+            name: ASSERTION.into(),
+            comment: Some(EcoString::from(format!("the first assertion that was false; {}", names.join(", "))).into()),
+            kind: VariableKind::Output,
+            ty,
+            initial: Value::Int(0),
+            initial_given: false,
+            retain: false,
+            address: None,
+            mode: Mode::Stored,
+            span: Span::new(file, 0, 0),
+        })))
     }
 }
 

@@ -6,7 +6,7 @@
 use super::Simulator;
 use super::context::{Values, evaluate_claims};
 use super::plan::{Memory, Valued};
-use crate::chart::{Chart, ClaimKind, ExprId, ExprKind, Mode, VariableId};
+use crate::chart::{Chart, ClaimKind, ExprId, ExprKind, Mode, Value, VariableId};
 use index_vec::IndexVec;
 
 /// What is known of claims.
@@ -96,13 +96,21 @@ impl Simulator<'_> {
                 watched.broken.push(place);
             }
         }
+        if let Some(assertion) = self.chart.controls.assertion
+            && self.state.variables[assertion] == Value::Int(0)
+            && !given_up
+        {
+            let mut assertions = self.chart.claims.assertions();
+            let first = assertions.find(|(.., condition)| !watched.values.holds(*condition));
+            self.state.variables[assertion] = Value::Int(first.map_or(0, |(number, ..)| number as i64));
+        }
         self.watched = Some(watched);
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::chart::Value;
+    use crate::chart::{ControlNames, Value};
     use crate::checks::testing::chart;
     use crate::reaction::{Profile, Stimulus};
     use crate::simulate::Simulator;
@@ -143,6 +151,30 @@ mod tests {
         let text = "input a : bool initial step 1 step 2 transition 1 -> 2 : a transition 2 -> 1 : a assert not a assume not a";
         let rows: &[(i64, &[u8])] = &[(0, &[0]), (1, &[1]), (2, &[0])];
         assert_eq!(broken(text, rows), [vec![], vec![1], vec![]]);
+    }
+
+    #[test]
+    fn the_first_assertion_that_is_false_stays() {
+        let text = "input a, b : bool output V : bool initial step 1 { V } step 2 transition 1 -> 2 : ↑a
+            transition 2 -> 1 : ↓a assert \"one\" : not b or V assume not b assert not X2 assert not b";
+        let mut chart = chart(text);
+        let names = ControlNames { check_assertions: true, clear_flags: Some("ack".into()), ..ControlNames::default() };
+        chart.control(&names).expect("names of its own");
+        let comment = chart.variables.iter().find(|v| v.name == "ASSERTION").and_then(|v| v.comment.clone());
+        let expected = "the first assertion that was false; 1: one, 2: not X2, 3: not b";
+        assert_eq!(comment.as_deref(), Some(expected));
+        let mut simulator = Simulator::new(&chart, Profile::default());
+        let mut shown = |t_ms: i64, inputs: [u8; 3]| {
+            let inputs = inputs.iter().map(|bit| Value::Bool(*bit == 1)).collect();
+            simulator.react(&Stimulus { t_ms, restart: false, inputs }).outputs[1]
+        };
+        // a, b, ack
+        assert_eq!(shown(0, [0, 0, 0]), Value::Int(0));
+        assert_eq!(shown(1, [0, 1, 0]), Value::Int(3));
+        assert_eq!(shown(2, [1, 1, 0]), Value::Int(3), "it stays");
+        assert_eq!(shown(3, [1, 1, 1]), Value::Int(1), "it is lowered, and the first of three is told");
+        assert_eq!(shown(4, [1, 0, 1]), Value::Int(2));
+        assert_eq!(shown(5, [0, 0, 1]), Value::Int(0));
     }
 
     #[test]

@@ -120,7 +120,7 @@ impl State {
 impl<'a> Simulator<'a> {
     /// A chart before its initial reaction.
     pub fn new(chart: &'a Chart, profile: Profile) -> Self {
-        Simulator {
+        let mut simulator = Simulator {
             chart,
             profile,
             flat: Flat::new(chart),
@@ -136,7 +136,11 @@ impl<'a> Simulator<'a> {
             watched: None,
             values: Values::new(chart),
             level_values: Values::new(chart),
+        };
+        if chart.controls.assertion.is_some() {
+            simulator.watch_claims();
         }
+        simulator
     }
 
     /// R10, after a restart of the controller or a reset: what is retained may keep its value, and all the rest is as

@@ -30,6 +30,9 @@ impl<'a> Simulator<'a> {
         let controls = self.chart.controls;
         if self.is_given(controls.clear_flags, &stimulus.inputs) {
             self.flags = Flags::default();
+            if let Some(assertion) = controls.assertion {
+                self.state.variables[assertion] = Value::Int(0);
+            }
         }
         if self.is_given(controls.reset, &stimulus.inputs) {
             self.restart(controls.keeps_retained);
@@ -58,9 +61,8 @@ impl<'a> Simulator<'a> {
                 false
             }
         };
-        let response = self.publish(t, cut_off);
         self.look_at_claims(t, cut_off);
-        response
+        self.publish(t, cut_off)
     }
 
     /// Whether an input that acts on the chart as a whole is true.
