@@ -75,7 +75,7 @@ impl Bound {
                         return Value::Real(if other == x { number(key.saturating_add(2 * by)) } else { other });
                     }
                     let near = x as f32;
-                    let step = if by > 0 { near.next_up() } else { near.next_down() };
+                    let step = neighbour(near, by as i32);
                     let fits = |y: f32| if by > 0 { f64::from(y) > x } else { f64::from(y) < x };
                     Value::Real(f64::from(if fits(near) { near } else { step }))
                 };
@@ -118,6 +118,13 @@ fn is_whole(ty: Type) -> bool {
 fn key(x: f64) -> i64 {
     let bits = x.to_bits() as i64;
     bits ^ (((bits >> 63) as u64) >> 1) as i64
+}
+
+/// The next number of single precision, upwards or downwards; both zeros are one.
+fn neighbour(x: f32, by: i32) -> f32 {
+    let key = |bits: i32| bits ^ (((bits >> 31) as u32) >> 1) as i32;
+    let beside = |by: i32| f32::from_bits(key(key(x.to_bits() as i32).saturating_add(by)) as u32);
+    if beside(by) == x { beside(2 * by) } else { beside(by) }
 }
 
 fn number(key: i64) -> f64 {
