@@ -7,8 +7,8 @@
 /// apart; braces, which hold pragmas, become brackets.
 pub fn clean(text: &str) -> String {
     let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-' | b'>' | b',' | b':' | b'.');
-    let mut words = text.split(' ');
-    if words.all(|word| !word.is_empty() && word.bytes().all(is_plain)) {
+    let mut words = text.as_bytes().split(|byte| *byte == b' ');
+    if words.all(|word| !word.is_empty() && word.iter().copied().all(is_plain)) {
         return text.to_owned();
     }
     let mut out = String::with_capacity(text.len());

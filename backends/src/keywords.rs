@@ -86,7 +86,9 @@ impl Reserved {
         let extends = |(head, tail): (&str, &str)| {
             self.heads.contains(head) && tail.split('_').all(|part| self.tails.contains(part))
         };
-        let Some(parts) = word.split_once('_') else { return false };
+        // What is short is searched faster without further ado.
+        let Some(joint) = word.bytes().position(|byte| byte == b'_') else { return false };
+        let parts = (&word[..joint], &word[joint + 1..]);
         let to = word.as_bytes().windows(TO.len()).position(|part| part == TO.as_bytes());
         extends(parts) || to.is_some_and(|at| converts((&word[..at], &word[at + TO.len()..])))
     }

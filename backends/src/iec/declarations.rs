@@ -196,13 +196,6 @@ pub(crate) fn interface_from<'p>(
     mut more: Vec<Entry>,
 ) -> impl Iterator<Item = VarBlock> + use<'p> {
     let of_variable = move |id: VarId| origins.map_or(Origin::Chart, |origins| origins.variables[id]);
-    let entries = move |wanted: fn(&Variable) -> bool| -> Vec<Entry> {
-        let all = || program.variables.iter_enumerated().filter(|(_, variable)| wanted(variable));
-        // Without a list that grows there is no room that is never used.
-        let mut entries = Vec::with_capacity(all().count());
-        entries.extend(all().map(|(id, variable)| Entry { origin: of_variable(id), ..entry(id, variable, names) }));
-        entries
-    };
     let timers = move || {
         let timers = program.timers.iter_enumerated().map(|(id, timer)| Entry {
             name: names.timers[id].clone(),
@@ -218,23 +211,27 @@ pub(crate) fn interface_from<'p>(
     let kinds = [VarKind::Input, VarKind::Output, VarKind::Constant, VarKind::Local];
     kinds.into_iter().map(move |kind| {
         let sections = match kind {
-            VarKind::Input => vec![("", entries(|v| v.role == Role::Input))],
+            VarKind::Input => vec![("", entries(program, names, of_variable, |v| v.role == Role::Input))],
             VarKind::Output => {
-                let mut published = entries(|v| v.role == Role::Output);
-                published.extend(entries(|v| v.role == Role::Internal && v.is_published()));
-                published.extend(entries(|v| matches!(v.role, Role::Flag(_))));
+                let mut published = entries(program, names, of_variable, |v| v.role == Role::Output);
+                published
+                    .extend(entries(program, names, of_variable, |v| v.role == Role::Internal && v.is_published()));
+                published.extend(entries(program, names, of_variable, |v| matches!(v.role, Role::Flag(_))));
                 vec![("", published)]
             }
-            VarKind::Constant => vec![("", entries(|v| v.role == Role::Constant))],
+            VarKind::Constant => vec![("", entries(program, names, of_variable, |v| v.role == Role::Constant))],
             VarKind::Local => {
-                let mut within = entries(|v| v.role == Role::Temporary);
+                let mut within = entries(program, names, of_variable, |v| v.role == Role::Temporary);
                 within.append(&mut more);
-                let internal = entries(|v| v.role == Role::Internal && !v.is_published());
+                let internal = entries(program, names, of_variable, |v| v.role == Role::Internal && !v.is_published());
                 let mut sections = vec![("internal variables".into(), internal)];
                 sections.extend(steps(program, names, of_variable));
                 sections.extend([
                     ("timers".into(), timers()),
-                    ("memory from call to call".into(), entries(|v| v.role == Role::Memory)),
+                    (
+                        "memory from call to call".into(),
+                        entries(program, names, of_variable, |v| v.role == Role::Memory),
+                    ),
                     (WITHIN.into(), within),
                 ]);
                 return VarBlock { kind, sections };
@@ -243,6 +240,20 @@ pub(crate) fn interface_from<'p>(
         };
         VarBlock::new(kind, sections)
     })
+}
+
+/// The declarations of those variables that are `wanted`.
+fn entries(
+    program: &Program,
+    names: &Names,
+    of_variable: impl Fn(VarId) -> Origin,
+    wanted: impl Fn(&Variable) -> bool,
+) -> Vec<Entry> {
+    let all = || program.variables.iter_enumerated().filter(|(_, variable)| wanted(variable));
+    // Without a list that grows there is no room that is never used.
+    let mut entries = Vec::with_capacity(all().count());
+    entries.extend(all().map(|(id, variable)| Entry { origin: of_variable(id), ..entry(id, variable, names) }));
+    entries
 }
 
 /// The same blocks, with what lives within one call in one of its own.

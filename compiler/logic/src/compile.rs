@@ -150,10 +150,9 @@ fn assemble(
     if let (Some(watch), Some(conditions)) = (&mut watch, &as_in_chart) {
         micro_step.extend(watch.before(&mut lowering, &task, conditions, &mut input_event));
     }
-    micro_step.extend(encode::micro_step(&mut lowering, &mut cx, &task, &mut input_event));
+    encode::micro_step(&mut lowering, &mut cx, &task, &mut input_event, &mut micro_step);
     // Timers of durations are known only now that every moment that reads them has been lowered.
-    let mut after = Vec::new();
-    after.extend(outputs::statements(&mut lowering, followers.as_ref()));
+    let mut after = outputs::statements(&mut lowering, followers.as_ref());
     let overriding = repeat.map(|r| r.again).filter(|_| livelock::may_override(options.profile, evolution.ends));
     if let Some(watch) = &mut watch {
         after.extend(watch.with_outputs(&mut lowering));

@@ -85,7 +85,7 @@ pub struct Pool {
     depths: Vec<u32>,
     /// The operands of all conjunctions and disjunctions.
     lists: Vec<FormulaId>,
-    /// All formulas by what they are.
+    /// All formulas by what they are; empty from [`Pool::shrink_to_fit`] on, until one is added.
     known: HashTable<FormulaId>,
     /// The operands of the junction that is being made: a list of its own is needed for a new one only.
     operands: Vec<FormulaId>,
@@ -163,8 +163,8 @@ impl DoubleEndedIterator for Operands<'_> {
 }
 
 impl Pool {
-    /// No formula, and room for so many.
-    fn with_capacity(formulas: usize, operands: usize) -> Pool {
+    /// No formula, and room for so many, with so many operands of conjunctions and disjunctions.
+    pub fn with_capacity(formulas: usize, operands: usize) -> Pool {
         Pool {
             formulas: Vec::with_capacity(formulas),
             types: Vec::with_capacity(formulas),
@@ -181,6 +181,7 @@ impl Pool {
         self.types.shrink_to_fit();
         self.depths.shrink_to_fit();
         self.lists.shrink_to_fit();
+        self.known = HashTable::new();
     }
 
     /// The formula of an id.
@@ -242,6 +243,7 @@ impl Pool {
     }
 
     fn add_candidate(&mut self, candidate: &Candidate) -> FormulaId {
+        self.know_all();
         let hash = candidate.hash();
         if let Some(known) = self.find(candidate, hash) {
             return known;
@@ -262,7 +264,21 @@ impl Pool {
         id
     }
 
+    /// Makes the table of all formulas, if it is not there.
+    fn know_all(&mut self) {
+        let Pool { formulas, types, lists, known, .. } = self;
+        if !known.is_empty() {
+            return;
+        }
+        let hash = |id: &FormulaId| as_candidate(formulas, types, lists, *id).hash();
+        known.reserve(formulas.len(), hash);
+        for id in (0..formulas.len()).map(FormulaId::from_usize) {
+            known.insert_unique(hash(&id), id, hash);
+        }
+    }
+
     fn find(&self, candidate: &Candidate, hash: u64) -> Option<FormulaId> {
+        debug_assert_eq!(self.known.len(), self.formulas.len(), "the table is asked before a formula is added to it");
         let Pool { formulas, types, lists, .. } = self;
         self.known.find(hash, |id| candidate.is(&as_candidate(formulas, types, lists, *id))).copied()
     }

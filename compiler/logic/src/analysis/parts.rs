@@ -31,11 +31,11 @@ impl Parts {
         successors: impl Fn(u32) -> I,
         wanted: impl Fn(u32) -> bool,
     ) -> Parts {
-        let mut parts = Parts { nodes: Vec::new(), ends: Vec::new() };
+        let mut parts = Parts { nodes: Vec::with_capacity(count), ends: Vec::with_capacity(count) };
         // The number of each node, or a lower one of what can be reached from it and is in no complete part.
         let mut low = vec![UNSEEN; count];
         // What is in no complete part yet, and the way from the start to where we are.
-        let mut open: Vec<u32> = Vec::new();
+        let mut open: Vec<u32> = Vec::with_capacity(count);
         let mut way: Vec<Followed<I>> = Vec::new();
         let mut met = 0;
         let mut meet = |node: u32, low: &mut [u32], open: &mut Vec<u32>| {

@@ -23,25 +23,25 @@ pub(super) fn micro_step(
     cx: &mut Context,
     task: &Task,
     input_event: &mut InputEvent,
-) -> Vec<Statement> {
-    let mut out = Vec::new();
-    heading(&mut out, Heading::MemoryOfEdges, edges(lowering, task.again));
+    out: &mut Vec<Statement>,
+) {
+    heading(out, Heading::MemoryOfEdges, edges(lowering, task.again));
     if task.encoding == Encoding::Sequent
         && let Some(statements) = sequent::in_place(lowering, task)
     {
         out.extend(statements);
-        return out;
+        return;
     }
     let overlaps = task.encoding.overlaps();
     let (frozen, freezing) = settle::frozen(lowering);
-    heading(&mut out, Heading::FrozenGrafcets, freezing);
+    heading(out, Heading::FrozenGrafcets, freezing);
     // The textbook's triggers write conditions out; elsewhere each clearing is named and latched.
     let (mut clearings, latched) = Clearings::new(lowering, task, &frozen, !overlaps);
-    out.extend(sorted(lowering, Part::TransitionsThatClear, latched));
+    sorted(out, lowering, Part::TransitionsThatClear, latched);
 
     let ahead = ahead(lowering, task);
     let next = next_situation(lowering, task, &mut clearings, &ahead);
-    out.extend(headed(lowering, Part::NextSituation, next));
+    headed(out, lowering, Part::NextSituation, next);
     if let Some(again) = task.again {
         let terms = if overlaps {
             differences(lowering, &clearings)
@@ -53,7 +53,7 @@ pub(super) fn micro_step(
 
     let step_events = StepEvents::new(lowering, &clearings, task.components);
     let actions = stored::actions(lowering, cx, task, &clearings, step_events, input_event);
-    heading(&mut out, Heading::StoredActions, actions);
+    heading(out, Heading::StoredActions, actions);
 
     let mut situation = Vec::new();
     for s in lowering.net.places.indices() {
@@ -72,11 +72,10 @@ pub(super) fn micro_step(
     }
     if task.encoding == Encoding::Sequent && !ahead.iter().any(|needed| *needed) {
         let moves = sequent::moves(lowering, task, &clearings, |lowering, s| lowering.situation.bit(s));
-        heading(&mut out, Heading::Situation, moves);
+        heading(out, Heading::Situation, moves);
     } else {
-        out.extend(sorted(lowering, Part::Situation, situation));
+        sorted(out, lowering, Part::Situation, situation);
     }
-    out
 }
 
 /// Steps whose next activity is computed before it is written: because others need it or act on it, or because every

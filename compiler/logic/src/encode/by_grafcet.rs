@@ -5,18 +5,18 @@ use crate::scan::{Heading, Origin, Part, Statement, origin_of};
 use grafc_model::chart::{Event, GrafcetId, StepId, VariableId};
 use grafc_net::Net;
 
-/// Statements of which each stands for itself: those of a grafcet come together, in the order of the grafcets, and those of
-/// none last.
-pub(crate) fn sorted(lowering: &Lowering, part: Part, mut statements: Vec<Statement>) -> Vec<Statement> {
+/// Adds statements of which each stands for itself: those of a grafcet come together, in the order of the grafcets, and those
+/// of none last.
+pub(crate) fn sorted(out: &mut Vec<Statement>, lowering: &Lowering, part: Part, mut statements: Vec<Statement>) {
     if lowering.net.grafcets.len() > 1 {
         let key = |statement: &Statement| grafcet_of(&lowering.net, statement).map_or(usize::MAX, GrafcetId::index);
         statements.sort_by_cached_key(key);
     }
-    headed(lowering, part, statements)
+    headed(out, lowering, part, statements);
 }
 
-/// Statements that stay in their order. Those of no grafcet belong to what is before them, the first to what follows.
-pub(crate) fn headed(lowering: &Lowering, part: Part, statements: Vec<Statement>) -> Vec<Statement> {
+/// Adds statements that stay in their order. Those of no grafcet belong to what is before them, the first to what follows.
+pub(crate) fn headed(out: &mut Vec<Statement>, lowering: &Lowering, part: Part, statements: Vec<Statement>) {
     let count = lowering.net.grafcets.len();
     let of = |statement: &Statement| if count > 1 { grafcet_of(&lowering.net, statement) } else { None };
     let mut first = None;
@@ -28,17 +28,17 @@ pub(crate) fn headed(lowering: &Lowering, part: Part, statements: Vec<Statement>
     });
     // Where they come all mixed up, headings are of no use.
     let useful = changes <= 2 * count;
-    let mut out = Vec::with_capacity(statements.len() + changes + 1);
+    out.reserve_exact(statements.len() + changes + 1);
     let mut now = None;
+    let mut is_first = true;
     for statement in statements {
-        let of = if out.is_empty() { first } else { of(&statement) }.filter(|_| useful);
-        if out.is_empty() || (of.is_some() && of != now) {
+        let of = if is_first { first } else { of(&statement) }.filter(|_| useful);
+        if std::mem::take(&mut is_first) || (of.is_some() && of != now) {
             out.push(Statement::Heading(of.map_or(part.of_all(), |g| Heading::Of(part, g))));
             now = of;
         }
         out.push(statement);
     }
-    out
 }
 
 /// The grafcet that a statement is about, if it is one.

@@ -25,7 +25,8 @@ pub(crate) fn clears(
 ) -> Vec<FormulaId> {
     let transition = &lowering.net.transitions[t];
     let within = transition.within.filter(|_| transition.pre.is_empty() || !simplify);
-    let mut factors: Vec<FormulaId> = within.iter().chain(&transition.pre).map(|s| lowering.active(*s)).collect();
+    let mut factors: Vec<FormulaId> = Vec::with_capacity(transition.pre.len() + 3);
+    factors.extend(within.iter().chain(&transition.pre).map(|s| lowering.active(*s)));
     if let Some(frozen) = frozen[transition.grafcet] {
         factors.push(lowering.pool.not(frozen));
     }

@@ -42,17 +42,18 @@ use crate::scan::Statement;
 use input_event::InputEvent;
 use task::Task;
 
-/// The statements of a micro-step, all but those that compute conditions.
+/// Adds the statements of a micro-step, all but those that compute conditions.
 pub(crate) fn micro_step(
     lowering: &mut Lowering,
     cx: &mut Context,
     task: &Task,
     input_event: &mut InputEvent,
-) -> Vec<Statement> {
+    out: &mut Vec<Statement>,
+) {
     match task.encoding {
         Encoding::SinglePhase | Encoding::RTrigger | Encoding::STrigger | Encoding::Sequent => {
-            bits::micro_step(lowering, cx, task, input_event)
+            bits::micro_step(lowering, cx, task, input_event, out);
         }
-        Encoding::Switch => switch::micro_step(lowering, cx, task, input_event),
+        Encoding::Switch => out.extend(switch::micro_step(lowering, cx, task, input_event)),
     }
 }

@@ -86,7 +86,7 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Option<Vec<State
         moving.push(Statement::assign(Origin::Chart, target, lowering.pool.truth(false)));
     }
     in_order(lowering, blocks, &mut moving);
-    out.extend(headed(lowering, Part::Transitions, moving));
+    headed(&mut out, lowering, Part::Transitions, moving);
     Some(out)
 }
 

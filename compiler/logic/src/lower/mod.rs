@@ -158,7 +158,10 @@ enum Need {
 impl Lowering {
     /// With a cover, steps that exclude each other share a state; if a `short` text is wanted, as a small chart does it.
     pub(crate) fn new(net: Arc<Net>, cover: Option<&Cover>, short: bool) -> Self {
-        let (mut symbols, mut pool) = (Symbols::new(&net), Pool::default());
+        // Around a step and a transition there are some formulas more than variables, each of few operands.
+        let around = net.places.len() + net.transitions.len();
+        let mut pool = Pool::with_capacity(net.variables.len() + 3 * around, 4 * around);
+        let mut symbols = Symbols::new(&net);
         let situation = Situation::new(&net, cover, short, &mut symbols, &mut pool);
         let setters = Setters::of(&net);
         let first = |sum: &mut u32, g: &Grafcet| Some(std::mem::replace(sum, *sum + g.orders.len() as u32));

@@ -200,6 +200,9 @@ impl Elements {
     }
 }
 
+/// Most transitions are written with so many bytes.
+const USUAL: usize = 32;
+
 /// Where the variables and timers of a program come from.
 #[derive(Clone, Debug)]
 pub struct Origins {
@@ -279,7 +282,7 @@ impl Program {
     /// A transition as the chart writes it: `5, 8 -> 9`.
     pub fn arrow(&self, transition: TransitionId) -> String {
         let Transition { before, after, .. } = &self.elements.transitions[transition];
-        let mut arrow = String::new();
+        let mut arrow = String::with_capacity(USUAL);
         for (range, sign) in [(before, " -> "), (after, "")] {
             for (place, s) in self.elements.steps(range).iter().enumerate() {
                 arrow.push_str(if place > 0 { ", " } else { "" });

@@ -43,21 +43,6 @@ impl Wanted {
     /// None if there is none.
     fn find(program: &Program, sections: &[Vec<Statement>]) -> Option<Wanted> {
         let pool = &program.pool;
-        let mut weights: Vec<u32> = Vec::with_capacity(pool.len());
-        for id in pool.ids() {
-            let below = pool.operands(id).fold(0_u32, |sum, operand| sum.saturating_add(weights[operand.index()]));
-            weights.push(match pool.get(id) {
-                Formula::Constant(_) => 0,
-                Formula::Variable(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) | Formula::Compare(..) => 1,
-                Formula::Not(_)
-                | Formula::And(_)
-                | Formula::Or(_)
-                | Formula::Xor(..)
-                | Formula::Arithmetic(..)
-                | Formula::Negate(_)
-                | Formula::Widen(_) => below,
-            });
-        }
         let mut uses = vec![0_u8; pool.len()];
         let mut open = Vec::new();
         sections.iter().for_each(|section| roots_within(section, &mut open));
@@ -80,8 +65,26 @@ impl Wanted {
             | Formula::Negate(_)
             | Formula::Widen(_) => false,
         };
-        let is: Vec<bool> =
-            pool.ids().map(|id| uses[id.index()] > 1 && weights[id.index()] >= WORTH_A_NAME && named(id)).collect();
+        let again = |id: FormulaId| uses[id.index()] > 1 && named(id);
+        if !pool.ids().any(again) {
+            return None;
+        }
+        let mut weights: Vec<u32> = Vec::with_capacity(pool.len());
+        for id in pool.ids() {
+            let below = pool.operands(id).fold(0_u32, |sum, operand| sum.saturating_add(weights[operand.index()]));
+            weights.push(match pool.get(id) {
+                Formula::Constant(_) => 0,
+                Formula::Variable(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) | Formula::Compare(..) => 1,
+                Formula::Not(_)
+                | Formula::And(_)
+                | Formula::Or(_)
+                | Formula::Xor(..)
+                | Formula::Arithmetic(..)
+                | Formula::Negate(_)
+                | Formula::Widen(_) => below,
+            });
+        }
+        let is: Vec<bool> = pool.ids().map(|id| again(id) && weights[id.index()] >= WORTH_A_NAME).collect();
         if !is.contains(&true) {
             return None;
         }

@@ -93,6 +93,9 @@ impl Needed {
             self.read.any.push(reads);
             self.read.seen.push(0);
         }
+        if !self.read.any[id.index()] {
+            return;
+        }
         self.read.walk += 1;
         let mut stack = std::mem::take(&mut self.read.stack);
         stack.push(id);

@@ -6,18 +6,26 @@
 //! Warned of: `transition 3 -> 4 : X3/5s`; `step 3 { V if X3/5s }`
 //! Not warned of: `transition 3 -> 4 : 5s/X3`; `transition 4 -> 5 : X3/5s`
 
-use crate::chart::{DelayTime, Event, ExprId, ExprKind, Node, StepId, Tables, below};
+use crate::chart::{DelayTime, Event, ExprId, ExprKind, Node, Nodes, StepId, Tables, below};
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
 use grafc_syntax::dump::plain_or_quoted;
+use std::cell::OnceCell;
 
 /// One warning per off-delay.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     for transition in &chart.transitions {
-        let mut before: Vec<Node> = transition.pre.to_vec();
-        before.sort_unstable();
-        look(chart, transition.condition, &|node| before.binary_search(&node).is_ok(), diagnostics);
+        let before = OnceCell::new();
+        let is_before = |node| {
+            let before = before.get_or_init(|| {
+                let mut before: Nodes = transition.pre.clone();
+                before.sort_unstable();
+                before
+            });
+            before.binary_search(&node).is_ok()
+        };
+        look(chart, transition.condition, &is_before, diagnostics);
     }
     let own = |step: StepId| move |node| node == Node::Step(step);
     for action in &chart.continuous {

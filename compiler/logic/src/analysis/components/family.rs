@@ -52,10 +52,10 @@ pub(super) struct Family {
     pub(super) regions: Vec<Region>,
     left_out: FxHashSet<(usize, StepId)>,
     owner: IndexVec<StepId, Option<usize>>,
-    /// The own step of a component at a side of a transition: there is at most one.
+    /// The first component with a step of its own at a side of a transition, and that step: there is at most one.
+    first_at: IndexVec<TransitionId, [Option<(u32, StepId)>; 2]>,
+    /// The same of the other components.
     at: FxHashMap<(TransitionId, Side, usize), StepId>,
-    /// The sides at which `at` knows a step.
-    known: FxHashSet<(TransitionId, Side)>,
     /// The steps of the way that questions have gone so far.
     work: Cell<usize>,
 }
@@ -67,8 +67,8 @@ impl Family {
             regions: Vec::new(),
             left_out: FxHashSet::default(),
             owner: net.places.iter().map(|_| None).collect(),
+            first_at: net.transitions.iter().map(|_| [None; 2]).collect(),
             at: FxHashMap::default(),
-            known: FxHashSet::default(),
             work: Cell::new(0),
         }
     }
@@ -90,7 +90,7 @@ impl Family {
 
     /// Whether some step at a side of a transition is in some component.
     pub(super) fn is_known(&self, t: TransitionId, side: Side) -> bool {
-        self.known.contains(&(t, side))
+        self.first_at[t][side as usize].is_some()
     }
 
     /// Whether a component holds a step.
@@ -109,11 +109,10 @@ impl Family {
 
     /// The step of a component at a side of a transition.
     pub(super) fn step_at(&self, t: TransitionId, side: Side, component: usize) -> Option<StepId> {
-        if !self.is_known(t, side) {
-            return None;
-        }
-        let mut own = self.line(component).filter_map(|(c, _)| self.at.get(&(t, side, c)));
-        own.find(|s| self.holds(component, **s)).copied()
+        let (first, step) = self.first_at[t][side as usize]?;
+        let own_of = |c: usize| if c == first as usize { Some(step) } else { self.at.get(&(t, side, c)).copied() };
+        let mut own = self.line(component).filter_map(|(c, _)| own_of(c));
+        own.find(|s| self.holds(component, *s))
     }
 
     /// The step of a component that an order forces.
@@ -148,8 +147,10 @@ impl Family {
             let sides = [(around.leaving(*s), Side::Before), (around.entering(*s), Side::After)];
             for (transitions, side) in sides {
                 for t in transitions {
-                    self.at.insert((*t, side, number), *s);
-                    self.known.insert((*t, side));
+                    let (first, _) = *self.first_at[*t][side as usize].get_or_insert((number as u32, *s));
+                    if first as usize != number {
+                        self.at.insert((*t, side, number), *s);
+                    }
                 }
             }
         }

@@ -60,6 +60,7 @@ use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
 use rustc_hash::FxHashSet;
 use search::Search;
+use smallvec::SmallVec;
 
 /// No more components than this are remembered for one step.
 const REMEMBERED: usize = 8;
@@ -77,13 +78,13 @@ const LOOKED_AT: usize = 8;
 /// The components that were found.
 #[derive(Clone)]
 pub(crate) struct Components {
-    of_step: IndexVec<StepId, Vec<usize>>,
+    of_step: IndexVec<StepId, SmallVec<[usize; 2]>>,
 }
 
 impl Components {
     /// No component at all.
     pub(crate) fn none(net: &Net) -> Self {
-        Components { of_step: net.places.iter().map(|_| Vec::new()).collect() }
+        Components { of_step: net.places.iter().map(|_| SmallVec::new()).collect() }
     }
 
     /// Components that hold a step, by number; not all of them if there are many.

@@ -56,6 +56,10 @@ fn is_suspicious(net: &Net, condition: ExprId) -> bool {
     if net.exprs[condition].kind == ExprKind::Literal(Value::Bool(true)) {
         return false;
     }
+    // Most conditions are one name.
+    if net.exprs[condition].kind.operands().next().is_none() {
+        return matches!(net.exprs[condition].kind, ExprKind::Literal(_));
+    }
     let mut seen = FxHashSet::default();
     let (mut comparisons, mut operands) = (0, 0);
     for e in below(&net.exprs, condition) {

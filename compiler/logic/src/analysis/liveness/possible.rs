@@ -11,6 +11,7 @@
 //! One cause is told once: after it is assumed away, what still is impossible has another one.
 
 use super::constant::Constant;
+use super::region::Transitions;
 use crate::analysis::together::questions::Questions;
 use crate::analysis::together::witness::{self, SearchResult};
 use grafc_model::chart::{ExprId, ExprKind, StepId, TransitionId, below};
@@ -169,7 +170,7 @@ struct Possible<'n> {
     /// The steps that each transition still waits for, by number.
     missing: IndexVec<TransitionId, usize>,
     /// The transitions that need a step.
-    waiting: IndexVec<StepId, Vec<TransitionId>>,
+    waiting: IndexVec<StepId, Transitions>,
     /// The steps with a link within a step.
     linked: Placed,
     /// The steps that the orders of a step place.
@@ -188,7 +189,7 @@ impl<'n> Possible<'n> {
             clears: index_vec![false; net.transitions.len()],
             refuted: IndexVec::new(),
             missing: index_vec![0; net.transitions.len()],
-            waiting: net.places.iter().map(|_| Vec::new()).collect(),
+            waiting: net.places.iter().map(|_| Transitions::new()).collect(),
             linked: Placed::default(),
             placed: Placed::default(),
             enclosed: Placed::default(),

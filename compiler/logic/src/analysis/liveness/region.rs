@@ -9,19 +9,30 @@ use super::possible::Never;
 use crate::analysis::together::questions::Questions;
 use grafc_model::chart::{ExprId, ExprKind, GrafcetId, Mode, StepId, TransitionId, below};
 use grafc_net::Net;
-use grafc_net::net::Forced;
+use grafc_net::net::{Forced, Steps};
 use rustc_hash::FxHashMap;
-use std::rc::Rc;
+use smallvec::SmallVec;
 
-/// Active steps of a grafcet, in order.
-pub(super) type Marking = Rc<[StepId]>;
+/// Active steps of a grafcet, in order: mostly few.
+pub(super) type Marking = Steps;
+
+/// Transitions: mostly few.
+pub(super) type Transitions = SmallVec<[TransitionId; 4]>;
 
 /// What a condition says of the steps of its own grafcet, and whether it asks for nothing but inputs and time besides.
-#[derive(Clone, Default)]
 struct Guard {
     with: Vec<StepId>,
     without: Vec<StepId>,
     is_free: bool,
+}
+
+/// What most say.
+static PLAIN: Guard = Guard { with: Vec::new(), without: Vec::new(), is_free: true };
+
+impl Guard {
+    fn is_plain(&self) -> bool {
+        self.with.is_empty() && self.without.is_empty() && self.is_free
+    }
 }
 
 /// A grafcet by itself.
@@ -31,6 +42,7 @@ pub(super) struct Region<'q, 'a> {
     pub(super) grafcet: GrafcetId,
     pub(super) transitions: &'q [TransitionId],
     never: &'q Never,
+    /// Of those that are not [`PLAIN`].
     guards: FxHashMap<TransitionId, Guard>,
     sources: Vec<TransitionId>,
     implied: FxHashMap<(TransitionId, TransitionId), bool>,
@@ -45,7 +57,7 @@ impl<'q, 'a> Region<'q, 'a> {
         transitions: &'q [TransitionId],
     ) -> Self {
         let net = asked.analysis.net();
-        let guards = transitions.iter().map(|t| (*t, guard(net, *t))).collect();
+        let guards = transitions.iter().map(|t| (*t, guard(net, *t))).filter(|(_, guard)| !guard.is_plain()).collect();
         let sources = transitions.iter().copied().filter(|t| net.transitions[*t].pre.is_empty()).collect();
         let (implied, excluded) = (FxHashMap::default(), FxHashMap::default());
         Region { asked, net, grafcet, transitions, never, guards, sources, implied, excluded }
@@ -57,6 +69,10 @@ impl<'q, 'a> Region<'q, 'a> {
         grafcet.orders.is_empty() && grafcet.steps.iter().all(|step| self.net.places[*step].within.is_none())
     }
 
+    fn guard(&self, t: TransitionId) -> &Guard {
+        self.guards.get(&t).unwrap_or(&PLAIN)
+    }
+
     /// Whether a transition is known never to clear.
     pub(super) fn is_never(&self, t: TransitionId) -> bool {
         self.never.clears[t]
@@ -64,7 +80,7 @@ impl<'q, 'a> Region<'q, 'a> {
 
     /// Whether the situation alone keeps a transition from clearing, and not what its condition says of steps.
     pub(super) fn may_stand(&self, t: TransitionId) -> bool {
-        let guard = &self.guards[&t];
+        let guard = self.guard(t);
         guard.with.is_empty() && guard.without.is_empty()
     }
 
@@ -87,7 +103,7 @@ impl<'q, 'a> Region<'q, 'a> {
                 Forced::Steps(steps) => Some(steps.clone().into()),
                 Forced::Current => None,
             }));
-            starts.push(Rc::default());
+            starts.push(Marking::new());
         }
         starts.sort();
         starts.dedup();
@@ -95,10 +111,10 @@ impl<'q, 'a> Region<'q, 'a> {
     }
 
     /// The transitions that may clear in a situation, as far as it alone decides.
-    pub(super) fn enabled(&self, marking: &[StepId]) -> Vec<TransitionId> {
+    pub(super) fn enabled(&self, marking: &[StepId]) -> Transitions {
         let holds = |step: &StepId| marking.binary_search(step).is_ok();
         let may = |t: &TransitionId| {
-            let guard = &self.guards[t];
+            let guard = self.guard(*t);
             !self.never.clears[*t] && guard.with.iter().all(holds) && !guard.without.iter().any(holds)
         };
         let arcs = &self.asked.analysis.arcs;
@@ -112,11 +128,11 @@ impl<'q, 'a> Region<'q, 'a> {
 
     /// Whether inputs and time alone decide on a transition, beside the situation.
     pub(super) fn is_free(&self, t: TransitionId) -> bool {
-        self.guards[&t].is_free
+        self.guard(t).is_free
     }
 
     /// The transitions of those enabled that clear whenever this one does.
-    pub(super) fn with_implied(&mut self, t: TransitionId, enabled: &[TransitionId]) -> Vec<TransitionId> {
+    pub(super) fn with_implied(&mut self, t: TransitionId, enabled: &[TransitionId]) -> Transitions {
         let implied = enabled.iter().copied().filter(|u| *u == t || self.implies(t, *u));
         implied.collect()
     }
@@ -145,13 +161,13 @@ impl<'q, 'a> Region<'q, 'a> {
     /// The situation after transitions that clear at once (R4).
     pub(super) fn after(&self, marking: &[StepId], cleared: &[TransitionId]) -> Marking {
         let all = |t: &TransitionId| &self.net.transitions[*t];
-        let mut left: Vec<StepId> = cleared.iter().flat_map(|t| &all(t).pre).copied().collect();
+        let mut left: Steps = cleared.iter().flat_map(|t| &all(t).pre).copied().collect();
         left.sort_unstable();
-        let mut next: Vec<StepId> = marking.iter().copied().filter(|step| left.binary_search(step).is_err()).collect();
-        next.extend(cleared.iter().flat_map(|t| &all(t).post));
+        let mut next: Marking = marking.iter().copied().filter(|step| left.binary_search(step).is_err()).collect();
+        next.extend(cleared.iter().flat_map(|t| &all(t).post).copied());
         next.sort_unstable();
         next.dedup();
-        next.into()
+        next
     }
 }
 
@@ -159,7 +175,7 @@ impl<'q, 'a> Region<'q, 'a> {
 fn guard(net: &Net, t: TransitionId) -> Guard {
     let transition = &net.transitions[t];
     let own = |step: StepId| net.places[step].grafcet == transition.grafcet;
-    let mut guard = Guard { is_free: true, ..Guard::default() };
+    let mut guard = Guard { with: Vec::new(), without: Vec::new(), is_free: true };
     let (mut first, mut factors) = (Some(transition.condition), Vec::new());
     while let Some(e) = first.take().or_else(|| factors.pop()) {
         match net.exprs[e].kind {

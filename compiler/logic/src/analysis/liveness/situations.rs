@@ -12,6 +12,7 @@ use super::region::{Marking, Region};
 use crate::analysis::together::questions::Questions;
 use grafc_model::chart::{GrafcetId, StepId, TransitionId};
 use grafc_net::Net;
+use grafc_net::net::Steps;
 use index_vec::IndexVec;
 use indexmap::IndexMap;
 use rustc_hash::{FxBuildHasher, FxHashSet};
@@ -171,7 +172,7 @@ fn may_happen(region: &mut Region, dead: &[TransitionId]) -> (Vec<Reentry>, Opti
             let cleared = region.with_implied(t, &enabled);
             let Some(rest) = left.checked_sub(1 + marking.len() + enabled.len()) else { return (reentries, dead_end) };
             left = rest;
-            let mut leaves: Vec<StepId> = cleared.iter().flat_map(|t| &net.transitions[*t].pre).copied().collect();
+            let mut leaves: Steps = cleared.iter().flat_map(|t| &net.transitions[*t].pre).copied().collect();
             leaves.sort_unstable();
             let stays = |step: &StepId| marking.binary_search(step).is_ok() && leaves.binary_search(step).is_err();
             for by in cleared.iter().copied().filter(|by| !net.transitions[*by].pre.is_empty()) {

@@ -9,7 +9,7 @@ use super::longest::{Endless, Times};
 use super::stable::{Class, Literal, Stable};
 use grafc_model::chart::TransitionId;
 use grafc_net::Net;
-use std::collections::BTreeMap;
+use index_vec::{IndexVec, index_vec};
 
 /// At most so many cases are tried; fewer where the graph is large.
 const CASES: usize = 64;
@@ -52,12 +52,12 @@ fn contradicts(stable: &Stable, t: TransitionId, assumed: &[Literal]) -> bool {
 
 /// What the transitions of a circle assert and deny most.
 fn undecided(stable: &Stable, endless: &Endless, assumed: &[Literal]) -> Option<Class> {
-    let mut count: BTreeMap<Class, (usize, usize)> = BTreeMap::new();
+    let mut count: IndexVec<Class, (usize, usize)> = index_vec![(0, 0); stable.count()];
     for literal in endless.transitions.iter().flat_map(|t| stable.literals(*t)) {
-        let (asserted, denied) = count.entry(literal.class).or_default();
+        let (asserted, denied) = &mut count[literal.class];
         *(if literal.asserted { asserted } else { denied }) += 1;
     }
-    let both = count.into_iter().filter(|(class, (asserted, denied))| {
+    let both = count.into_iter_enumerated().filter(|(class, (asserted, denied))| {
         *asserted > 0 && *denied > 0 && assumed.iter().all(|a| a.class != *class)
     });
     both.max_by_key(|(class, (asserted, denied))| (*asserted.min(denied), std::cmp::Reverse(*class)))

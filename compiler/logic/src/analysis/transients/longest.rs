@@ -5,8 +5,8 @@ use crate::analysis::parts::Parts;
 use grafc_model::chart::TransitionId;
 use grafc_net::Net;
 use rustc_hash::FxHashMap;
+use std::collections::VecDeque;
 use std::collections::hash_map::Entry;
-use std::collections::{BTreeSet, VecDeque};
 
 /// The last micro-step in which each change can happen, by number, with the cause that comes last, of several the first
 /// by number.
@@ -28,7 +28,7 @@ const NONE: u32 = u32::MAX;
 /// Where changes can cause each other endlessly.
 pub(super) struct Endless {
     /// Transitions that clear in such a circle, in order.
-    pub(super) transitions: BTreeSet<TransitionId>,
+    pub(super) transitions: Vec<TransitionId>,
     /// Those of one way round, as far as transitions take part in it.
     pub(super) cycle: Vec<TransitionId>,
 }
@@ -52,10 +52,10 @@ impl Times {
         let circles: Vec<&[u32]> = parts.in_order().filter(|part| is_circle(part)).collect();
         if let Some(first) = circles.first() {
             let all = circles.iter().copied().flatten();
-            return Err(Endless {
-                transitions: all.filter_map(|change| causes.transition(net, *change)).collect(),
-                cycle: cycle(net, causes, effects, first),
-            });
+            let mut transitions: Vec<TransitionId> = all.filter_map(|change| causes.transition(net, *change)).collect();
+            transitions.sort_unstable();
+            transitions.dedup();
+            return Err(Endless { transitions, cycle: cycle(net, causes, effects, first) });
         }
         for change in parts.in_order().flatten() {
             let time = last[*change as usize].time;

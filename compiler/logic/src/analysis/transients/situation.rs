@@ -22,20 +22,26 @@ use grafc_model::chart::{ExprId, GrafcetId, StepId, TransitionId};
 use grafc_net::net::Forced;
 use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
+use std::borrow::Cow;
 
 /// The arcs of those transitions that ever clear, and what is known of them.
 pub(super) struct Ways<'a> {
     analysis: &'a Analysis,
     stable: &'a Stable,
     occasions: &'a IndexVec<ExprId, Occasion>,
-    arcs: Arcs,
+    arcs: Cow<'a, Arcs>,
     goes_on: IndexVec<TransitionId, bool>,
 }
 
 impl<'a> Ways<'a> {
     pub(super) fn new(analysis: &'a Analysis, stable: &'a Stable, occasions: &'a IndexVec<ExprId, Occasion>) -> Self {
         let net = analysis.net();
-        let arcs = Arcs::of(net, |t| !stable.never(t));
+        let clears = |t: TransitionId| !stable.never(t);
+        let arcs = if net.transitions.indices().all(clears) {
+            Cow::Borrowed(&analysis.arcs)
+        } else {
+            Cow::Owned(Arcs::of(net, clears))
+        };
         let goes_on = net.transitions.iter().map(|_| false).collect();
         let mut ways = Ways { analysis, stable, occasions, arcs, goes_on };
         for t in net.transitions.indices() {

@@ -127,6 +127,11 @@ impl Stable {
         stable
     }
 
+    /// How many classes there are.
+    pub(super) fn count(&self) -> usize {
+        self.meaning.len()
+    }
+
     /// Whether an expression has one value in any one reaction.
     pub(super) fn is_fixed(&self, e: ExprId) -> bool {
         self.classes[e].is_some()

@@ -57,7 +57,7 @@ pub(super) fn micro_step(
     let actions = stored::actions(lowering, cx, task, &clearings, step_events, input_event);
     heading(&mut out, Heading::StoredActions, actions);
     let situation = situation(lowering, &short, moves, &clearings);
-    out.extend(sorted(lowering, Part::Situation, situation));
+    sorted(&mut out, lowering, Part::Situation, situation);
     out
 }
 
@@ -140,8 +140,8 @@ fn transitions<'a>(
         moving.extend(arms.case(set.variable));
     }
     moving.extend(moves);
-    out.extend(sorted(lowering, Part::TransitionsThatClear, latched));
-    out.extend(sorted(lowering, Part::Transitions, moving));
+    sorted(out, lowering, Part::TransitionsThatClear, latched);
+    sorted(out, lowering, Part::Transitions, moving);
     (clearings, of_short)
 }
 

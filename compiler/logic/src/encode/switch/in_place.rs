@@ -82,7 +82,7 @@ pub(super) fn in_place(lowering: &mut Lowering, task: &Task) -> Vec<Statement> {
         blocks.push(Bundle::new(lowering, statements, |v| written.contains(&v)));
     }
     in_order(lowering, blocks, &mut moving);
-    out.extend(headed(lowering, Part::Transitions, moving));
+    headed(&mut out, lowering, Part::Transitions, moving);
     out
 }
 

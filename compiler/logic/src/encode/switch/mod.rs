@@ -117,7 +117,7 @@ pub(super) fn micro_step(
     let mut switch = Switch { task, layout, numbered, moved, cleared: IndexVec::new() };
     let transitions = switch.transitions(lowering, &frozen);
     heading(&mut out, Heading::FrozenGrafcets, freezing);
-    out.extend(headed(lowering, Part::Transitions, transitions));
+    headed(&mut out, lowering, Part::Transitions, transitions);
 
     // What follows happens only where something clears, unless an action on an event has to be done in any case.
     let mut inner = Vec::new();
