@@ -29,7 +29,13 @@ impl Needs {
     }
 }
 
-/// A statement, or what is left of one whose parts are elsewhere.
+/// Branches and what else.
+pub(super) struct Choice<'p> {
+    pub branches: Vec<(FormulaId, Vec<Code<'p>>)>,
+    pub otherwise: Vec<Code<'p>>,
+}
+
+/// A statement, or what is left of one whose parts are elsewhere. There are many, so they are small.
 pub(super) enum Code<'p> {
     /// As it stands.
     Plain(&'p Statement),
@@ -39,10 +45,10 @@ pub(super) enum Code<'p> {
     Again(VarId),
     /// The call of a function.
     Call(usize),
-    /// Branches and what else.
-    If(Vec<(FormulaId, Vec<Code<'p>>)>, Vec<Code<'p>>),
+    /// Parts of an `If`.
+    If(Box<Choice<'p>>),
     /// Arms of a state.
-    Arms(VarId, Vec<(&'p Arm, Vec<Code<'p>>)>),
+    Arms(VarId, Box<[(&'p Arm, Vec<Code<'p>>)]>),
     /// By the value of a state, the function that a table has for it.
     Table(VarId, usize),
 }

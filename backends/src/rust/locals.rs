@@ -5,7 +5,7 @@
 //! reading it, it is a variable of its own in each part. Else it comes before the first statement that has to do with it,
 //! with the zero of its type.
 
-use super::code::Code;
+use super::code::{Choice, Code};
 use grafc_formula::{Formula, FormulaId};
 use grafc_logic::scan::{Division, Program, Role, Statement, VarId};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -102,7 +102,8 @@ impl Finder<'_> {
                 }
                 Code::Again(again) => self.uses(block, place, *again, false),
                 Code::Call(_) => {}
-                Code::If(branches, otherwise) => {
+                Code::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     for (when, body) in branches {
                         self.formula(block, place, *when);
                         let inside = self.block(block, place);

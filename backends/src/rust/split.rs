@@ -4,7 +4,7 @@
 //! split: runs of them become functions of their own, and of a large `Case` each arm, which a table finds by the value: as
 //! quick as a `match`, however many there are. What more than one function needs lies in a struct that the scan passes on.
 
-use super::code::{Code, Needs};
+use super::code::{Choice, Code, Needs};
 use super::places::Places;
 use super::uses::{Uses, shared};
 use crate::limits;
@@ -224,7 +224,7 @@ impl<'p> Splitter<'p, '_> {
             match statement {
                 Statement::If { branches, otherwise } if weight > self.longest => {
                     let branches = branches.iter().map(|(when, body)| (*when, self.block(body))).collect();
-                    out.push(Code::If(branches, self.block(otherwise)));
+                    out.push(Code::If(Box::new(Choice { branches, otherwise: self.block(otherwise) })));
                 }
                 Statement::Case { of, arms } if weight > self.longest => out.push(self.case(*of, arms)),
                 Statement::Heading(_)

@@ -1,6 +1,6 @@
 //! What the functions of a scan use, and so have to be given.
 
-use super::code::{Code, Needs};
+use super::code::{Choice, Code, Needs};
 use super::places::Places;
 use grafc_formula::{Formula, FormulaId};
 use grafc_logic::scan::{Division, Program, Role, Statement, VarId};
@@ -45,7 +45,8 @@ impl<'p> Uses<'p> {
                 }
                 Code::Again(again) => self.variable(*again),
                 Code::Call(function) => self.calls.push(*function),
-                Code::If(branches, otherwise) => {
+                Code::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     for (when, body) in branches {
                         self.formula(*when);
                         self.all(body);

@@ -1,5 +1,5 @@
 // auto-generated: "lalrpop 0.23.2"
-// sha3: 7f5f54e27cb35d914c1c36d8ce2fc964ef554f1645a23c1ba8c77092e1f05d09
+// sha3: 496820e108a6a23270ae02b95e77b6dcf1bf3e49984805835f37f32489678884
 // features: 
 use crate::ast::*;
 use crate::builder::{Builder, Parsed, add_action};
@@ -45,34 +45,33 @@ mod __parse__Items {
         Variant12(ClaimKind),
         Variant13(Option<Box<Text>>),
         Variant14(Vec<ExprId>),
-        Variant15(Parsed),
-        Variant16(DeclarationKind),
-        Variant17(DeclaredName),
-        Variant18(DeclaredNames),
-        Variant19(Box<Name>),
-        Variant20(Option<Box<Name>>),
-        Variant21(Event),
-        Variant22(Expectation),
-        Variant23(Vec<Expectation>),
-        Variant24(Given),
-        Variant25(Vec<Given>),
-        Variant26(Name),
-        Variant27(Names),
-        Variant28(Option<Names>),
-        Variant29(Option<Name>),
-        Variant30((Vec<Name>, Name)),
-        Variant31(grafc_diagnostics::Span),
-        Variant32(Option<grafc_diagnostics::Span>),
-        Variant33(ScenarioLine),
-        Variant34(ScenarioLineKind),
-        Variant35(Vec<ScenarioLine>),
-        Variant36(Situation),
-        Variant37(StepMark),
-        Variant38(StepWord),
-        Variant39(alloc::vec::Vec<StepWord>),
-        Variant40((Option<ExprId>, Option<Box<Text>>)),
-        Variant41(Text),
-        Variant42((Option<Type>, grafc_diagnostics::Span)),
+        Variant15(DeclarationKind),
+        Variant16(DeclaredName),
+        Variant17(DeclaredNames),
+        Variant18(Box<Name>),
+        Variant19(Option<Box<Name>>),
+        Variant20(Event),
+        Variant21(Expectation),
+        Variant22(Vec<Expectation>),
+        Variant23(Given),
+        Variant24(Vec<Given>),
+        Variant25(Name),
+        Variant26(Names),
+        Variant27(Option<Names>),
+        Variant28(Option<Name>),
+        Variant29((Vec<Name>, Name)),
+        Variant30(grafc_diagnostics::Span),
+        Variant31(Option<grafc_diagnostics::Span>),
+        Variant32(ScenarioLine),
+        Variant33(ScenarioLineKind),
+        Variant34(Vec<ScenarioLine>),
+        Variant35(Situation),
+        Variant36(StepMark),
+        Variant37(StepWord),
+        Variant38(alloc::vec::Vec<StepWord>),
+        Variant39((Option<ExprId>, Option<Box<Text>>)),
+        Variant40(Text),
+        Variant41((Option<Type>, grafc_diagnostics::Span)),
     }
     const __ACTION: &[i16] = &[
         // State 0
@@ -5737,23 +5736,23 @@ mod __parse__Items {
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant40<
+    fn __pop_Variant39<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, (Option<ExprId>, Option<Box<Text>>), u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant40(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant39(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant42<
+    fn __pop_Variant41<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, (Option<Type>, grafc_diagnostics::Span), u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant42(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant41(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
@@ -5777,13 +5776,13 @@ mod __parse__Items {
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant30<
+    fn __pop_Variant29<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, (Vec<Name>, Name), u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant30(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant29(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
@@ -5817,13 +5816,13 @@ mod __parse__Items {
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant19<
+    fn __pop_Variant18<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, Box<Name>, u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant19(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant18(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
@@ -5857,10 +5856,20 @@ mod __parse__Items {
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant16<
+    fn __pop_Variant15<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, DeclarationKind, u32)
+     {
+        match __symbols.pop() {
+            Some((__l, __Symbol::Variant15(__v), __r)) => (__l, __v, __r),
+            _ => __symbol_type_mismatch()
+        }
+    }
+    fn __pop_Variant16<
+    >(
+        __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
+    ) -> (u32, DeclaredName, u32)
      {
         match __symbols.pop() {
             Some((__l, __Symbol::Variant16(__v), __r)) => (__l, __v, __r),
@@ -5870,40 +5879,30 @@ mod __parse__Items {
     fn __pop_Variant17<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
-    ) -> (u32, DeclaredName, u32)
+    ) -> (u32, DeclaredNames, u32)
      {
         match __symbols.pop() {
             Some((__l, __Symbol::Variant17(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant18<
+    fn __pop_Variant20<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
-    ) -> (u32, DeclaredNames, u32)
+    ) -> (u32, Event, u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant18(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant20(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
     fn __pop_Variant21<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
-    ) -> (u32, Event, u32)
-     {
-        match __symbols.pop() {
-            Some((__l, __Symbol::Variant21(__v), __r)) => (__l, __v, __r),
-            _ => __symbol_type_mismatch()
-        }
-    }
-    fn __pop_Variant22<
-    >(
-        __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, Expectation, u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant22(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant21(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
@@ -5917,33 +5916,33 @@ mod __parse__Items {
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant24<
+    fn __pop_Variant23<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, Given, u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant24(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant23(__v), __r)) => (__l, __v, __r),
+            _ => __symbol_type_mismatch()
+        }
+    }
+    fn __pop_Variant25<
+    >(
+        __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
+    ) -> (u32, Name, u32)
+     {
+        match __symbols.pop() {
+            Some((__l, __Symbol::Variant25(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
     fn __pop_Variant26<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
-    ) -> (u32, Name, u32)
-     {
-        match __symbols.pop() {
-            Some((__l, __Symbol::Variant26(__v), __r)) => (__l, __v, __r),
-            _ => __symbol_type_mismatch()
-        }
-    }
-    fn __pop_Variant27<
-    >(
-        __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, Names, u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant27(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant26(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
@@ -5957,13 +5956,13 @@ mod __parse__Items {
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant20<
+    fn __pop_Variant19<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, Option<Box<Name>>, u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant20(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant19(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
@@ -5977,70 +5976,70 @@ mod __parse__Items {
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant29<
-    >(
-        __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
-    ) -> (u32, Option<Name>, u32)
-     {
-        match __symbols.pop() {
-            Some((__l, __Symbol::Variant29(__v), __r)) => (__l, __v, __r),
-            _ => __symbol_type_mismatch()
-        }
-    }
     fn __pop_Variant28<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
-    ) -> (u32, Option<Names>, u32)
+    ) -> (u32, Option<Name>, u32)
      {
         match __symbols.pop() {
             Some((__l, __Symbol::Variant28(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant32<
+    fn __pop_Variant27<
+    >(
+        __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
+    ) -> (u32, Option<Names>, u32)
+     {
+        match __symbols.pop() {
+            Some((__l, __Symbol::Variant27(__v), __r)) => (__l, __v, __r),
+            _ => __symbol_type_mismatch()
+        }
+    }
+    fn __pop_Variant31<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, Option<grafc_diagnostics::Span>, u32)
+     {
+        match __symbols.pop() {
+            Some((__l, __Symbol::Variant31(__v), __r)) => (__l, __v, __r),
+            _ => __symbol_type_mismatch()
+        }
+    }
+    fn __pop_Variant32<
+    >(
+        __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
+    ) -> (u32, ScenarioLine, u32)
      {
         match __symbols.pop() {
             Some((__l, __Symbol::Variant32(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant15<
-    >(
-        __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
-    ) -> (u32, Parsed, u32)
-     {
-        match __symbols.pop() {
-            Some((__l, __Symbol::Variant15(__v), __r)) => (__l, __v, __r),
-            _ => __symbol_type_mismatch()
-        }
-    }
     fn __pop_Variant33<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
-    ) -> (u32, ScenarioLine, u32)
+    ) -> (u32, ScenarioLineKind, u32)
      {
         match __symbols.pop() {
             Some((__l, __Symbol::Variant33(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant34<
+    fn __pop_Variant35<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
-    ) -> (u32, ScenarioLineKind, u32)
+    ) -> (u32, Situation, u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant34(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant35(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
     fn __pop_Variant36<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
-    ) -> (u32, Situation, u32)
+    ) -> (u32, StepMark, u32)
      {
         match __symbols.pop() {
             Some((__l, __Symbol::Variant36(__v), __r)) => (__l, __v, __r),
@@ -6050,30 +6049,20 @@ mod __parse__Items {
     fn __pop_Variant37<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
-    ) -> (u32, StepMark, u32)
+    ) -> (u32, StepWord, u32)
      {
         match __symbols.pop() {
             Some((__l, __Symbol::Variant37(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant38<
-    >(
-        __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
-    ) -> (u32, StepWord, u32)
-     {
-        match __symbols.pop() {
-            Some((__l, __Symbol::Variant38(__v), __r)) => (__l, __v, __r),
-            _ => __symbol_type_mismatch()
-        }
-    }
-    fn __pop_Variant41<
+    fn __pop_Variant40<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, Text, u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant41(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant40(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
@@ -6087,13 +6076,13 @@ mod __parse__Items {
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant23<
+    fn __pop_Variant22<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, Vec<Expectation>, u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant23(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant22(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
@@ -6107,43 +6096,43 @@ mod __parse__Items {
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant25<
+    fn __pop_Variant24<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, Vec<Given>, u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant25(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant24(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant35<
+    fn __pop_Variant34<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, Vec<ScenarioLine>, u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant35(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant34(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant39<
+    fn __pop_Variant38<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, alloc::vec::Vec<StepWord>, u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant39(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant38(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
-    fn __pop_Variant31<
+    fn __pop_Variant30<
     >(
         __symbols: &mut alloc::vec::Vec<(u32,__Symbol<>,u32)>
     ) -> (u32, grafc_diagnostics::Span, u32)
      {
         match __symbols.pop() {
-            Some((__l, __Symbol::Variant31(__v), __r)) => (__l, __v, __r),
+            Some((__l, __Symbol::Variant30(__v), __r)) => (__l, __v, __r),
             _ => __symbol_type_mismatch()
         }
     }
@@ -6253,7 +6242,7 @@ mod __parse__Items {
     {
         // Action = Assignment, "on", Event => ActionFn(254);
         assert!(__symbols.len() >= 3);
-        let __sym2 = __pop_Variant21(__symbols);
+        let __sym2 = __pop_Variant20(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant9(__symbols);
         let __start = __sym0.0.clone();
@@ -6291,7 +6280,7 @@ mod __parse__Items {
         // Action = "force", "name", "{", Situation, "}" => ActionFn(356);
         assert!(__symbols.len() >= 5);
         let __sym4 = __pop_Variant0(__symbols);
-        let __sym3 = __pop_Variant36(__symbols);
+        let __sym3 = __pop_Variant35(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
@@ -7623,7 +7612,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action359::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (3, 32)
     }
     fn __reduce81<
@@ -7642,7 +7631,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action360::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (2, 32)
     }
     fn __reduce82<
@@ -7656,16 +7645,16 @@ mod __parse__Items {
     {
         // Content = "retain", "input", DeclaredNames, ":", "name", Tail => ActionFn(541);
         assert!(__symbols.len() >= 6);
-        let __sym5 = __pop_Variant40(__symbols);
+        let __sym5 = __pop_Variant39(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
-        let __sym2 = __pop_Variant18(__symbols);
+        let __sym2 = __pop_Variant17(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym5.2.clone();
         let __nt = super::__action541::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (6, 32)
     }
     fn __reduce83<
@@ -7679,15 +7668,15 @@ mod __parse__Items {
     {
         // Content = "input", DeclaredNames, ":", "name", Tail => ActionFn(542);
         assert!(__symbols.len() >= 5);
-        let __sym4 = __pop_Variant40(__symbols);
+        let __sym4 = __pop_Variant39(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
-        let __sym1 = __pop_Variant18(__symbols);
+        let __sym1 = __pop_Variant17(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym4.2.clone();
         let __nt = super::__action542::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (5, 32)
     }
     fn __reduce84<
@@ -7701,16 +7690,16 @@ mod __parse__Items {
     {
         // Content = "retain", "output", DeclaredNames, ":", "name", Tail => ActionFn(543);
         assert!(__symbols.len() >= 6);
-        let __sym5 = __pop_Variant40(__symbols);
+        let __sym5 = __pop_Variant39(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
-        let __sym2 = __pop_Variant18(__symbols);
+        let __sym2 = __pop_Variant17(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym5.2.clone();
         let __nt = super::__action543::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (6, 32)
     }
     fn __reduce85<
@@ -7724,15 +7713,15 @@ mod __parse__Items {
     {
         // Content = "output", DeclaredNames, ":", "name", Tail => ActionFn(544);
         assert!(__symbols.len() >= 5);
-        let __sym4 = __pop_Variant40(__symbols);
+        let __sym4 = __pop_Variant39(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
-        let __sym1 = __pop_Variant18(__symbols);
+        let __sym1 = __pop_Variant17(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym4.2.clone();
         let __nt = super::__action544::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (5, 32)
     }
     fn __reduce86<
@@ -7746,16 +7735,16 @@ mod __parse__Items {
     {
         // Content = "retain", "var", DeclaredNames, ":", "name", Tail => ActionFn(545);
         assert!(__symbols.len() >= 6);
-        let __sym5 = __pop_Variant40(__symbols);
+        let __sym5 = __pop_Variant39(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
-        let __sym2 = __pop_Variant18(__symbols);
+        let __sym2 = __pop_Variant17(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym5.2.clone();
         let __nt = super::__action545::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (6, 32)
     }
     fn __reduce87<
@@ -7769,15 +7758,15 @@ mod __parse__Items {
     {
         // Content = "var", DeclaredNames, ":", "name", Tail => ActionFn(546);
         assert!(__symbols.len() >= 5);
-        let __sym4 = __pop_Variant40(__symbols);
+        let __sym4 = __pop_Variant39(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
-        let __sym1 = __pop_Variant18(__symbols);
+        let __sym1 = __pop_Variant17(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym4.2.clone();
         let __nt = super::__action546::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (5, 32)
     }
     fn __reduce88<
@@ -7791,16 +7780,16 @@ mod __parse__Items {
     {
         // Content = "retain", "const", DeclaredNames, ":", "name", Tail => ActionFn(547);
         assert!(__symbols.len() >= 6);
-        let __sym5 = __pop_Variant40(__symbols);
+        let __sym5 = __pop_Variant39(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
-        let __sym2 = __pop_Variant18(__symbols);
+        let __sym2 = __pop_Variant17(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym5.2.clone();
         let __nt = super::__action547::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (6, 32)
     }
     fn __reduce89<
@@ -7814,15 +7803,15 @@ mod __parse__Items {
     {
         // Content = "const", DeclaredNames, ":", "name", Tail => ActionFn(548);
         assert!(__symbols.len() >= 5);
-        let __sym4 = __pop_Variant40(__symbols);
+        let __sym4 = __pop_Variant39(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
-        let __sym1 = __pop_Variant18(__symbols);
+        let __sym1 = __pop_Variant17(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym4.2.clone();
         let __nt = super::__action548::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (5, 32)
     }
     fn __reduce90<
@@ -7838,12 +7827,12 @@ mod __parse__Items {
         assert!(__symbols.len() >= 4);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
-        let __sym1 = __pop_Variant30(__symbols);
+        let __sym1 = __pop_Variant29(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action338::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (4, 32)
     }
     fn __reduce91<
@@ -7858,12 +7847,12 @@ mod __parse__Items {
         // Content = "grafcet", Path, "{" => ActionFn(339);
         assert!(__symbols.len() >= 3);
         let __sym2 = __pop_Variant0(__symbols);
-        let __sym1 = __pop_Variant30(__symbols);
+        let __sym1 = __pop_Variant29(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action339::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (3, 32)
     }
     fn __reduce92<
@@ -7884,7 +7873,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action379::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (4, 32)
     }
     fn __reduce93<
@@ -7905,7 +7894,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action380::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (4, 32)
     }
     fn __reduce94<
@@ -7926,7 +7915,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action381::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (4, 32)
     }
     fn __reduce95<
@@ -7946,7 +7935,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action382::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (3, 32)
     }
     fn __reduce96<
@@ -7966,7 +7955,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action383::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (3, 32)
     }
     fn __reduce97<
@@ -7986,7 +7975,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action384::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (3, 32)
     }
     fn __reduce98<
@@ -8006,7 +7995,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action517::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (3, 32)
     }
     fn __reduce99<
@@ -8023,11 +8012,11 @@ mod __parse__Items {
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant39(__symbols);
+        let __sym0 = __pop_Variant38(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action518::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (4, 32)
     }
     fn __reduce100<
@@ -8050,7 +8039,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym5.2.clone();
         let __nt = super::__action519::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (6, 32)
     }
     fn __reduce101<
@@ -8070,11 +8059,11 @@ mod __parse__Items {
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant39(__symbols);
+        let __sym0 = __pop_Variant38(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym6.2.clone();
         let __nt = super::__action520::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (7, 32)
     }
     fn __reduce102<
@@ -8094,7 +8083,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action521::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (3, 32)
     }
     fn __reduce103<
@@ -8111,11 +8100,11 @@ mod __parse__Items {
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant39(__symbols);
+        let __sym0 = __pop_Variant38(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action522::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (4, 32)
     }
     fn __reduce104<
@@ -8138,7 +8127,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym5.2.clone();
         let __nt = super::__action523::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (6, 32)
     }
     fn __reduce105<
@@ -8158,11 +8147,11 @@ mod __parse__Items {
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant39(__symbols);
+        let __sym0 = __pop_Variant38(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym6.2.clone();
         let __nt = super::__action524::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (7, 32)
     }
     fn __reduce106<
@@ -8182,7 +8171,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action525::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (3, 32)
     }
     fn __reduce107<
@@ -8199,11 +8188,11 @@ mod __parse__Items {
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant39(__symbols);
+        let __sym0 = __pop_Variant38(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action526::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (4, 32)
     }
     fn __reduce108<
@@ -8226,7 +8215,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym5.2.clone();
         let __nt = super::__action527::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (6, 32)
     }
     fn __reduce109<
@@ -8246,11 +8235,11 @@ mod __parse__Items {
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant39(__symbols);
+        let __sym0 = __pop_Variant38(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym6.2.clone();
         let __nt = super::__action528::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (7, 32)
     }
     fn __reduce110<
@@ -8269,7 +8258,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action529::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (2, 32)
     }
     fn __reduce111<
@@ -8285,11 +8274,11 @@ mod __parse__Items {
         assert!(__symbols.len() >= 3);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant39(__symbols);
+        let __sym0 = __pop_Variant38(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action530::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (3, 32)
     }
     fn __reduce112<
@@ -8311,7 +8300,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym4.2.clone();
         let __nt = super::__action531::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (5, 32)
     }
     fn __reduce113<
@@ -8330,11 +8319,11 @@ mod __parse__Items {
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant39(__symbols);
+        let __sym0 = __pop_Variant38(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym5.2.clone();
         let __nt = super::__action532::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (6, 32)
     }
     fn __reduce114<
@@ -8353,7 +8342,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action533::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (2, 32)
     }
     fn __reduce115<
@@ -8369,11 +8358,11 @@ mod __parse__Items {
         assert!(__symbols.len() >= 3);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant39(__symbols);
+        let __sym0 = __pop_Variant38(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action534::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (3, 32)
     }
     fn __reduce116<
@@ -8395,7 +8384,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym4.2.clone();
         let __nt = super::__action535::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (5, 32)
     }
     fn __reduce117<
@@ -8414,11 +8403,11 @@ mod __parse__Items {
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant39(__symbols);
+        let __sym0 = __pop_Variant38(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym5.2.clone();
         let __nt = super::__action536::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (6, 32)
     }
     fn __reduce118<
@@ -8437,7 +8426,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action537::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (2, 32)
     }
     fn __reduce119<
@@ -8453,11 +8442,11 @@ mod __parse__Items {
         assert!(__symbols.len() >= 3);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant39(__symbols);
+        let __sym0 = __pop_Variant38(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action538::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (3, 32)
     }
     fn __reduce120<
@@ -8479,7 +8468,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym4.2.clone();
         let __nt = super::__action539::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (5, 32)
     }
     fn __reduce121<
@@ -8498,11 +8487,11 @@ mod __parse__Items {
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant39(__symbols);
+        let __sym0 = __pop_Variant38(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym5.2.clone();
         let __nt = super::__action540::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (6, 32)
     }
     fn __reduce122<
@@ -8518,9 +8507,9 @@ mod __parse__Items {
         assert!(__symbols.len() >= 10);
         let __sym9 = __pop_Variant8(__symbols);
         let __sym8 = __pop_Variant0(__symbols);
-        let __sym7 = __pop_Variant27(__symbols);
+        let __sym7 = __pop_Variant26(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -8529,7 +8518,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym9.2.clone();
         let __nt = super::__action423::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (10, 32)
     }
     fn __reduce123<
@@ -8546,7 +8535,7 @@ mod __parse__Items {
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -8555,7 +8544,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym8.2.clone();
         let __nt = super::__action424::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (9, 32)
     }
     fn __reduce124<
@@ -8571,7 +8560,7 @@ mod __parse__Items {
         assert!(__symbols.len() >= 9);
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
-        let __sym6 = __pop_Variant27(__symbols);
+        let __sym6 = __pop_Variant26(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
@@ -8581,7 +8570,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym8.2.clone();
         let __nt = super::__action425::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (9, 32)
     }
     fn __reduce125<
@@ -8606,7 +8595,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym7.2.clone();
         let __nt = super::__action426::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (8, 32)
     }
     fn __reduce126<
@@ -8622,9 +8611,9 @@ mod __parse__Items {
         assert!(__symbols.len() >= 10);
         let __sym9 = __pop_Variant8(__symbols);
         let __sym8 = __pop_Variant0(__symbols);
-        let __sym7 = __pop_Variant27(__symbols);
+        let __sym7 = __pop_Variant26(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -8633,7 +8622,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym9.2.clone();
         let __nt = super::__action427::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (10, 32)
     }
     fn __reduce127<
@@ -8650,7 +8639,7 @@ mod __parse__Items {
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -8659,7 +8648,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym8.2.clone();
         let __nt = super::__action428::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (9, 32)
     }
     fn __reduce128<
@@ -8675,7 +8664,7 @@ mod __parse__Items {
         assert!(__symbols.len() >= 9);
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
-        let __sym6 = __pop_Variant27(__symbols);
+        let __sym6 = __pop_Variant26(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
@@ -8685,7 +8674,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym8.2.clone();
         let __nt = super::__action429::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (9, 32)
     }
     fn __reduce129<
@@ -8710,7 +8699,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym7.2.clone();
         let __nt = super::__action430::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (8, 32)
     }
     fn __reduce130<
@@ -8726,9 +8715,9 @@ mod __parse__Items {
         assert!(__symbols.len() >= 10);
         let __sym9 = __pop_Variant8(__symbols);
         let __sym8 = __pop_Variant0(__symbols);
-        let __sym7 = __pop_Variant27(__symbols);
+        let __sym7 = __pop_Variant26(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -8737,7 +8726,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym9.2.clone();
         let __nt = super::__action431::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (10, 32)
     }
     fn __reduce131<
@@ -8754,7 +8743,7 @@ mod __parse__Items {
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -8763,7 +8752,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym8.2.clone();
         let __nt = super::__action432::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (9, 32)
     }
     fn __reduce132<
@@ -8779,7 +8768,7 @@ mod __parse__Items {
         assert!(__symbols.len() >= 9);
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
-        let __sym6 = __pop_Variant27(__symbols);
+        let __sym6 = __pop_Variant26(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
@@ -8789,7 +8778,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym8.2.clone();
         let __nt = super::__action433::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (9, 32)
     }
     fn __reduce133<
@@ -8814,7 +8803,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym7.2.clone();
         let __nt = super::__action434::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (8, 32)
     }
     fn __reduce134<
@@ -8830,15 +8819,15 @@ mod __parse__Items {
         assert!(__symbols.len() >= 7);
         let __sym6 = __pop_Variant8(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
-        let __sym4 = __pop_Variant27(__symbols);
+        let __sym4 = __pop_Variant26(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
-        let __sym2 = __pop_Variant27(__symbols);
+        let __sym2 = __pop_Variant26(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym6.2.clone();
         let __nt = super::__action435::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (7, 32)
     }
     fn __reduce135<
@@ -8855,13 +8844,13 @@ mod __parse__Items {
         let __sym5 = __pop_Variant8(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
-        let __sym2 = __pop_Variant27(__symbols);
+        let __sym2 = __pop_Variant26(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym5.2.clone();
         let __nt = super::__action436::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (6, 32)
     }
     fn __reduce136<
@@ -8877,14 +8866,14 @@ mod __parse__Items {
         assert!(__symbols.len() >= 6);
         let __sym5 = __pop_Variant8(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
-        let __sym3 = __pop_Variant27(__symbols);
+        let __sym3 = __pop_Variant26(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym5.2.clone();
         let __nt = super::__action437::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (6, 32)
     }
     fn __reduce137<
@@ -8906,7 +8895,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym4.2.clone();
         let __nt = super::__action438::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (5, 32)
     }
     fn __reduce138<
@@ -8922,9 +8911,9 @@ mod __parse__Items {
         assert!(__symbols.len() >= 9);
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
-        let __sym6 = __pop_Variant27(__symbols);
+        let __sym6 = __pop_Variant26(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
-        let __sym4 = __pop_Variant27(__symbols);
+        let __sym4 = __pop_Variant26(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
@@ -8932,7 +8921,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym8.2.clone();
         let __nt = super::__action439::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (9, 32)
     }
     fn __reduce139<
@@ -8949,7 +8938,7 @@ mod __parse__Items {
         let __sym7 = __pop_Variant8(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
-        let __sym4 = __pop_Variant27(__symbols);
+        let __sym4 = __pop_Variant26(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
@@ -8957,7 +8946,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym7.2.clone();
         let __nt = super::__action440::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (8, 32)
     }
     fn __reduce140<
@@ -8973,7 +8962,7 @@ mod __parse__Items {
         assert!(__symbols.len() >= 8);
         let __sym7 = __pop_Variant8(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -8982,7 +8971,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym7.2.clone();
         let __nt = super::__action441::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (8, 32)
     }
     fn __reduce141<
@@ -9006,7 +8995,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym6.2.clone();
         let __nt = super::__action442::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (7, 32)
     }
     fn __reduce142<
@@ -9022,9 +9011,9 @@ mod __parse__Items {
         assert!(__symbols.len() >= 9);
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
-        let __sym6 = __pop_Variant27(__symbols);
+        let __sym6 = __pop_Variant26(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
-        let __sym4 = __pop_Variant27(__symbols);
+        let __sym4 = __pop_Variant26(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
@@ -9032,7 +9021,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym8.2.clone();
         let __nt = super::__action443::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (9, 32)
     }
     fn __reduce143<
@@ -9049,7 +9038,7 @@ mod __parse__Items {
         let __sym7 = __pop_Variant8(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
-        let __sym4 = __pop_Variant27(__symbols);
+        let __sym4 = __pop_Variant26(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
@@ -9057,7 +9046,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym7.2.clone();
         let __nt = super::__action444::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (8, 32)
     }
     fn __reduce144<
@@ -9073,7 +9062,7 @@ mod __parse__Items {
         assert!(__symbols.len() >= 8);
         let __sym7 = __pop_Variant8(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -9082,7 +9071,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym7.2.clone();
         let __nt = super::__action445::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (8, 32)
     }
     fn __reduce145<
@@ -9106,7 +9095,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym6.2.clone();
         let __nt = super::__action446::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (7, 32)
     }
     fn __reduce146<
@@ -9122,9 +9111,9 @@ mod __parse__Items {
         assert!(__symbols.len() >= 9);
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
-        let __sym6 = __pop_Variant27(__symbols);
+        let __sym6 = __pop_Variant26(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
-        let __sym4 = __pop_Variant27(__symbols);
+        let __sym4 = __pop_Variant26(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
@@ -9132,7 +9121,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym8.2.clone();
         let __nt = super::__action447::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (9, 32)
     }
     fn __reduce147<
@@ -9149,7 +9138,7 @@ mod __parse__Items {
         let __sym7 = __pop_Variant8(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
-        let __sym4 = __pop_Variant27(__symbols);
+        let __sym4 = __pop_Variant26(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
@@ -9157,7 +9146,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym7.2.clone();
         let __nt = super::__action448::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (8, 32)
     }
     fn __reduce148<
@@ -9173,7 +9162,7 @@ mod __parse__Items {
         assert!(__symbols.len() >= 8);
         let __sym7 = __pop_Variant8(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -9182,7 +9171,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym7.2.clone();
         let __nt = super::__action449::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (8, 32)
     }
     fn __reduce149<
@@ -9206,7 +9195,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym6.2.clone();
         let __nt = super::__action450::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (7, 32)
     }
     fn __reduce150<
@@ -9222,14 +9211,14 @@ mod __parse__Items {
         assert!(__symbols.len() >= 6);
         let __sym5 = __pop_Variant8(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
-        let __sym3 = __pop_Variant27(__symbols);
+        let __sym3 = __pop_Variant26(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
-        let __sym1 = __pop_Variant27(__symbols);
+        let __sym1 = __pop_Variant26(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym5.2.clone();
         let __nt = super::__action451::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (6, 32)
     }
     fn __reduce151<
@@ -9246,12 +9235,12 @@ mod __parse__Items {
         let __sym4 = __pop_Variant8(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
-        let __sym1 = __pop_Variant27(__symbols);
+        let __sym1 = __pop_Variant26(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym4.2.clone();
         let __nt = super::__action452::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (5, 32)
     }
     fn __reduce152<
@@ -9267,13 +9256,13 @@ mod __parse__Items {
         assert!(__symbols.len() >= 5);
         let __sym4 = __pop_Variant8(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
-        let __sym2 = __pop_Variant27(__symbols);
+        let __sym2 = __pop_Variant26(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym4.2.clone();
         let __nt = super::__action453::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (5, 32)
     }
     fn __reduce153<
@@ -9294,7 +9283,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action454::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (4, 32)
     }
     fn __reduce154<
@@ -9313,9 +9302,9 @@ mod __parse__Items {
         let __sym10 = __pop_Variant0(__symbols);
         let __sym9 = __pop_Variant8(__symbols);
         let __sym8 = __pop_Variant0(__symbols);
-        let __sym7 = __pop_Variant27(__symbols);
+        let __sym7 = __pop_Variant26(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -9324,7 +9313,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym12.2.clone();
         let __nt = super::__action455::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10, __sym11, __sym12);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (13, 32)
     }
     fn __reduce155<
@@ -9344,7 +9333,7 @@ mod __parse__Items {
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -9353,7 +9342,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym11.2.clone();
         let __nt = super::__action456::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10, __sym11);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (12, 32)
     }
     fn __reduce156<
@@ -9372,7 +9361,7 @@ mod __parse__Items {
         let __sym9 = __pop_Variant0(__symbols);
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
-        let __sym6 = __pop_Variant27(__symbols);
+        let __sym6 = __pop_Variant26(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
@@ -9382,7 +9371,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym11.2.clone();
         let __nt = super::__action457::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10, __sym11);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (12, 32)
     }
     fn __reduce157<
@@ -9410,7 +9399,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym10.2.clone();
         let __nt = super::__action458::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (11, 32)
     }
     fn __reduce158<
@@ -9429,9 +9418,9 @@ mod __parse__Items {
         let __sym10 = __pop_Variant0(__symbols);
         let __sym9 = __pop_Variant8(__symbols);
         let __sym8 = __pop_Variant0(__symbols);
-        let __sym7 = __pop_Variant27(__symbols);
+        let __sym7 = __pop_Variant26(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -9440,7 +9429,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym12.2.clone();
         let __nt = super::__action459::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10, __sym11, __sym12);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (13, 32)
     }
     fn __reduce159<
@@ -9460,7 +9449,7 @@ mod __parse__Items {
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -9469,7 +9458,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym11.2.clone();
         let __nt = super::__action460::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10, __sym11);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (12, 32)
     }
     fn __reduce160<
@@ -9488,7 +9477,7 @@ mod __parse__Items {
         let __sym9 = __pop_Variant0(__symbols);
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
-        let __sym6 = __pop_Variant27(__symbols);
+        let __sym6 = __pop_Variant26(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
@@ -9498,7 +9487,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym11.2.clone();
         let __nt = super::__action461::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10, __sym11);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (12, 32)
     }
     fn __reduce161<
@@ -9526,7 +9515,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym10.2.clone();
         let __nt = super::__action462::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (11, 32)
     }
     fn __reduce162<
@@ -9545,9 +9534,9 @@ mod __parse__Items {
         let __sym10 = __pop_Variant0(__symbols);
         let __sym9 = __pop_Variant8(__symbols);
         let __sym8 = __pop_Variant0(__symbols);
-        let __sym7 = __pop_Variant27(__symbols);
+        let __sym7 = __pop_Variant26(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -9556,7 +9545,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym12.2.clone();
         let __nt = super::__action463::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10, __sym11, __sym12);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (13, 32)
     }
     fn __reduce163<
@@ -9576,7 +9565,7 @@ mod __parse__Items {
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -9585,7 +9574,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym11.2.clone();
         let __nt = super::__action464::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10, __sym11);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (12, 32)
     }
     fn __reduce164<
@@ -9604,7 +9593,7 @@ mod __parse__Items {
         let __sym9 = __pop_Variant0(__symbols);
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
-        let __sym6 = __pop_Variant27(__symbols);
+        let __sym6 = __pop_Variant26(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
@@ -9614,7 +9603,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym11.2.clone();
         let __nt = super::__action465::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10, __sym11);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (12, 32)
     }
     fn __reduce165<
@@ -9642,7 +9631,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym10.2.clone();
         let __nt = super::__action466::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (11, 32)
     }
     fn __reduce166<
@@ -9661,15 +9650,15 @@ mod __parse__Items {
         let __sym7 = __pop_Variant0(__symbols);
         let __sym6 = __pop_Variant8(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
-        let __sym4 = __pop_Variant27(__symbols);
+        let __sym4 = __pop_Variant26(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
-        let __sym2 = __pop_Variant27(__symbols);
+        let __sym2 = __pop_Variant26(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym9.2.clone();
         let __nt = super::__action467::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (10, 32)
     }
     fn __reduce167<
@@ -9689,13 +9678,13 @@ mod __parse__Items {
         let __sym5 = __pop_Variant8(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
-        let __sym2 = __pop_Variant27(__symbols);
+        let __sym2 = __pop_Variant26(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym8.2.clone();
         let __nt = super::__action468::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (9, 32)
     }
     fn __reduce168<
@@ -9714,14 +9703,14 @@ mod __parse__Items {
         let __sym6 = __pop_Variant0(__symbols);
         let __sym5 = __pop_Variant8(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
-        let __sym3 = __pop_Variant27(__symbols);
+        let __sym3 = __pop_Variant26(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym8.2.clone();
         let __nt = super::__action469::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (9, 32)
     }
     fn __reduce169<
@@ -9746,7 +9735,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym7.2.clone();
         let __nt = super::__action470::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (8, 32)
     }
     fn __reduce170<
@@ -9765,9 +9754,9 @@ mod __parse__Items {
         let __sym9 = __pop_Variant0(__symbols);
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
-        let __sym6 = __pop_Variant27(__symbols);
+        let __sym6 = __pop_Variant26(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
-        let __sym4 = __pop_Variant27(__symbols);
+        let __sym4 = __pop_Variant26(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
@@ -9775,7 +9764,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym11.2.clone();
         let __nt = super::__action471::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10, __sym11);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (12, 32)
     }
     fn __reduce171<
@@ -9795,7 +9784,7 @@ mod __parse__Items {
         let __sym7 = __pop_Variant8(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
-        let __sym4 = __pop_Variant27(__symbols);
+        let __sym4 = __pop_Variant26(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
@@ -9803,7 +9792,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym10.2.clone();
         let __nt = super::__action472::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (11, 32)
     }
     fn __reduce172<
@@ -9822,7 +9811,7 @@ mod __parse__Items {
         let __sym8 = __pop_Variant0(__symbols);
         let __sym7 = __pop_Variant8(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -9831,7 +9820,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym10.2.clone();
         let __nt = super::__action473::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (11, 32)
     }
     fn __reduce173<
@@ -9858,7 +9847,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym9.2.clone();
         let __nt = super::__action474::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (10, 32)
     }
     fn __reduce174<
@@ -9877,9 +9866,9 @@ mod __parse__Items {
         let __sym9 = __pop_Variant0(__symbols);
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
-        let __sym6 = __pop_Variant27(__symbols);
+        let __sym6 = __pop_Variant26(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
-        let __sym4 = __pop_Variant27(__symbols);
+        let __sym4 = __pop_Variant26(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
@@ -9887,7 +9876,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym11.2.clone();
         let __nt = super::__action475::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10, __sym11);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (12, 32)
     }
     fn __reduce175<
@@ -9907,7 +9896,7 @@ mod __parse__Items {
         let __sym7 = __pop_Variant8(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
-        let __sym4 = __pop_Variant27(__symbols);
+        let __sym4 = __pop_Variant26(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
@@ -9915,7 +9904,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym10.2.clone();
         let __nt = super::__action476::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (11, 32)
     }
     fn __reduce176<
@@ -9934,7 +9923,7 @@ mod __parse__Items {
         let __sym8 = __pop_Variant0(__symbols);
         let __sym7 = __pop_Variant8(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -9943,7 +9932,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym10.2.clone();
         let __nt = super::__action477::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (11, 32)
     }
     fn __reduce177<
@@ -9970,7 +9959,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym9.2.clone();
         let __nt = super::__action478::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (10, 32)
     }
     fn __reduce178<
@@ -9989,9 +9978,9 @@ mod __parse__Items {
         let __sym9 = __pop_Variant0(__symbols);
         let __sym8 = __pop_Variant8(__symbols);
         let __sym7 = __pop_Variant0(__symbols);
-        let __sym6 = __pop_Variant27(__symbols);
+        let __sym6 = __pop_Variant26(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
-        let __sym4 = __pop_Variant27(__symbols);
+        let __sym4 = __pop_Variant26(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
@@ -9999,7 +9988,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym11.2.clone();
         let __nt = super::__action479::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10, __sym11);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (12, 32)
     }
     fn __reduce179<
@@ -10019,7 +10008,7 @@ mod __parse__Items {
         let __sym7 = __pop_Variant8(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
         let __sym5 = __pop_Variant0(__symbols);
-        let __sym4 = __pop_Variant27(__symbols);
+        let __sym4 = __pop_Variant26(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
@@ -10027,7 +10016,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym10.2.clone();
         let __nt = super::__action480::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (11, 32)
     }
     fn __reduce180<
@@ -10046,7 +10035,7 @@ mod __parse__Items {
         let __sym8 = __pop_Variant0(__symbols);
         let __sym7 = __pop_Variant8(__symbols);
         let __sym6 = __pop_Variant0(__symbols);
-        let __sym5 = __pop_Variant27(__symbols);
+        let __sym5 = __pop_Variant26(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
@@ -10055,7 +10044,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym10.2.clone();
         let __nt = super::__action481::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9, __sym10);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (11, 32)
     }
     fn __reduce181<
@@ -10082,7 +10071,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym9.2.clone();
         let __nt = super::__action482::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8, __sym9);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (10, 32)
     }
     fn __reduce182<
@@ -10101,14 +10090,14 @@ mod __parse__Items {
         let __sym6 = __pop_Variant0(__symbols);
         let __sym5 = __pop_Variant8(__symbols);
         let __sym4 = __pop_Variant0(__symbols);
-        let __sym3 = __pop_Variant27(__symbols);
+        let __sym3 = __pop_Variant26(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
-        let __sym1 = __pop_Variant27(__symbols);
+        let __sym1 = __pop_Variant26(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym8.2.clone();
         let __nt = super::__action483::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7, __sym8);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (9, 32)
     }
     fn __reduce183<
@@ -10128,12 +10117,12 @@ mod __parse__Items {
         let __sym4 = __pop_Variant8(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
-        let __sym1 = __pop_Variant27(__symbols);
+        let __sym1 = __pop_Variant26(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym7.2.clone();
         let __nt = super::__action484::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (8, 32)
     }
     fn __reduce184<
@@ -10152,13 +10141,13 @@ mod __parse__Items {
         let __sym5 = __pop_Variant0(__symbols);
         let __sym4 = __pop_Variant8(__symbols);
         let __sym3 = __pop_Variant0(__symbols);
-        let __sym2 = __pop_Variant27(__symbols);
+        let __sym2 = __pop_Variant26(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym7.2.clone();
         let __nt = super::__action485::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6, __sym7);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (8, 32)
     }
     fn __reduce185<
@@ -10182,7 +10171,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym6.2.clone();
         let __nt = super::__action486::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4, __sym5, __sym6);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (7, 32)
     }
     fn __reduce186<
@@ -10203,7 +10192,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action487::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (4, 32)
     }
     fn __reduce187<
@@ -10223,7 +10212,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action488::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (3, 32)
     }
     fn __reduce188<
@@ -10244,7 +10233,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action326::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (4, 32)
     }
     fn __reduce189<
@@ -10263,7 +10252,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action327::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (2, 32)
     }
     fn __reduce190<
@@ -10284,7 +10273,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action328::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (4, 32)
     }
     fn __reduce191<
@@ -10303,7 +10292,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action329::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (2, 32)
     }
     fn __reduce192<
@@ -10324,7 +10313,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action330::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (4, 32)
     }
     fn __reduce193<
@@ -10343,7 +10332,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action331::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (2, 32)
     }
     fn __reduce194<
@@ -10364,7 +10353,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action332::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (4, 32)
     }
     fn __reduce195<
@@ -10383,7 +10372,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action333::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (2, 32)
     }
     fn __reduce196<
@@ -10398,14 +10387,14 @@ mod __parse__Items {
         // Content = "scenario", "string", "{", ScenarioLines, "}" => ActionFn(322);
         assert!(__symbols.len() >= 5);
         let __sym4 = __pop_Variant0(__symbols);
-        let __sym3 = __pop_Variant35(__symbols);
+        let __sym3 = __pop_Variant34(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym4.2.clone();
         let __nt = super::__action322::<>(b, __sym0, __sym1, __sym2, __sym3, __sym4);
-        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant1(__nt), __end));
         (5, 32)
     }
     fn __reduce197<
@@ -10422,7 +10411,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action22::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant16(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
         (1, 33)
     }
     fn __reduce198<
@@ -10439,7 +10428,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action23::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant16(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
         (1, 33)
     }
     fn __reduce199<
@@ -10456,7 +10445,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action24::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant16(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
         (1, 33)
     }
     fn __reduce200<
@@ -10473,7 +10462,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action25::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant16(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant15(__nt), __end));
         (1, 33)
     }
     fn __reduce201<
@@ -10492,7 +10481,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action362::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant17(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant16(__nt), __end));
         (2, 34)
     }
     fn __reduce202<
@@ -10509,7 +10498,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action363::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant17(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant16(__nt), __end));
         (1, 34)
     }
     fn __reduce203<
@@ -10528,7 +10517,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action372::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant18(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant17(__nt), __end));
         (2, 35)
     }
     fn __reduce204<
@@ -10545,7 +10534,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action373::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant18(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant17(__nt), __end));
         (1, 35)
     }
     fn __reduce205<
@@ -10562,11 +10551,11 @@ mod __parse__Items {
         let __sym3 = __pop_Variant0(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant18(__symbols);
+        let __sym0 = __pop_Variant17(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action374::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant18(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant17(__nt), __end));
         (4, 35)
     }
     fn __reduce206<
@@ -10582,11 +10571,11 @@ mod __parse__Items {
         assert!(__symbols.len() >= 3);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant18(__symbols);
+        let __sym0 = __pop_Variant17(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action375::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant18(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant17(__nt), __end));
         (3, 35)
     }
     fn __reduce207<
@@ -10665,7 +10654,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action391::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant19(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant18(__nt), __end));
         (3, 37)
     }
     fn __reduce211<
@@ -10685,7 +10674,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action392::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant19(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant18(__nt), __end));
         (3, 37)
     }
     fn __reduce212<
@@ -10705,7 +10694,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action393::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant19(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant18(__nt), __end));
         (3, 37)
     }
     fn __reduce213<
@@ -10725,7 +10714,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action400::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant20(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant19(__nt), __end));
         (3, 38)
     }
     fn __reduce214<
@@ -10745,7 +10734,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action401::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant20(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant19(__nt), __end));
         (3, 38)
     }
     fn __reduce215<
@@ -10765,7 +10754,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action402::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant20(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant19(__nt), __end));
         (3, 38)
     }
     fn __reduce216<
@@ -10781,7 +10770,7 @@ mod __parse__Items {
         let __start = __lookahead_start.cloned().or_else(|| __symbols.last().map(|s| s.2.clone())).unwrap_or_default();
         let __end = __start.clone();
         let __nt = super::__action170::<>(b, &__start, &__end);
-        __symbols.push((__start, __Symbol::Variant20(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant19(__nt), __end));
         (0, 38)
     }
     fn __reduce217<
@@ -10815,7 +10804,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action54::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant21(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant20(__nt), __end));
         (1, 40)
     }
     fn __reduce219<
@@ -10832,7 +10821,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action55::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant21(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant20(__nt), __end));
         (1, 40)
     }
     fn __reduce220<
@@ -10851,7 +10840,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action56::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant21(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant20(__nt), __end));
         (2, 40)
     }
     fn __reduce221<
@@ -10868,7 +10857,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action364::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant22(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant21(__nt), __end));
         (1, 41)
     }
     fn __reduce222<
@@ -10887,7 +10876,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action365::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant22(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant21(__nt), __end));
         (2, 41)
     }
     fn __reduce223<
@@ -10907,7 +10896,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action366::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant22(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant21(__nt), __end));
         (3, 41)
     }
     fn __reduce224<
@@ -10920,11 +10909,11 @@ mod __parse__Items {
     ) -> (usize, usize)
     {
         // ExpectationList = Expectation => ActionFn(93);
-        let __sym0 = __pop_Variant22(__symbols);
+        let __sym0 = __pop_Variant21(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action93::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant23(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant22(__nt), __end));
         (1, 42)
     }
     fn __reduce225<
@@ -10938,13 +10927,13 @@ mod __parse__Items {
     {
         // ExpectationList = ExpectationList, ",", Expectation => ActionFn(94);
         assert!(__symbols.len() >= 3);
-        let __sym2 = __pop_Variant22(__symbols);
+        let __sym2 = __pop_Variant21(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant23(__symbols);
+        let __sym0 = __pop_Variant22(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action94::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant23(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant22(__nt), __end));
         (3, 42)
     }
     fn __reduce226<
@@ -10960,7 +10949,7 @@ mod __parse__Items {
         let __start = __lookahead_start.cloned().or_else(|| __symbols.last().map(|s| s.2.clone())).unwrap_or_default();
         let __end = __start.clone();
         let __nt = super::__action185::<>(b, &__start, &__end);
-        __symbols.push((__start, __Symbol::Variant23(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant22(__nt), __end));
         (0, 43)
     }
     fn __reduce227<
@@ -10974,12 +10963,12 @@ mod __parse__Items {
     {
         // Expectations = "->", ExpectationList => ActionFn(92);
         assert!(__symbols.len() >= 2);
-        let __sym1 = __pop_Variant23(__symbols);
+        let __sym1 = __pop_Variant22(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action92::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant23(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant22(__nt), __end));
         (2, 43)
     }
     fn __reduce228<
@@ -11000,7 +10989,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action490::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant24(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant23(__nt), __end));
         (4, 44)
     }
     fn __reduce229<
@@ -11020,7 +11009,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action491::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant24(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant23(__nt), __end));
         (3, 44)
     }
     fn __reduce230<
@@ -11033,11 +11022,11 @@ mod __parse__Items {
     ) -> (usize, usize)
     {
         // GivenList = Given => ActionFn(87);
-        let __sym0 = __pop_Variant24(__symbols);
+        let __sym0 = __pop_Variant23(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action87::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant25(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant24(__nt), __end));
         (1, 45)
     }
     fn __reduce231<
@@ -11051,13 +11040,13 @@ mod __parse__Items {
     {
         // GivenList = GivenList, ",", Given => ActionFn(88);
         assert!(__symbols.len() >= 3);
-        let __sym2 = __pop_Variant24(__symbols);
+        let __sym2 = __pop_Variant23(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant25(__symbols);
+        let __sym0 = __pop_Variant24(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action88::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant25(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant24(__nt), __end));
         (3, 45)
     }
     fn __reduce232<
@@ -11073,7 +11062,7 @@ mod __parse__Items {
         let __start = __lookahead_start.cloned().or_else(|| __symbols.last().map(|s| s.2.clone())).unwrap_or_default();
         let __end = __start.clone();
         let __nt = super::__action186::<>(b, &__start, &__end);
-        __symbols.push((__start, __Symbol::Variant25(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant24(__nt), __end));
         (0, 46)
     }
     fn __reduce233<
@@ -11086,11 +11075,11 @@ mod __parse__Items {
     ) -> (usize, usize)
     {
         // Givens = GivenList => ActionFn(86);
-        let __sym0 = __pop_Variant25(__symbols);
+        let __sym0 = __pop_Variant24(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action86::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant25(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant24(__nt), __end));
         (1, 46)
     }
     fn __reduce234<
@@ -11105,7 +11094,7 @@ mod __parse__Items {
         // Item = Content, "end" => ActionFn(3);
         assert!(__symbols.len() >= 2);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant15(__symbols);
+        let __sym0 = __pop_Variant1(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action3::<>(b, __sym0, __sym1);
@@ -11140,7 +11129,7 @@ mod __parse__Items {
         // Items = Items, Content, "end" => ActionFn(422);
         assert!(__symbols.len() >= 3);
         let __sym2 = __pop_Variant0(__symbols);
-        let __sym1 = __pop_Variant15(__symbols);
+        let __sym1 = __pop_Variant1(__symbols);
         let __sym0 = __pop_Variant1(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
@@ -11162,7 +11151,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action368::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant26(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant25(__nt), __end));
         (1, 49)
     }
     fn __reduce238<
@@ -11179,7 +11168,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action298::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant26(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant25(__nt), __end));
         (1, 49)
     }
     fn __reduce239<
@@ -11196,7 +11185,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action299::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant26(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant25(__nt), __end));
         (1, 49)
     }
     fn __reduce240<
@@ -11213,7 +11202,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action394::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant27(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant26(__nt), __end));
         (1, 50)
     }
     fn __reduce241<
@@ -11230,7 +11219,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action395::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant27(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant26(__nt), __end));
         (1, 50)
     }
     fn __reduce242<
@@ -11247,7 +11236,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action396::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant27(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant26(__nt), __end));
         (1, 50)
     }
     fn __reduce243<
@@ -11263,11 +11252,11 @@ mod __parse__Items {
         assert!(__symbols.len() >= 3);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant27(__symbols);
+        let __sym0 = __pop_Variant26(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action397::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant27(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant26(__nt), __end));
         (3, 50)
     }
     fn __reduce244<
@@ -11283,11 +11272,11 @@ mod __parse__Items {
         assert!(__symbols.len() >= 3);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant27(__symbols);
+        let __sym0 = __pop_Variant26(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action398::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant27(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant26(__nt), __end));
         (3, 50)
     }
     fn __reduce245<
@@ -11303,11 +11292,11 @@ mod __parse__Items {
         assert!(__symbols.len() >= 3);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant27(__symbols);
+        let __sym0 = __pop_Variant26(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action399::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant27(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant26(__nt), __end));
         (3, 50)
     }
     fn __reduce246<
@@ -11320,11 +11309,11 @@ mod __parse__Items {
     ) -> (usize, usize)
     {
         // Labels? = Labels => ActionFn(167);
-        let __sym0 = __pop_Variant27(__symbols);
+        let __sym0 = __pop_Variant26(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action167::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant28(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant27(__nt), __end));
         (1, 51)
     }
     fn __reduce247<
@@ -11340,7 +11329,7 @@ mod __parse__Items {
         let __start = __lookahead_start.cloned().or_else(|| __symbols.last().map(|s| s.2.clone())).unwrap_or_default();
         let __end = __start.clone();
         let __nt = super::__action168::<>(b, &__start, &__end);
-        __symbols.push((__start, __Symbol::Variant28(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant27(__nt), __end));
         (0, 51)
     }
     fn __reduce248<
@@ -11444,7 +11433,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action301::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant26(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant25(__nt), __end));
         (1, 54)
     }
     fn __reduce254<
@@ -11461,7 +11450,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action369::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant29(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant28(__nt), __end));
         (1, 55)
     }
     fn __reduce255<
@@ -11477,7 +11466,7 @@ mod __parse__Items {
         let __start = __lookahead_start.cloned().or_else(|| __symbols.last().map(|s| s.2.clone())).unwrap_or_default();
         let __end = __start.clone();
         let __nt = super::__action166::<>(b, &__start, &__end);
-        __symbols.push((__start, __Symbol::Variant29(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant28(__nt), __end));
         (0, 55)
     }
     fn __reduce256<
@@ -11494,7 +11483,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action370::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant30(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant29(__nt), __end));
         (1, 56)
     }
     fn __reduce257<
@@ -11510,11 +11499,11 @@ mod __parse__Items {
         assert!(__symbols.len() >= 3);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
-        let __sym0 = __pop_Variant30(__symbols);
+        let __sym0 = __pop_Variant29(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action371::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant30(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant29(__nt), __end));
         (3, 56)
     }
     fn __reduce258<
@@ -11588,7 +11577,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action304::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant31(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant30(__nt), __end));
         (1, 59)
     }
     fn __reduce262<
@@ -11605,7 +11594,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action489::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant32(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant31(__nt), __end));
         (1, 60)
     }
     fn __reduce263<
@@ -11621,7 +11610,7 @@ mod __parse__Items {
         let __start = __lookahead_start.cloned().or_else(|| __symbols.last().map(|s| s.2.clone())).unwrap_or_default();
         let __end = __start.clone();
         let __nt = super::__action162::<>(b, &__start, &__end);
-        __symbols.push((__start, __Symbol::Variant32(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant31(__nt), __end));
         (0, 60)
     }
     fn __reduce264<
@@ -11740,7 +11729,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action305::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant31(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant30(__nt), __end));
         (1, 62)
     }
     fn __reduce271<
@@ -11757,7 +11746,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action492::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant32(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant31(__nt), __end));
         (1, 63)
     }
     fn __reduce272<
@@ -11773,7 +11762,7 @@ mod __parse__Items {
         let __start = __lookahead_start.cloned().or_else(|| __symbols.last().map(|s| s.2.clone())).unwrap_or_default();
         let __end = __start.clone();
         let __nt = super::__action174::<>(b, &__start, &__end);
-        __symbols.push((__start, __Symbol::Variant32(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant31(__nt), __end));
         (0, 63)
     }
     fn __reduce273<
@@ -11787,12 +11776,12 @@ mod __parse__Items {
     {
         // ScenarioLine = ScenarioLineKind, Expectations => ActionFn(306);
         assert!(__symbols.len() >= 2);
-        let __sym1 = __pop_Variant23(__symbols);
-        let __sym0 = __pop_Variant34(__symbols);
+        let __sym1 = __pop_Variant22(__symbols);
+        let __sym0 = __pop_Variant33(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action306::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant33(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant32(__nt), __end));
         (2, 64)
     }
     fn __reduce274<
@@ -11806,13 +11795,13 @@ mod __parse__Items {
     {
         // ScenarioLineKind = "duration", ":", Givens => ActionFn(419);
         assert!(__symbols.len() >= 3);
-        let __sym2 = __pop_Variant25(__symbols);
+        let __sym2 = __pop_Variant24(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym2.2.clone();
         let __nt = super::__action419::<>(b, __sym0, __sym1, __sym2);
-        __symbols.push((__start, __Symbol::Variant34(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant33(__nt), __end));
         (3, 65)
     }
     fn __reduce275<
@@ -11826,14 +11815,14 @@ mod __parse__Items {
     {
         // ScenarioLineKind = "after", "duration", ":", Givens => ActionFn(420);
         assert!(__symbols.len() >= 4);
-        let __sym3 = __pop_Variant25(__symbols);
+        let __sym3 = __pop_Variant24(__symbols);
         let __sym2 = __pop_Variant0(__symbols);
         let __sym1 = __pop_Variant0(__symbols);
         let __sym0 = __pop_Variant0(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action420::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant34(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant33(__nt), __end));
         (4, 65)
     }
     fn __reduce276<
@@ -11854,7 +11843,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action421::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant34(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant33(__nt), __end));
         (4, 65)
     }
     fn __reduce277<
@@ -11870,7 +11859,7 @@ mod __parse__Items {
         let __start = __lookahead_start.cloned().or_else(|| __symbols.last().map(|s| s.2.clone())).unwrap_or_default();
         let __end = __start.clone();
         let __nt = super::__action188::<>(b, &__start, &__end);
-        __symbols.push((__start, __Symbol::Variant35(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant34(__nt), __end));
         (0, 66)
     }
     fn __reduce278<
@@ -11884,12 +11873,12 @@ mod __parse__Items {
     {
         // ScenarioLines = ScenarioLines, ScenarioLine => ActionFn(79);
         assert!(__symbols.len() >= 2);
-        let __sym1 = __pop_Variant33(__symbols);
-        let __sym0 = __pop_Variant35(__symbols);
+        let __sym1 = __pop_Variant32(__symbols);
+        let __sym0 = __pop_Variant34(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action79::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant35(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant34(__nt), __end));
         (2, 66)
     }
     fn __reduce279<
@@ -11905,7 +11894,7 @@ mod __parse__Items {
         let __start = __lookahead_start.cloned().or_else(|| __symbols.last().map(|s| s.2.clone())).unwrap_or_default();
         let __end = __start.clone();
         let __nt = super::__action189::<>(b, &__start, &__end);
-        __symbols.push((__start, __Symbol::Variant36(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant35(__nt), __end));
         (0, 67)
     }
     fn __reduce280<
@@ -11922,7 +11911,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action58::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant36(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant35(__nt), __end));
         (1, 67)
     }
     fn __reduce281<
@@ -11935,11 +11924,11 @@ mod __parse__Items {
     ) -> (usize, usize)
     {
         // Situation = Labels => ActionFn(59);
-        let __sym0 = __pop_Variant27(__symbols);
+        let __sym0 = __pop_Variant26(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action59::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant36(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant35(__nt), __end));
         (1, 67)
     }
     fn __reduce282<
@@ -11992,7 +11981,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action39::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant37(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant36(__nt), __end));
         (1, 69)
     }
     fn __reduce285<
@@ -12009,7 +11998,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action40::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant37(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant36(__nt), __end));
         (1, 69)
     }
     fn __reduce286<
@@ -12026,7 +12015,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action41::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant37(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant36(__nt), __end));
         (1, 69)
     }
     fn __reduce287<
@@ -12043,7 +12032,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action42::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant37(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant36(__nt), __end));
         (1, 69)
     }
     fn __reduce288<
@@ -12060,7 +12049,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action513::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant38(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant37(__nt), __end));
         (1, 70)
     }
     fn __reduce289<
@@ -12077,7 +12066,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action514::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant38(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant37(__nt), __end));
         (1, 70)
     }
     fn __reduce290<
@@ -12094,7 +12083,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action515::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant38(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant37(__nt), __end));
         (1, 70)
     }
     fn __reduce291<
@@ -12111,7 +12100,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action516::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant38(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant37(__nt), __end));
         (1, 70)
     }
     fn __reduce292<
@@ -12127,7 +12116,7 @@ mod __parse__Items {
         let __start = __lookahead_start.cloned().or_else(|| __symbols.last().map(|s| s.2.clone())).unwrap_or_default();
         let __end = __start.clone();
         let __nt = super::__action171::<>(b, &__start, &__end);
-        __symbols.push((__start, __Symbol::Variant39(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant38(__nt), __end));
         (0, 71)
     }
     fn __reduce293<
@@ -12140,11 +12129,11 @@ mod __parse__Items {
     ) -> (usize, usize)
     {
         // StepWord* = StepWord+ => ActionFn(172);
-        let __sym0 = __pop_Variant39(__symbols);
+        let __sym0 = __pop_Variant38(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action172::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant39(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant38(__nt), __end));
         (1, 71)
     }
     fn __reduce294<
@@ -12157,11 +12146,11 @@ mod __parse__Items {
     ) -> (usize, usize)
     {
         // StepWord+ = StepWord => ActionFn(180);
-        let __sym0 = __pop_Variant38(__symbols);
+        let __sym0 = __pop_Variant37(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action180::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant39(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant38(__nt), __end));
         (1, 72)
     }
     fn __reduce295<
@@ -12175,12 +12164,12 @@ mod __parse__Items {
     {
         // StepWord+ = StepWord+, StepWord => ActionFn(181);
         assert!(__symbols.len() >= 2);
-        let __sym1 = __pop_Variant38(__symbols);
-        let __sym0 = __pop_Variant39(__symbols);
+        let __sym1 = __pop_Variant37(__symbols);
+        let __sym0 = __pop_Variant38(__symbols);
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action181::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant39(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant38(__nt), __end));
         (2, 72)
     }
     fn __reduce296<
@@ -12233,7 +12222,7 @@ mod __parse__Items {
         let __start = __lookahead_start.cloned().or_else(|| __symbols.last().map(|s| s.2.clone())).unwrap_or_default();
         let __end = __start.clone();
         let __nt = super::__action191::<>(b, &__start, &__end);
-        __symbols.push((__start, __Symbol::Variant40(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant39(__nt), __end));
         (0, 74)
     }
     fn __reduce299<
@@ -12252,7 +12241,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action31::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant40(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant39(__nt), __end));
         (2, 74)
     }
     fn __reduce300<
@@ -12271,7 +12260,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym1.2.clone();
         let __nt = super::__action312::<>(b, __sym0, __sym1);
-        __symbols.push((__start, __Symbol::Variant40(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant39(__nt), __end));
         (2, 74)
     }
     fn __reduce301<
@@ -12292,7 +12281,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action313::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant40(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant39(__nt), __end));
         (4, 74)
     }
     fn __reduce302<
@@ -12313,7 +12302,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym3.2.clone();
         let __nt = super::__action314::<>(b, __sym0, __sym1, __sym2, __sym3);
-        __symbols.push((__start, __Symbol::Variant40(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant39(__nt), __end));
         (4, 74)
     }
     fn __reduce303<
@@ -12330,7 +12319,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action309::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant41(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant40(__nt), __end));
         (1, 75)
     }
     fn __reduce304<
@@ -12347,7 +12336,7 @@ mod __parse__Items {
         let __start = __sym0.0.clone();
         let __end = __sym0.2.clone();
         let __nt = super::__action310::<>(b, __sym0);
-        __symbols.push((__start, __Symbol::Variant42(__nt), __end));
+        __symbols.push((__start, __Symbol::Variant41(__nt), __end));
         (1, 76)
     }
     fn __reduce305<
@@ -12411,11 +12400,10 @@ fn __action3<
     'text,
 >(
     b: &mut Builder<'text>,
-    (_, __0, _): (u32, Parsed, u32),
-    (_, _, _): (u32, Token, u32),
+    (_, __0, _): (u32, (), u32),
+    (_, __1, _): (u32, Token, u32),
 )
 {
-    b.item(__0)
 }
 
 #[allow(unused_variables)]
@@ -12429,9 +12417,9 @@ fn __action4<
     (_, name, _): (u32, Name, u32),
     (_, comment, _): (u32, Option<Box<Text>>, u32),
     (_, r, _): (u32, u32, u32),
-) -> Parsed
+)
 {
-    Parsed::Heading(Box::new(Heading { name, comment, span: b.span(l, r) }))
+    b.item(Parsed::Heading(Box::new(Heading { name, comment, span: b.span(l, r) })))
 }
 
 #[allow(unused_variables)]
@@ -12448,14 +12436,14 @@ fn __action5<
     (_, ty, _): (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     (_, tail, _): (u32, (Option<ExprId>, Option<Box<Text>>), u32),
     (_, r, _): (u32, u32, u32),
-) -> Parsed
+)
 {
     {
         let (initial, address) = tail;
         let (ty, ty_span) = ty;
         let span = b.span(l, r);
         let declaration = Declaration { retain, kind, names, ty, ty_span, initial, address, span };
-        Parsed::Item(Item::Declaration(Box::new(declaration)))
+        b.item(Parsed::Item(Item::Declaration(declaration)))
     }
 }
 
@@ -12471,11 +12459,11 @@ fn __action6<
     (_, comment, _): (u32, Option<Box<Text>>, u32),
     (_, _, _): (u32, Token, u32),
     (_, r, _): (u32, u32, u32),
-) -> Parsed
+)
 {
     {
         let (path, name) = path;
-        Parsed::Grafcet(Box::new(Grafcet { path, name, comment, items: Vec::new(), span: b.span(l, r) }))
+        b.item(Parsed::Grafcet(Box::new(Grafcet { path, name, comment, items: Vec::new(), span: b.span(l, r) })))
     }
 }
 
@@ -12491,9 +12479,12 @@ fn __action7<
     (_, comment, _): (u32, Option<Box<Text>>, u32),
     (_, _, _): (u32, Token, u32),
     (_, r, _): (u32, u32, u32),
-) -> Parsed
+)
 {
-    Parsed::Expansion(Box::new(Expansion { macro_step, comment, items: Vec::new(), span: b.span(l, r) }))
+    {
+        let span = b.span(l, r);
+        b.item(Parsed::Expansion(Box::new(Expansion { macro_step, comment, items: Vec::new(), span })))
+    }
 }
 
 #[allow(unused_variables)]
@@ -12509,9 +12500,12 @@ fn __action8<
     (_, comment, _): (u32, Option<Box<Text>>, u32),
     (_, actions, _): (u32, (Vec<Action>, Vec<Allow>), u32),
     (_, r, _): (u32, u32, u32),
-) -> Parsed
+)
 {
-    Parsed::Item(Item::Step(Box::new(b.step(l, r, words, label, comment, actions))))
+    {
+        let step = b.step(l, r, words, label, comment, actions);
+        b.item(Parsed::Item(Item::Step(step)))
+    }
 }
 
 #[allow(unused_variables)]
@@ -12531,11 +12525,11 @@ fn __action9<
     (_, condition, _): (u32, ExprId, u32),
     (_, clearing, _): (u32, (Vec<Assignment>, Vec<Allow>), u32),
     (_, r, _): (u32, u32, u32),
-) -> Parsed
+)
 {
     {
         let (actions, allows) = clearing;
-        Parsed::Item(Item::Transition(Box::new(Transition {
+        let transition = Transition {
             designation,
             comment,
             from: from.unwrap_or_default(),
@@ -12544,7 +12538,8 @@ fn __action9<
             actions: actions.into(),
             allows: allows.into(),
             span: b.span(l, r),
-        })))
+        };
+        b.item(Parsed::Item(Item::Transition(transition)))
     }
 }
 
@@ -12560,9 +12555,12 @@ fn __action10<
     (_, about, _): (u32, Option<Name>, u32),
     (_, reason, _): (u32, Text, u32),
     (_, r, _): (u32, u32, u32),
-) -> Parsed
+)
 {
-    Parsed::Item(Item::Allow(Box::new(b.allow(l, r, code, about, reason))))
+    {
+        let allow = b.allow(l, r, code, about, reason);
+        b.item(Parsed::Item(Item::Allow(Box::new(allow))))
+    }
 }
 
 #[allow(unused_variables)]
@@ -12578,9 +12576,12 @@ fn __action11<
     (_, s, _): (u32, u32, u32),
     (_, body, _): (u32, ClaimBody, u32),
     (_, r, _): (u32, u32, u32),
-) -> Parsed
+)
 {
-    Parsed::Item(Item::Claim(Box::new(b.claim((l, m), (s, r), kind, text, body))))
+    {
+        let claim = b.claim((l, m), (s, r), kind, text, body);
+        b.item(Parsed::Item(Item::Claim(Box::new(claim))))
+    }
 }
 
 #[allow(unused_variables)]
@@ -12596,9 +12597,12 @@ fn __action12<
     (_, lines, _): (u32, Vec<ScenarioLine>, u32),
     (_, _, _): (u32, Token, u32),
     (_, r, _): (u32, u32, u32),
-) -> Parsed
+)
 {
-    Parsed::Item(Item::Scenario(Box::new(Scenario { name, lines, span: b.span(l, r) })))
+    {
+        let scenario = Scenario { name, lines, span: b.span(l, r) };
+        b.item(Parsed::Item(Item::Scenario(Box::new(scenario))))
+    }
 }
 
 #[allow(unused_variables)]
@@ -15995,7 +15999,7 @@ fn __action222<
     __1: (u32, Name, u32),
     __2: (u32, Option<Box<Text>>, u32),
     __3: (u32, u32, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -16029,7 +16033,7 @@ fn __action223<
     __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
     __6: (u32, u32, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -16064,7 +16068,7 @@ fn __action224<
     __2: (u32, Option<Box<Text>>, u32),
     __3: (u32, Token, u32),
     __4: (u32, u32, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -16097,7 +16101,7 @@ fn __action225<
     __2: (u32, Option<Box<Text>>, u32),
     __3: (u32, Token, u32),
     __4: (u32, u32, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -16131,7 +16135,7 @@ fn __action226<
     __3: (u32, Option<Box<Text>>, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
     __5: (u32, u32, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -16170,7 +16174,7 @@ fn __action227<
     __7: (u32, ExprId, u32),
     __8: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __9: (u32, u32, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -16208,7 +16212,7 @@ fn __action228<
     __2: (u32, Option<Name>, u32),
     __3: (u32, Text, u32),
     __4: (u32, u32, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -16241,7 +16245,7 @@ fn __action229<
     __2: (u32, Option<Box<Text>>, u32),
     __3: (u32, ClaimBody, u32),
     __4: (u32, u32, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -16284,7 +16288,7 @@ fn __action230<
     __3: (u32, Vec<ScenarioLine>, u32),
     __4: (u32, Token, u32),
     __5: (u32, u32, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -17747,7 +17751,7 @@ fn __action282<
     __0: (u32, Token, u32),
     __1: (u32, Name, u32),
     __2: (u32, Option<Box<Text>>, u32),
-) -> Parsed
+)
 {
     let __start0 = __2.2.clone();
     let __end0 = __2.2.clone();
@@ -17779,7 +17783,7 @@ fn __action283<
     __3: (u32, Token, u32),
     __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __5.2.clone();
     let __end0 = __5.2.clone();
@@ -17812,7 +17816,7 @@ fn __action284<
     __1: (u32, (Vec<Name>, Name), u32),
     __2: (u32, Option<Box<Text>>, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __3.2.clone();
@@ -17843,7 +17847,7 @@ fn __action285<
     __1: (u32, Name, u32),
     __2: (u32, Option<Box<Text>>, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __3.2.clone();
@@ -17875,7 +17879,7 @@ fn __action286<
     __2: (u32, Name, u32),
     __3: (u32, Option<Box<Text>>, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
-) -> Parsed
+)
 {
     let __start0 = __4.2.clone();
     let __end0 = __4.2.clone();
@@ -17912,7 +17916,7 @@ fn __action287<
     __6: (u32, Token, u32),
     __7: (u32, ExprId, u32),
     __8: (u32, (Vec<Assignment>, Vec<Allow>), u32),
-) -> Parsed
+)
 {
     let __start0 = __8.2.clone();
     let __end0 = __8.2.clone();
@@ -17948,7 +17952,7 @@ fn __action288<
     __1: (u32, Name, u32),
     __2: (u32, Option<Name>, u32),
     __3: (u32, Text, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __3.2.clone();
@@ -17978,7 +17982,7 @@ fn __action289<
     __0: (u32, ClaimKind, u32),
     __1: (u32, Option<Box<Text>>, u32),
     __2: (u32, ClaimBody, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.2.clone();
     let __end0 = __1.0.clone();
@@ -18018,7 +18022,7 @@ fn __action290<
     __2: (u32, Token, u32),
     __3: (u32, Vec<ScenarioLine>, u32),
     __4: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.2.clone();
     let __end0 = __4.2.clone();
@@ -18697,7 +18701,7 @@ fn __action315<
     __0: (u32, Token, u32),
     __1: (u32, Option<Box<Text>>, u32),
     __2: (u32, ClaimBody, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -18724,7 +18728,7 @@ fn __action316<
     __0: (u32, Token, u32),
     __1: (u32, Option<Box<Text>>, u32),
     __2: (u32, ClaimBody, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -18751,7 +18755,7 @@ fn __action317<
     __0: (u32, Token, u32),
     __1: (u32, Option<Box<Text>>, u32),
     __2: (u32, ClaimBody, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -18778,7 +18782,7 @@ fn __action318<
     __0: (u32, Token, u32),
     __1: (u32, Option<Box<Text>>, u32),
     __2: (u32, ClaimBody, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -18856,7 +18860,7 @@ fn __action321<
     __1: (u32, Name, u32),
     __2: (u32, Option<Name>, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.0.clone();
     let __end0 = __3.2.clone();
@@ -18886,7 +18890,7 @@ fn __action322<
     __2: (u32, Token, u32),
     __3: (u32, Vec<ScenarioLine>, u32),
     __4: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -18989,7 +18993,7 @@ fn __action326<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, ClaimBody, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __2.2.clone();
@@ -19016,7 +19020,7 @@ fn __action327<
     b: &mut Builder<'text>,
     __0: (u32, Token, u32),
     __1: (u32, ClaimBody, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.2.clone();
     let __end0 = __1.0.clone();
@@ -19045,7 +19049,7 @@ fn __action328<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, ClaimBody, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __2.2.clone();
@@ -19072,7 +19076,7 @@ fn __action329<
     b: &mut Builder<'text>,
     __0: (u32, Token, u32),
     __1: (u32, ClaimBody, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.2.clone();
     let __end0 = __1.0.clone();
@@ -19101,7 +19105,7 @@ fn __action330<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, ClaimBody, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __2.2.clone();
@@ -19128,7 +19132,7 @@ fn __action331<
     b: &mut Builder<'text>,
     __0: (u32, Token, u32),
     __1: (u32, ClaimBody, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.2.clone();
     let __end0 = __1.0.clone();
@@ -19157,7 +19161,7 @@ fn __action332<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, ClaimBody, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __2.2.clone();
@@ -19184,7 +19188,7 @@ fn __action333<
     b: &mut Builder<'text>,
     __0: (u32, Token, u32),
     __1: (u32, ClaimBody, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.2.clone();
     let __end0 = __1.0.clone();
@@ -19217,7 +19221,7 @@ fn __action334<
     __5: (u32, Option<Names>, u32),
     __6: (u32, Token, u32),
     __7: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __7.2.clone();
     let __end0 = __7.2.clone();
@@ -19259,7 +19263,7 @@ fn __action335<
     __8: (u32, Token, u32),
     __9: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __10: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __8.0.clone();
     let __end0 = __10.2.clone();
@@ -19294,7 +19298,7 @@ fn __action336<
     __0: (u32, Token, u32),
     __1: (u32, Name, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -19320,7 +19324,7 @@ fn __action337<
     b: &mut Builder<'text>,
     __0: (u32, Token, u32),
     __1: (u32, Name, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.2.clone();
     let __end0 = __1.2.clone();
@@ -19349,7 +19353,7 @@ fn __action338<
     __1: (u32, (Vec<Name>, Name), u32),
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -19377,7 +19381,7 @@ fn __action339<
     __0: (u32, Token, u32),
     __1: (u32, (Vec<Name>, Name), u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.2.clone();
     let __end0 = __2.0.clone();
@@ -19407,7 +19411,7 @@ fn __action340<
     __1: (u32, Name, u32),
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -19435,7 +19439,7 @@ fn __action341<
     __0: (u32, Token, u32),
     __1: (u32, Name, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.2.clone();
     let __end0 = __2.0.clone();
@@ -19466,7 +19470,7 @@ fn __action342<
     __2: (u32, Name, u32),
     __3: (u32, Token, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
-) -> Parsed
+)
 {
     let __start0 = __3.0.clone();
     let __end0 = __3.2.clone();
@@ -19496,7 +19500,7 @@ fn __action343<
     __1: (u32, Token, u32),
     __2: (u32, Name, u32),
     __3: (u32, (Vec<Action>, Vec<Allow>), u32),
-) -> Parsed
+)
 {
     let __start0 = __2.2.clone();
     let __end0 = __3.0.clone();
@@ -19531,7 +19535,7 @@ fn __action344<
     __5: (u32, Option<Names>, u32),
     __6: (u32, Token, u32),
     __7: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -19567,7 +19571,7 @@ fn __action345<
     __4: (u32, Option<Names>, u32),
     __5: (u32, Token, u32),
     __6: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.2.clone();
     let __end0 = __2.0.clone();
@@ -19608,7 +19612,7 @@ fn __action346<
     __8: (u32, Token, u32),
     __9: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __10: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -19650,7 +19654,7 @@ fn __action347<
     __7: (u32, Token, u32),
     __8: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __9: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.2.clone();
     let __end0 = __2.0.clone();
@@ -19739,7 +19743,7 @@ fn __action350<
     __3: (u32, Token, u32),
     __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -19772,7 +19776,7 @@ fn __action351<
     __3: (u32, Token, u32),
     __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -19805,7 +19809,7 @@ fn __action352<
     __3: (u32, Token, u32),
     __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -19838,7 +19842,7 @@ fn __action353<
     __3: (u32, Token, u32),
     __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -20003,7 +20007,7 @@ fn __action359<
     __0: (u32, Token, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -20029,7 +20033,7 @@ fn __action360<
     b: &mut Builder<'text>,
     __0: (u32, Token, u32),
     __1: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -20056,7 +20060,7 @@ fn __action361<
     __1: (u32, Token, u32),
     __2: (u32, Option<Name>, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -20518,7 +20522,7 @@ fn __action379<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -20547,7 +20551,7 @@ fn __action380<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -20576,7 +20580,7 @@ fn __action381<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -20604,7 +20608,7 @@ fn __action382<
     __0: (u32, Token, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -20631,7 +20635,7 @@ fn __action383<
     __0: (u32, Token, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -20658,7 +20662,7 @@ fn __action384<
     __0: (u32, Token, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -20687,7 +20691,7 @@ fn __action385<
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -20718,7 +20722,7 @@ fn __action386<
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -20749,7 +20753,7 @@ fn __action387<
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -20779,7 +20783,7 @@ fn __action388<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, (Vec<Action>, Vec<Allow>), u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -20808,7 +20812,7 @@ fn __action389<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, (Vec<Action>, Vec<Allow>), u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -20837,7 +20841,7 @@ fn __action390<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, (Vec<Action>, Vec<Allow>), u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -21184,7 +21188,7 @@ fn __action403<
     __7: (u32, Option<Names>, u32),
     __8: (u32, Token, u32),
     __9: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __3.2.clone();
@@ -21225,7 +21229,7 @@ fn __action404<
     __7: (u32, Option<Names>, u32),
     __8: (u32, Token, u32),
     __9: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __3.2.clone();
@@ -21266,7 +21270,7 @@ fn __action405<
     __7: (u32, Option<Names>, u32),
     __8: (u32, Token, u32),
     __9: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __3.2.clone();
@@ -21304,7 +21308,7 @@ fn __action406<
     __4: (u32, Option<Names>, u32),
     __5: (u32, Token, u32),
     __6: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.2.clone();
     let __end0 = __1.0.clone();
@@ -21343,7 +21347,7 @@ fn __action407<
     __6: (u32, Option<Names>, u32),
     __7: (u32, Token, u32),
     __8: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __3.2.clone();
@@ -21382,7 +21386,7 @@ fn __action408<
     __6: (u32, Option<Names>, u32),
     __7: (u32, Token, u32),
     __8: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __3.2.clone();
@@ -21421,7 +21425,7 @@ fn __action409<
     __6: (u32, Option<Names>, u32),
     __7: (u32, Token, u32),
     __8: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __3.2.clone();
@@ -21457,7 +21461,7 @@ fn __action410<
     __3: (u32, Option<Names>, u32),
     __4: (u32, Token, u32),
     __5: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.2.clone();
     let __end0 = __1.0.clone();
@@ -21499,7 +21503,7 @@ fn __action411<
     __10: (u32, Token, u32),
     __11: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __12: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __3.2.clone();
@@ -21546,7 +21550,7 @@ fn __action412<
     __10: (u32, Token, u32),
     __11: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __12: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __3.2.clone();
@@ -21593,7 +21597,7 @@ fn __action413<
     __10: (u32, Token, u32),
     __11: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __12: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __3.2.clone();
@@ -21637,7 +21641,7 @@ fn __action414<
     __7: (u32, Token, u32),
     __8: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __9: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.2.clone();
     let __end0 = __1.0.clone();
@@ -21682,7 +21686,7 @@ fn __action415<
     __9: (u32, Token, u32),
     __10: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __11: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __3.2.clone();
@@ -21727,7 +21731,7 @@ fn __action416<
     __9: (u32, Token, u32),
     __10: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __11: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __3.2.clone();
@@ -21772,7 +21776,7 @@ fn __action417<
     __9: (u32, Token, u32),
     __10: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __11: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __3.2.clone();
@@ -21814,7 +21818,7 @@ fn __action418<
     __6: (u32, Token, u32),
     __7: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __8: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.2.clone();
     let __end0 = __1.0.clone();
@@ -21932,7 +21936,7 @@ fn __action422<
 >(
     b: &mut Builder<'text>,
     __0: (u32, (), u32),
-    __1: (u32, Parsed, u32),
+    __1: (u32, (), u32),
     __2: (u32, Token, u32),
 )
 {
@@ -21968,7 +21972,7 @@ fn __action423<
     __7: (u32, Names, u32),
     __8: (u32, Token, u32),
     __9: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __5.0.clone();
     let __end0 = __5.2.clone();
@@ -22015,7 +22019,7 @@ fn __action424<
     __6: (u32, Token, u32),
     __7: (u32, Token, u32),
     __8: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __5.0.clone();
     let __end0 = __5.2.clone();
@@ -22063,7 +22067,7 @@ fn __action425<
     __6: (u32, Names, u32),
     __7: (u32, Token, u32),
     __8: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.2.clone();
     let __end0 = __5.0.clone();
@@ -22110,7 +22114,7 @@ fn __action426<
     __5: (u32, Token, u32),
     __6: (u32, Token, u32),
     __7: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.2.clone();
     let __end0 = __5.0.clone();
@@ -22160,7 +22164,7 @@ fn __action427<
     __7: (u32, Names, u32),
     __8: (u32, Token, u32),
     __9: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __5.0.clone();
     let __end0 = __5.2.clone();
@@ -22207,7 +22211,7 @@ fn __action428<
     __6: (u32, Token, u32),
     __7: (u32, Token, u32),
     __8: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __5.0.clone();
     let __end0 = __5.2.clone();
@@ -22255,7 +22259,7 @@ fn __action429<
     __6: (u32, Names, u32),
     __7: (u32, Token, u32),
     __8: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.2.clone();
     let __end0 = __5.0.clone();
@@ -22302,7 +22306,7 @@ fn __action430<
     __5: (u32, Token, u32),
     __6: (u32, Token, u32),
     __7: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.2.clone();
     let __end0 = __5.0.clone();
@@ -22352,7 +22356,7 @@ fn __action431<
     __7: (u32, Names, u32),
     __8: (u32, Token, u32),
     __9: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __5.0.clone();
     let __end0 = __5.2.clone();
@@ -22399,7 +22403,7 @@ fn __action432<
     __6: (u32, Token, u32),
     __7: (u32, Token, u32),
     __8: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __5.0.clone();
     let __end0 = __5.2.clone();
@@ -22447,7 +22451,7 @@ fn __action433<
     __6: (u32, Names, u32),
     __7: (u32, Token, u32),
     __8: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.2.clone();
     let __end0 = __5.0.clone();
@@ -22494,7 +22498,7 @@ fn __action434<
     __5: (u32, Token, u32),
     __6: (u32, Token, u32),
     __7: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.2.clone();
     let __end0 = __5.0.clone();
@@ -22541,7 +22545,7 @@ fn __action435<
     __4: (u32, Names, u32),
     __5: (u32, Token, u32),
     __6: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -22582,7 +22586,7 @@ fn __action436<
     __3: (u32, Token, u32),
     __4: (u32, Token, u32),
     __5: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -22624,7 +22628,7 @@ fn __action437<
     __3: (u32, Names, u32),
     __4: (u32, Token, u32),
     __5: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.2.clone();
     let __end0 = __2.0.clone();
@@ -22665,7 +22669,7 @@ fn __action438<
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
     __4: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.2.clone();
     let __end0 = __2.0.clone();
@@ -22711,7 +22715,7 @@ fn __action439<
     __6: (u32, Names, u32),
     __7: (u32, Token, u32),
     __8: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -22756,7 +22760,7 @@ fn __action440<
     __5: (u32, Token, u32),
     __6: (u32, Token, u32),
     __7: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -22802,7 +22806,7 @@ fn __action441<
     __5: (u32, Names, u32),
     __6: (u32, Token, u32),
     __7: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __4.0.clone();
@@ -22847,7 +22851,7 @@ fn __action442<
     __4: (u32, Token, u32),
     __5: (u32, Token, u32),
     __6: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __4.0.clone();
@@ -22895,7 +22899,7 @@ fn __action443<
     __6: (u32, Names, u32),
     __7: (u32, Token, u32),
     __8: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -22940,7 +22944,7 @@ fn __action444<
     __5: (u32, Token, u32),
     __6: (u32, Token, u32),
     __7: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -22986,7 +22990,7 @@ fn __action445<
     __5: (u32, Names, u32),
     __6: (u32, Token, u32),
     __7: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __4.0.clone();
@@ -23031,7 +23035,7 @@ fn __action446<
     __4: (u32, Token, u32),
     __5: (u32, Token, u32),
     __6: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __4.0.clone();
@@ -23079,7 +23083,7 @@ fn __action447<
     __6: (u32, Names, u32),
     __7: (u32, Token, u32),
     __8: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -23124,7 +23128,7 @@ fn __action448<
     __5: (u32, Token, u32),
     __6: (u32, Token, u32),
     __7: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -23170,7 +23174,7 @@ fn __action449<
     __5: (u32, Names, u32),
     __6: (u32, Token, u32),
     __7: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __4.0.clone();
@@ -23215,7 +23219,7 @@ fn __action450<
     __4: (u32, Token, u32),
     __5: (u32, Token, u32),
     __6: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __4.0.clone();
@@ -23260,7 +23264,7 @@ fn __action451<
     __3: (u32, Names, u32),
     __4: (u32, Token, u32),
     __5: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -23299,7 +23303,7 @@ fn __action452<
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
     __4: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -23339,7 +23343,7 @@ fn __action453<
     __2: (u32, Names, u32),
     __3: (u32, Token, u32),
     __4: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.2.clone();
     let __end0 = __1.0.clone();
@@ -23378,7 +23382,7 @@ fn __action454<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, ExprId, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.2.clone();
     let __end0 = __1.0.clone();
@@ -23427,7 +23431,7 @@ fn __action455<
     __10: (u32, Token, u32),
     __11: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __12: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __5.0.clone();
     let __end0 = __5.2.clone();
@@ -23480,7 +23484,7 @@ fn __action456<
     __9: (u32, Token, u32),
     __10: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __11: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __5.0.clone();
     let __end0 = __5.2.clone();
@@ -23534,7 +23538,7 @@ fn __action457<
     __9: (u32, Token, u32),
     __10: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __11: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.2.clone();
     let __end0 = __5.0.clone();
@@ -23587,7 +23591,7 @@ fn __action458<
     __8: (u32, Token, u32),
     __9: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __10: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.2.clone();
     let __end0 = __5.0.clone();
@@ -23643,7 +23647,7 @@ fn __action459<
     __10: (u32, Token, u32),
     __11: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __12: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __5.0.clone();
     let __end0 = __5.2.clone();
@@ -23696,7 +23700,7 @@ fn __action460<
     __9: (u32, Token, u32),
     __10: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __11: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __5.0.clone();
     let __end0 = __5.2.clone();
@@ -23750,7 +23754,7 @@ fn __action461<
     __9: (u32, Token, u32),
     __10: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __11: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.2.clone();
     let __end0 = __5.0.clone();
@@ -23803,7 +23807,7 @@ fn __action462<
     __8: (u32, Token, u32),
     __9: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __10: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.2.clone();
     let __end0 = __5.0.clone();
@@ -23859,7 +23863,7 @@ fn __action463<
     __10: (u32, Token, u32),
     __11: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __12: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __5.0.clone();
     let __end0 = __5.2.clone();
@@ -23912,7 +23916,7 @@ fn __action464<
     __9: (u32, Token, u32),
     __10: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __11: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __5.0.clone();
     let __end0 = __5.2.clone();
@@ -23966,7 +23970,7 @@ fn __action465<
     __9: (u32, Token, u32),
     __10: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __11: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.2.clone();
     let __end0 = __5.0.clone();
@@ -24019,7 +24023,7 @@ fn __action466<
     __8: (u32, Token, u32),
     __9: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __10: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.2.clone();
     let __end0 = __5.0.clone();
@@ -24072,7 +24076,7 @@ fn __action467<
     __7: (u32, Token, u32),
     __8: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __9: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -24119,7 +24123,7 @@ fn __action468<
     __6: (u32, Token, u32),
     __7: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __8: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -24167,7 +24171,7 @@ fn __action469<
     __6: (u32, Token, u32),
     __7: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __8: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.2.clone();
     let __end0 = __2.0.clone();
@@ -24214,7 +24218,7 @@ fn __action470<
     __5: (u32, Token, u32),
     __6: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __7: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.2.clone();
     let __end0 = __2.0.clone();
@@ -24266,7 +24270,7 @@ fn __action471<
     __9: (u32, Token, u32),
     __10: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __11: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -24317,7 +24321,7 @@ fn __action472<
     __8: (u32, Token, u32),
     __9: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __10: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -24369,7 +24373,7 @@ fn __action473<
     __8: (u32, Token, u32),
     __9: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __10: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __4.0.clone();
@@ -24420,7 +24424,7 @@ fn __action474<
     __7: (u32, Token, u32),
     __8: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __9: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __4.0.clone();
@@ -24474,7 +24478,7 @@ fn __action475<
     __9: (u32, Token, u32),
     __10: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __11: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -24525,7 +24529,7 @@ fn __action476<
     __8: (u32, Token, u32),
     __9: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __10: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -24577,7 +24581,7 @@ fn __action477<
     __8: (u32, Token, u32),
     __9: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __10: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __4.0.clone();
@@ -24628,7 +24632,7 @@ fn __action478<
     __7: (u32, Token, u32),
     __8: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __9: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __4.0.clone();
@@ -24682,7 +24686,7 @@ fn __action479<
     __9: (u32, Token, u32),
     __10: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __11: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -24733,7 +24737,7 @@ fn __action480<
     __8: (u32, Token, u32),
     __9: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __10: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -24785,7 +24789,7 @@ fn __action481<
     __8: (u32, Token, u32),
     __9: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __10: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __4.0.clone();
@@ -24836,7 +24840,7 @@ fn __action482<
     __7: (u32, Token, u32),
     __8: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __9: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __4.0.clone();
@@ -24887,7 +24891,7 @@ fn __action483<
     __6: (u32, Token, u32),
     __7: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __8: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -24932,7 +24936,7 @@ fn __action484<
     __5: (u32, Token, u32),
     __6: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __7: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.0.clone();
     let __end0 = __1.2.clone();
@@ -24978,7 +24982,7 @@ fn __action485<
     __5: (u32, Token, u32),
     __6: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __7: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.2.clone();
     let __end0 = __1.0.clone();
@@ -25023,7 +25027,7 @@ fn __action486<
     __4: (u32, Token, u32),
     __5: (u32, (Vec<Assignment>, Vec<Allow>), u32),
     __6: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.2.clone();
     let __end0 = __1.0.clone();
@@ -25066,7 +25070,7 @@ fn __action487<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __2.0.clone();
     let __end0 = __2.2.clone();
@@ -25094,7 +25098,7 @@ fn __action488<
     __0: (u32, Token, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __1.2.clone();
     let __end0 = __2.0.clone();
@@ -25230,7 +25234,7 @@ fn __action493<
     __3: (u32, Token, u32),
     __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -25262,7 +25266,7 @@ fn __action494<
     __2: (u32, Token, u32),
     __3: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __4: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -25296,7 +25300,7 @@ fn __action495<
     __3: (u32, Token, u32),
     __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -25328,7 +25332,7 @@ fn __action496<
     __2: (u32, Token, u32),
     __3: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __4: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -25362,7 +25366,7 @@ fn __action497<
     __3: (u32, Token, u32),
     __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -25394,7 +25398,7 @@ fn __action498<
     __2: (u32, Token, u32),
     __3: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __4: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -25428,7 +25432,7 @@ fn __action499<
     __3: (u32, Token, u32),
     __4: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __5: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -25460,7 +25464,7 @@ fn __action500<
     __2: (u32, Token, u32),
     __3: (u32, (Option<Type>, grafc_diagnostics::Span), u32),
     __4: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -25492,7 +25496,7 @@ fn __action501<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __3.2.clone();
@@ -25526,7 +25530,7 @@ fn __action502<
     __4: (u32, Token, u32),
     __5: (u32, (Vec<Action>, Vec<Allow>), u32),
     __6: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __6.2.clone();
@@ -25558,7 +25562,7 @@ fn __action503<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __3.2.clone();
@@ -25592,7 +25596,7 @@ fn __action504<
     __4: (u32, Token, u32),
     __5: (u32, (Vec<Action>, Vec<Allow>), u32),
     __6: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __6.2.clone();
@@ -25624,7 +25628,7 @@ fn __action505<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.2.clone();
     let __end0 = __3.2.clone();
@@ -25658,7 +25662,7 @@ fn __action506<
     __4: (u32, Token, u32),
     __5: (u32, (Vec<Action>, Vec<Allow>), u32),
     __6: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __6.2.clone();
@@ -25689,7 +25693,7 @@ fn __action507<
     __0: (u32, alloc::vec::Vec<StepWord>, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __2.2.clone();
     let __end0 = __2.2.clone();
@@ -25721,7 +25725,7 @@ fn __action508<
     __3: (u32, Token, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
     __5: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.0.clone();
     let __end0 = __5.2.clone();
@@ -25751,7 +25755,7 @@ fn __action509<
     __0: (u32, alloc::vec::Vec<StepWord>, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __2.2.clone();
     let __end0 = __2.2.clone();
@@ -25783,7 +25787,7 @@ fn __action510<
     __3: (u32, Token, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
     __5: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.0.clone();
     let __end0 = __5.2.clone();
@@ -25813,7 +25817,7 @@ fn __action511<
     __0: (u32, alloc::vec::Vec<StepWord>, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __2.2.clone();
     let __end0 = __2.2.clone();
@@ -25845,7 +25849,7 @@ fn __action512<
     __3: (u32, Token, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
     __5: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __3.0.clone();
     let __end0 = __5.2.clone();
@@ -25967,7 +25971,7 @@ fn __action517<
     __0: (u32, Token, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -25997,7 +26001,7 @@ fn __action518<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -26028,7 +26032,7 @@ fn __action519<
     __3: (u32, Token, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
     __5: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -26064,7 +26068,7 @@ fn __action520<
     __4: (u32, Token, u32),
     __5: (u32, (Vec<Action>, Vec<Allow>), u32),
     __6: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -26095,7 +26099,7 @@ fn __action521<
     __0: (u32, Token, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -26125,7 +26129,7 @@ fn __action522<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -26156,7 +26160,7 @@ fn __action523<
     __3: (u32, Token, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
     __5: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -26192,7 +26196,7 @@ fn __action524<
     __4: (u32, Token, u32),
     __5: (u32, (Vec<Action>, Vec<Allow>), u32),
     __6: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -26223,7 +26227,7 @@ fn __action525<
     __0: (u32, Token, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -26253,7 +26257,7 @@ fn __action526<
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -26284,7 +26288,7 @@ fn __action527<
     __3: (u32, Token, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
     __5: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -26320,7 +26324,7 @@ fn __action528<
     __4: (u32, Token, u32),
     __5: (u32, (Vec<Action>, Vec<Allow>), u32),
     __6: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -26350,7 +26354,7 @@ fn __action529<
     b: &mut Builder<'text>,
     __0: (u32, Token, u32),
     __1: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -26378,7 +26382,7 @@ fn __action530<
     __0: (u32, alloc::vec::Vec<StepWord>, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -26407,7 +26411,7 @@ fn __action531<
     __2: (u32, Token, u32),
     __3: (u32, (Vec<Action>, Vec<Allow>), u32),
     __4: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -26441,7 +26445,7 @@ fn __action532<
     __3: (u32, Token, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
     __5: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -26470,7 +26474,7 @@ fn __action533<
     b: &mut Builder<'text>,
     __0: (u32, Token, u32),
     __1: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -26498,7 +26502,7 @@ fn __action534<
     __0: (u32, alloc::vec::Vec<StepWord>, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -26527,7 +26531,7 @@ fn __action535<
     __2: (u32, Token, u32),
     __3: (u32, (Vec<Action>, Vec<Allow>), u32),
     __4: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -26561,7 +26565,7 @@ fn __action536<
     __3: (u32, Token, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
     __5: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -26590,7 +26594,7 @@ fn __action537<
     b: &mut Builder<'text>,
     __0: (u32, Token, u32),
     __1: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -26618,7 +26622,7 @@ fn __action538<
     __0: (u32, alloc::vec::Vec<StepWord>, u32),
     __1: (u32, Token, u32),
     __2: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -26647,7 +26651,7 @@ fn __action539<
     __2: (u32, Token, u32),
     __3: (u32, (Vec<Action>, Vec<Allow>), u32),
     __4: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.0.clone();
@@ -26681,7 +26685,7 @@ fn __action540<
     __3: (u32, Token, u32),
     __4: (u32, (Vec<Action>, Vec<Allow>), u32),
     __5: (u32, Token, u32),
-) -> Parsed
+)
 {
     let __start0 = __0.0.clone();
     let __end0 = __0.2.clone();
@@ -26714,7 +26718,7 @@ fn __action541<
     __3: (u32, Token, u32),
     __4: (u32, Token, u32),
     __5: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -26746,7 +26750,7 @@ fn __action542<
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
     __4: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __3.0.clone();
     let __end0 = __3.2.clone();
@@ -26778,7 +26782,7 @@ fn __action543<
     __3: (u32, Token, u32),
     __4: (u32, Token, u32),
     __5: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -26810,7 +26814,7 @@ fn __action544<
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
     __4: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __3.0.clone();
     let __end0 = __3.2.clone();
@@ -26842,7 +26846,7 @@ fn __action545<
     __3: (u32, Token, u32),
     __4: (u32, Token, u32),
     __5: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -26874,7 +26878,7 @@ fn __action546<
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
     __4: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __3.0.clone();
     let __end0 = __3.2.clone();
@@ -26906,7 +26910,7 @@ fn __action547<
     __3: (u32, Token, u32),
     __4: (u32, Token, u32),
     __5: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __4.0.clone();
     let __end0 = __4.2.clone();
@@ -26938,7 +26942,7 @@ fn __action548<
     __2: (u32, Token, u32),
     __3: (u32, Token, u32),
     __4: (u32, (Option<ExprId>, Option<Box<Text>>), u32),
-) -> Parsed
+)
 {
     let __start0 = __3.0.clone();
     let __end0 = __3.2.clone();

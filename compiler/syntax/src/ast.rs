@@ -77,19 +77,19 @@ pub struct Comment {
     pub span: Span,
 }
 
-/// What stands in a file, a grafcet or an expansion.
+/// What stands in a file, a grafcet or an expansion. What there are many of lies in the item itself.
 #[derive(Clone, Debug)]
 pub enum Item {
     /// `input`, `output`, `var`, `const`.
-    Declaration(Box<Declaration>),
+    Declaration(Declaration),
     /// `grafcet G1 { … }`.
     Grafcet(Box<Grafcet>),
     /// `expansion M3 { … }`.
     Expansion(Box<Expansion>),
     /// Any kind of step.
-    Step(Box<Step>),
+    Step(Step),
     /// A transition.
-    Transition(Box<Transition>),
+    Transition(Transition),
     /// `allow W0409 "reason"`.
     Allow(Box<Allow>),
     /// `assume …`, `assert …`, `reach …`, `final …`.

@@ -8,7 +8,7 @@ use crate::numeral::{self, Numeral};
 use crate::spelling::distance;
 use grafc_diagnostics::{Code, Diagnostic, FileId, Fix, Span};
 
-/// What one item of the token stream turned out to be. The parser moves it about, so it is small.
+/// What one item of the token stream turned out to be.
 pub(crate) enum Parsed {
     /// `chart Name`
     Heading(Box<Heading>),
@@ -19,6 +19,9 @@ pub(crate) enum Parsed {
     /// A whole item.
     Item(Item),
 }
+
+// So that a list of the one becomes a list of the other where it is.
+const _: () = assert!(size_of::<Parsed>() == size_of::<Item>());
 
 impl Parsed {
     /// The item, if it opens no block.
@@ -32,7 +35,9 @@ impl Parsed {
 
 /// Adds an action to those of a step, if it could be read. Most steps have one, and lists grow by four.
 pub(crate) fn add_action(actions: &mut Vec<Action>, action: Option<Action>) {
-    actions.reserve_exact(usize::from(actions.is_empty()));
+    if actions.is_empty() {
+        *actions = Vec::with_capacity(1);
+    }
     actions.extend(action);
 }
 

@@ -14,14 +14,14 @@ fn only(text: &str) -> (Chart, Item) {
 
 fn step(text: &str) -> (Chart, Step) {
     match only(text) {
-        (chart, Item::Step(step)) => (chart, *step),
+        (chart, Item::Step(step)) => (chart, step),
         (_, item) => panic!("a step was written: {item:?}"),
     }
 }
 
 fn transition(text: &str) -> (Chart, Transition) {
     match only(text) {
-        (chart, Item::Transition(transition)) => (chart, *transition),
+        (chart, Item::Transition(transition)) => (chart, transition),
         (_, item) => panic!("a transition was written: {item:?}"),
     }
 }

@@ -2,7 +2,7 @@
 
 mod statements;
 
-use super::code::{Code, Needs};
+use super::code::{Choice, Code, Needs};
 use super::expressions::Expressions;
 use super::interface::fields;
 use super::literals::{literal, type_name, zero};
@@ -162,7 +162,8 @@ impl RustStatements<'_> {
                     out.line(self.places.read(*again));
                 }
                 Code::Call(function) => out.line(&format!("{};", self.call(*function))),
-                Code::If(branches, otherwise) => {
+                Code::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     let mut head = "if";
                     for (condition, body) in branches {
                         let outer = out.inner_origin(origin_of(body));

@@ -14,21 +14,22 @@ pub(super) struct Parts {
     ends: Vec<u32>,
 }
 
-/// A node whose successors are being followed.
-struct Followed<I> {
+/// A node whose successors are being followed. There may be as many as nodes.
+struct Followed {
     node: u32,
-    /// Those that have not been.
-    rest: I,
+    /// The place of the next one.
+    next: u32,
     /// When it was met.
     number: u32,
 }
 
 impl Parts {
-    /// Those that can be reached from some nodes, by way of nodes alone that are `wanted`.
-    pub(super) fn of<I: Iterator<Item = u32>>(
+    /// Those that can be reached from some nodes, by way of nodes alone that are `wanted`; `successor` gives those of a node,
+    /// place by place.
+    pub(super) fn of(
         count: usize,
         from: impl IntoIterator<Item = u32>,
-        successors: impl Fn(u32) -> I,
+        successor: impl Fn(u32, usize) -> Option<u32>,
         wanted: impl Fn(u32) -> bool,
     ) -> Parts {
         let mut parts = Parts { nodes: Vec::with_capacity(count), ends: Vec::with_capacity(count) };
@@ -36,23 +37,24 @@ impl Parts {
         let mut low = vec![UNSEEN; count];
         // What is in no complete part yet, and the way from the start to where we are.
         let mut open: Vec<u32> = Vec::with_capacity(count);
-        let mut way: Vec<Followed<I>> = Vec::new();
+        let mut way: Vec<Followed> = Vec::new();
         let mut met = 0;
         let mut meet = |node: u32, low: &mut [u32], open: &mut Vec<u32>| {
             let number = met;
             met += 1;
             low[node as usize] = number;
             open.push(node);
-            Followed { node, rest: successors(node), number }
+            Followed { node, next: 0, number }
         };
         for start in from {
             if low[start as usize] != UNSEEN || !wanted(start) {
                 continue;
             }
             way.push(meet(start, &mut low, &mut open));
-            while let Some(Followed { node, rest, number }) = way.last_mut() {
+            while let Some(Followed { node, next: place, number }) = way.last_mut() {
                 let at = *node as usize;
-                if let Some(next) = rest.next() {
+                if let Some(next) = successor(*node, *place as usize) {
+                    *place += 1;
                     let known = low[next as usize];
                     if known != UNSEEN {
                         low[at] = low[at].min(known);
@@ -100,8 +102,8 @@ mod tests {
     fn circles_are_parts_and_what_leads_to_others_comes_first() {
         // And 5, which is not wanted, between 3 and 6.
         let edges = [(0, 1), (1, 2), (2, 1), (2, 3), (3, 3), (3, 5), (5, 6), (4, 0)];
-        let successors = |node| edges.iter().filter(move |(from, _)| *from == node).map(|(_, to)| *to);
-        let parts = Parts::of(7, [1, 0, 5], successors, |node| node != 5);
+        let successor = |node, place| edges.iter().filter(|(from, _)| *from == node).map(|(_, to)| *to).nth(place);
+        let parts = Parts::of(7, [1, 0, 5], successor, |node| node != 5);
         let parts: Vec<Vec<u32>> = parts
             .in_order()
             .map(|part| {
@@ -115,7 +117,7 @@ mod tests {
 
     #[test]
     fn a_long_way_needs_no_deep_stack() {
-        let parts = Parts::of(200_001, [0], |node| (node + 1..=200_000).take(1), |_| true);
+        let parts = Parts::of(200_001, [0], |node, place| (node + 1..=200_000).take(1).nth(place), |_| true);
         assert_eq!(parts.in_order().count(), 200_001);
     }
 }

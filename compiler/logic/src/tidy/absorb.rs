@@ -173,12 +173,12 @@ impl Absorbing {
             return inner;
         }
         let list = list.to_vec();
-        junction(&mut self.pool, &list, conjunction)
+        junction(&mut self.pool, &list, conjunction).unwrap_or(inner)
     }
 }
 
-/// A conjunction or disjunction without the operands that others make superfluous.
-fn junction(pool: &mut Pool, list: &[FormulaId], conjunction: bool) -> FormulaId {
+/// A conjunction or disjunction without the operands that others make superfluous; none if there are no such operands.
+fn junction(pool: &mut Pool, list: &[FormulaId], conjunction: bool) -> Option<FormulaId> {
     let operands = Operands::new(list);
     let mut kept = Vec::with_capacity(list.len());
     for operand in list {
@@ -200,7 +200,10 @@ fn junction(pool: &mut Pool, list: &[FormulaId], conjunction: bool) -> FormulaId
         let left: Vec<FormulaId> = inner.iter().copied().filter(|i| !negated(i)).collect();
         kept.push(if conjunction { pool.or(left) } else { pool.and(left) });
     }
-    if conjunction { pool.and(kept) } else { pool.or(kept) }
+    if kept == list {
+        return None;
+    }
+    Some(if conjunction { pool.and(kept) } else { pool.or(kept) })
 }
 
 /// The operands of a junction; of a long one in a table.

@@ -22,12 +22,10 @@ const LONGEST: usize = 256;
 pub(crate) fn cut(program: &mut Program) {
     let is_long = |id: FormulaId| operands(program, id).is_some_and(|list| list.len() > LONGEST);
     // What has a long formula in it.
+    let Some(first) = program.pool.ids().find(|id| is_long(*id)) else { return };
     let mut concerned = vec![false; program.pool.len()];
-    for id in program.pool.ids() {
+    for id in program.pool.ids().skip(first.index()) {
         concerned[id.index()] = is_long(id) || program.pool.operands(id).any(|operand| concerned[operand.index()]);
-    }
-    if !concerned.contains(&true) {
-        return;
     }
     // Tables that are full would else grow to twice their size for a few pieces.
     let lists = program.pool.ids().filter_map(|id| operands(program, id)).filter(|list| list.len() > LONGEST);

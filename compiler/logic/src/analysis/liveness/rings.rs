@@ -114,23 +114,20 @@ fn parts(asked: &Questions, factors: &Factors) -> (IndexVec<StepId, Option<usize
     // The circles lead through steps and transitions in turn, so that a transition with n steps on both sides is 2 n arcs
     // and not n * n.
     let steps = net.places.len() as u32;
-    let successors = |node: u32| {
-        let (leaving, post) = match node.checked_sub(steps) {
-            None => (asked.analysis.arcs.leaving(StepId::from_raw(node)), &[][..]),
-            Some(t) => (&[][..], net.transitions[TransitionId::from_raw(t)].post.as_slice()),
-        };
-        let leaving = leaving.iter().filter(|t| factors.counts(**t)).map(move |t| steps + t.raw());
-        leaving.chain(post.iter().map(|step| step.raw()))
+    let successor = |node: u32, place: usize| match node.checked_sub(steps) {
+        None => asked.analysis.arcs.leaving(StepId::from_raw(node)).get(place).map(|t| steps + t.raw()),
+        Some(t) => net.transitions[TransitionId::from_raw(t)].post.get(place).map(|step| step.raw()),
     };
+    let counts = |node: u32| node.checked_sub(steps).is_none_or(|t| factors.counts(TransitionId::from_raw(t)));
     let nodes = net.places.len() + net.transitions.len();
     let mut part_of: Vec<Option<usize>> = vec![None; nodes];
     let mut parts: Vec<Part> = Vec::new();
-    for part in Parts::of(nodes, 0..steps, successors, |_| true).in_order() {
+    for part in Parts::of(nodes, 0..steps, successor, counts).in_order() {
         // A circle that comes back to its only step at once is none.
         let count = part.iter().filter(|node| **node < steps).count();
         if count > 1 {
             part.iter().for_each(|node| part_of[*node as usize] = Some(parts.len()));
-            let arcs = part.iter().flat_map(|node| successors(*node));
+            let arcs = part.iter().flat_map(|node| (0..).map_while(|place| successor(*node, place)));
             let within = arcs.filter(|node| part_of[*node as usize] == Some(parts.len())).count();
             parts.push(Part { steps: count, is_one_circle: within == part.len() });
         }

@@ -42,7 +42,7 @@ impl Times {
         never: &dyn Fn(TransitionId) -> bool,
     ) -> Result<Times, Endless> {
         let possible = |change: u32| !causes.transition(net, change).is_some_and(never);
-        let follow = |change: u32| effects.of(change).iter().map(|effect| effect.change());
+        let follow = |change: u32, place: usize| effects.of(change).get(place).map(|effect| effect.change());
         let parts = Parts::of(causes.len(), causes.at_start.iter().copied(), follow, possible);
         let mut last = vec![Last { time: 0, cause: NONE }; causes.len()];
         for start in causes.at_start.iter().filter(|start| possible(**start)) {
