@@ -24,7 +24,7 @@ pub mod plants;
 pub mod plcopen_lint;
 pub mod plcopen_sheet;
 pub mod plcopen_tools;
-mod programs;
+pub mod programs;
 pub mod random;
 pub mod rings;
 pub mod runs;

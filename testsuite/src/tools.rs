@@ -42,13 +42,15 @@ pub enum Tool {
     Node,
     /// The compiler of TypeScript.
     Typescript,
+    /// abc, which proves what holds of circuits.
+    Abc,
     /// The charts of AGRAFE.
     Agrafe,
 }
 
 impl Tool {
     /// All of them.
-    pub const ALL: [Tool; 15] = [
+    pub const ALL: [Tool; 16] = [
         Tool::Rustc,
         Tool::Rustfmt,
         Tool::Clippy,
@@ -63,6 +65,7 @@ impl Tool {
         Tool::Browser,
         Tool::Node,
         Tool::Typescript,
+        Tool::Abc,
         Tool::Agrafe,
     ];
 
@@ -83,6 +86,7 @@ impl Tool {
             Tool::Browser => "browser",
             Tool::Node => "node",
             Tool::Typescript => "typescript",
+            Tool::Abc => "abc",
             Tool::Agrafe => "agrafe",
         }
     }
