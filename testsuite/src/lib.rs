@@ -3,6 +3,7 @@
 //! What a chart means is said once, by the reference simulator; expectations written by hand check the simulator, and
 //! everything else is checked against it: the scan program, and the generated code as other tools run it.
 
+pub mod abc;
 pub mod binary;
 pub mod browser;
 pub mod charts;
@@ -24,7 +25,7 @@ pub mod plants;
 pub mod plcopen_lint;
 pub mod plcopen_sheet;
 pub mod plcopen_tools;
-pub mod programs;
+mod programs;
 pub mod random;
 pub mod rings;
 pub mod runs;

@@ -4,6 +4,9 @@ use grafc_formula::{Arithmetic, Comparison, TimerId, Type};
 use index_vec::define_index_type;
 use std::ops::Range;
 
+/// So many scenarios are run at once.
+pub const LANES: usize = crate::Word::BITS as usize;
+
 define_index_type! {
     /// Where a Boolean of all lanes lies.
     pub(crate) struct BoolAt = u32;

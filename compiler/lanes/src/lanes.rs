@@ -1,7 +1,7 @@
 //! The state of 64 scenarios, and a call.
 
 use crate::Word;
-use crate::code::{At, Body, BoolAt, Operation, Part};
+use crate::code::{At, Body, BoolAt, LANES, Operation, Part};
 use crate::compile::{Code, compile};
 use crate::operate::{Timer, Values, lanes};
 use grafc_formula::Value;
@@ -9,9 +9,6 @@ use grafc_logic::scan::{Flag, Program, Role, VarId, Variable};
 use grafc_model::chart::StepId;
 use grafc_model::reaction::{Flags, Response, Stimulus};
 use index_vec::index_vec;
-
-/// So many scenarios are run at once.
-pub const LANES: usize = Word::BITS as usize;
 
 /// Up to 64 scenarios of a program that are being run.
 pub struct Lanes<'p> {

@@ -22,7 +22,8 @@ mod compile;
 mod lanes;
 mod operate;
 
-pub use lanes::{LANES, Lanes};
+pub use code::LANES;
+pub use lanes::Lanes;
 
 /// A bit a lane.
 pub type Word = u64;

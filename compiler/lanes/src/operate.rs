@@ -1,8 +1,7 @@
 //! What the operations do, in all lanes at once.
 
 use crate::Word;
-use crate::code::{At, BoolAt, Operation, RealAt, WholeAt};
-use crate::lanes::LANES;
+use crate::code::{At, BoolAt, LANES, Operation, RealAt, WholeAt};
 use grafc_formula::number::{arithmetic, compare, divide, negate};
 use grafc_formula::{Arithmetic, Comparison, TimerId, Type, Value};
 use index_vec::IndexVec;

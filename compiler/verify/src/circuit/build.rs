@@ -7,7 +7,7 @@ use crate::live::Live;
 use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Type, Value, VarId};
 use grafc_logic::scan::{ClaimKind, Division, Flag, Program, Role, SeenBody, Statement};
 use index_vec::IndexVec;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt;
 
 /// A program as a circuit.
@@ -112,6 +112,7 @@ pub fn circuit(program: &Program) -> Result<Circuit, Beyond> {
         graph: Graph::default(),
         inputs: Vec::new(),
         kept: Vec::new(),
+        names: FxHashSet::default(),
         values: IndexVec::new(),
         timers: IndexVec::new(),
     };
@@ -145,6 +146,7 @@ struct Builder<'p> {
     graph: Graph,
     inputs: Vec<Given>,
     kept: Vec<Kept>,
+    names: FxHashSet<String>,
     values: IndexVec<VarId, Held>,
     timers: IndexVec<TimerId, Phase>,
 }
@@ -262,7 +264,16 @@ impl Builder<'_> {
         is_kept.into_iter_enumerated().filter(|(_, kept)| *kept).map(|(v, _)| v).collect()
     }
 
+    /// A name that nothing else has: tools refuse it twice.
+    fn named(&mut self, mut name: String) -> String {
+        while !self.names.insert(name.clone()) {
+            name.push('\'');
+        }
+        name
+    }
+
     fn latch(&mut self, name: String, initial: bool, of: Of) -> Literal {
+        let name = self.named(name);
         let now = self.graph.given();
         self.kept.push(Kept { name, initial, now, of });
         now
@@ -278,9 +289,11 @@ impl Builder<'_> {
 
     fn held_by_latches(&mut self, v: VarId) -> Held {
         let variable = &self.program.variables[v];
-        let name = variable.name.as_str();
+        // An input of this name is what is given at a clock.
+        let held = if variable.role == Role::Input { " held" } else { "" };
+        let name = format!("{}{held}", variable.name);
         match variable.initial {
-            Value::Bool(initial) => Held::Bool(self.latch(name.to_string(), initial, Of::Variable(v, 0))),
+            Value::Bool(initial) => Held::Bool(self.latch(name, initial, Of::Variable(v, 0))),
             Value::Int(n) | Value::Time(n) => {
                 let bits = 0..width(variable.ty).unwrap_or_default();
                 let latch = |bit| self.latch(format!("{name}[{bit}]"), n >> bit & 1 == 1, Of::Variable(v, bit));
@@ -309,6 +322,7 @@ impl Builder<'_> {
     }
 
     fn input(&mut self, name: String) -> Literal {
+        let name = self.named(name);
         let literal = self.graph.given();
         self.inputs.push(Given { name, literal });
         literal
