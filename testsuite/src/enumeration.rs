@@ -1,6 +1,7 @@
 //! All situations that a chart can come to, found by trying every input in every state of the reference simulator: what
-//! `grafc graph` is held against. Plain and slow; for charts with Boolean inputs, without delays and durations.
+//! `grafc graph` and `grafc verify` are held against. Plain and slow; for charts with Boolean inputs, without delays and durations.
 
+use crate::sights::Sights;
 use grafc_model::chart::{Chart, ExprKind, Type, Value, VariableKind};
 use grafc_model::reaction::{Profile, Stimulus};
 use grafc_model::simulate::{Activity, Simulator, State};
@@ -24,6 +25,17 @@ pub struct Enumerated {
     pub livelocks: BTreeMap<(Option<Situation>, Vec<usize>), BTreeSet<u32>>,
 }
 
+/// What holds of all of it.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Everywhere {
+    /// What was seen in micro-steps.
+    pub sights: Sights,
+    /// Some state has no way to another situation.
+    pub stuck: bool,
+    /// Some state has no way to an initial situation.
+    pub homeless: bool,
+}
+
 /// Whether a chart is of the kind that can be enumerated, with at most so many inputs.
 pub fn is_plain(chart: &Chart, most_inputs: usize) -> bool {
     let inputs: Vec<_> = chart.variables.iter().filter(|v| v.kind == VariableKind::Input).collect();
@@ -34,10 +46,11 @@ pub fn is_plain(chart: &Chart, most_inputs: usize) -> bool {
 }
 
 /// Tries everything; none if there are more states than this.
-pub fn enumerate(chart: &Chart, profile: Profile, most: usize) -> Option<Enumerated> {
+pub fn enumerate(chart: &Chart, profile: Profile, most: usize) -> Option<(Enumerated, Everywhere)> {
     let inputs = chart.variables.iter().filter(|v| v.kind == VariableKind::Input).count();
     let vectors = 0..1u32 << inputs;
     let mut found = Enumerated::default();
+    let mut everywhere = Everywhere::default();
     // Time stands still, so that states which differ in nothing but it are one.
     let mut states: Vec<Simulator> = Vec::new();
     let mut known: HashMap<String, usize> = HashMap::new();
@@ -50,6 +63,7 @@ pub fn enumerate(chart: &Chart, profile: Profile, most: usize) -> Option<Enumera
             let given = (0..inputs).map(|bit| Value::Bool(vector >> bit & 1 == 1)).collect();
             let mut seen: Vec<(State, Vec<usize>)> = Vec::new();
             let stimulus = Stimulus { t_ms: 0, restart: false, inputs: given };
+            everywhere.sights.react(chart, &mut simulator.clone(), &stimulus, at.is_none());
             simulator.react_observed(&stimulus, &mut |simulator| {
                 let cleared = simulator.cleared().iter_enumerated().filter(|(_, cleared)| **cleared);
                 seen.push((simulator.state().clone(), cleared.map(|(t, _)| t.index()).collect()));
@@ -93,7 +107,10 @@ pub fn enumerate(chart: &Chart, profile: Profile, most: usize) -> Option<Enumera
             .map(|s| situations[s].clone())
             .collect();
     }
-    Some(found)
+    everywhere.stuck = !found.deadlocks.is_empty();
+    let leads_home = |s: usize| reached(s, &successors).iter().any(|s| found.initial.contains(&situations[*s]));
+    everywhere.homeless = !(0..states.len()).all(leads_home);
+    Some((found, everywhere))
 }
 
 fn situation(active: &Activity) -> Situation {
@@ -113,13 +130,15 @@ fn ring(seen: &[(State, Vec<usize>)]) -> Vec<usize> {
 
 /// Whether every state that can be reached has the same situation.
 fn is_dead(state: usize, successors: &[BTreeSet<usize>], situations: &[Situation]) -> bool {
+    reached(state, successors).iter().all(|s| situations[*s] == situations[state])
+}
+
+/// What can be reached from a state, itself among it.
+fn reached(state: usize, successors: &[BTreeSet<usize>]) -> BTreeSet<usize> {
     let mut met = BTreeSet::from([state]);
     let mut open = vec![state];
     while let Some(at) = open.pop() {
-        if situations[at] != situations[state] {
-            return false;
-        }
         open.extend(successors[at].iter().filter(|next| met.insert(**next)));
     }
-    true
+    met
 }

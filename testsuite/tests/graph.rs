@@ -73,7 +73,7 @@ fn holds(when: &str, inputs: &[&str], vector: u32) -> bool {
 
 #[track_caller]
 fn agree(name: &str, text: &str, chart: &Chart, profile: Profile) -> bool {
-    let Some(expected) = enumerate(chart, profile, 300) else { return false };
+    let Some((expected, _)) = enumerate(chart, profile, 300) else { return false };
     let graph = explored(chart, profile, Of::Situations, 1_000_000);
     assert!(graph.complete, "{name}");
     let found = as_enumerated(&graph, chart);

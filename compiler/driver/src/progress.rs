@@ -20,6 +20,15 @@ impl Progress {
         std::io::stderr().is_terminal().then(|| Progress::on(length, ProgressDrawTarget::hidden()))
     }
 
+    /// A search, of which nobody knows how long it takes; none if nobody would see it.
+    pub fn of_search() -> Option<Progress> {
+        let progress = Progress::new(None)?;
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {msg}, {elapsed}") {
+            progress.bar.set_style(style);
+        }
+        Some(progress)
+    }
+
     fn on(length: Option<u64>, target: ProgressDrawTarget) -> Progress {
         let bar = ProgressBar::with_draw_target(length, target);
         let form = match length {
@@ -36,6 +45,17 @@ impl Progress {
     /// So many more bytes are read.
     pub fn pass(&mut self, bytes: usize) {
         self.bar.inc(bytes as u64);
+        self.show();
+    }
+
+    /// How far a search has come, in words.
+    pub fn say(&mut self, words: String) {
+        self.bar.set_message(words);
+        self.bar.tick();
+        self.show();
+    }
+
+    fn show(&mut self) {
         if !self.is_shown && is_due(self.begun.elapsed()) {
             self.is_shown = true;
             self.bar.set_draw_target(ProgressDrawTarget::stderr());

@@ -44,6 +44,8 @@ pub enum Failure {
     Files(Refusal),
     /// What was asked cannot be decided: why, and what to do.
     Open(String, String),
+    /// The chart contradicts itself, which showed only now: how, and what to do.
+    Contradiction(String, String),
 }
 
 impl Failure {
@@ -53,6 +55,7 @@ impl Failure {
             Failure::WrongUse(..) => Exit::WrongUse,
             Failure::Files(_) => Exit::FilesRefused,
             Failure::Open(..) => Exit::Open,
+            Failure::Contradiction(..) => Exit::ChartErrors,
         }
     }
 }
@@ -60,7 +63,9 @@ impl Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Failure::WrongUse(what, help) => write!(f, "error: {what}\n  = help: {help}\n"),
+            Failure::WrongUse(what, help) | Failure::Contradiction(what, help) => {
+                write!(f, "error: {what}\n  = help: {help}\n")
+            }
             Failure::Files(refusal) => refusal.fmt(f),
             Failure::Open(what, help) => write!(f, "open: {what}\n  = help: {help}\n"),
         }

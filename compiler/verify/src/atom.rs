@@ -1,6 +1,7 @@
 //! What a reaction can ask of inputs and time, and what follows from the answers so far.
 
 use grafc_formula::{Comparison, Type, Value, VarId};
+use rustc_hash::FxHashMap;
 
 /// A question with the answers yes and no.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
@@ -86,8 +87,32 @@ impl Bound {
         }
     }
 
+    /// Whether a value is not below it.
+    pub(crate) fn is_reached(self, value: Value) -> bool {
+        match (self, value) {
+            (Bound::Whole(least), Value::Int(n) | Value::Time(n)) => n >= least,
+            (Bound::Whole(least), Value::Bool(b)) => i64::from(b) >= least,
+            (Bound::Whole(least), Value::Real(x)) => x >= least as f64,
+            (Bound::Real { key: bound, beyond }, Value::Real(x)) => {
+                let key = key(x + 0.0);
+                if beyond { key > bound } else { key >= bound }
+            }
+            (Bound::Real { key: bound, beyond }, Value::Int(n) | Value::Time(n)) => {
+                let key = key(n as f64);
+                if beyond { key > bound } else { key >= bound }
+            }
+            (Bound::Real { .. }, Value::Bool(_)) => false,
+        }
+    }
+
+    /// Values on both sides of it.
+    pub(crate) fn around(self, ty: Type) -> [Value; 2] {
+        let (at_least, below) = self.sides(ty);
+        [at_least, below]
+    }
+
     /// Whether all values of the type, or none, are not below it.
-    fn trivial(self, ty: Type) -> Option<bool> {
+    pub(crate) fn trivial(self, ty: Type) -> Option<bool> {
         let Bound::Whole(n) = self else { return None };
         let (least, most) = match ty {
             Type::Bool => (0, 1),
@@ -167,9 +192,21 @@ impl Question {
 pub(crate) struct Path {
     answers: Vec<(Atom, bool)>,
     asked: usize,
+    /// What new questions are answered by.
+    given: FxHashMap<Atom, bool>,
 }
 
 impl Path {
+    /// The path of these answers.
+    pub(crate) fn of(answers: &[(Atom, bool)]) -> Path {
+        Path { answers: answers.to_vec(), ..Path::default() }
+    }
+
+    /// A path on which all questions are answered by what is given.
+    pub(crate) fn given(answers: &[(Atom, bool)]) -> Path {
+        Path { given: answers.iter().copied().collect(), ..Path::default() }
+    }
+
     /// From the start of the reaction again.
     pub(crate) fn rewind(&mut self) {
         self.asked = 0;
@@ -213,7 +250,7 @@ impl Path {
     /// Answers what does not follow.
     pub(crate) fn ask(&mut self, atom: Atom) -> bool {
         if self.asked == self.answers.len() {
-            self.answers.push((atom, false));
+            self.answers.push((atom, self.given.get(&atom).copied().unwrap_or_default()));
         }
         self.asked += 1;
         self.answers[self.asked - 1].1

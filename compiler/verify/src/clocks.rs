@@ -23,6 +23,8 @@ pub(crate) struct Phase {
     pub(crate) fresh: bool,
     /// How many of its times have passed.
     pub(crate) passed: usize,
+    /// Whether more of them may have passed that no reaction has asked for since; known only where that is followed.
+    pub(crate) vague: bool,
 }
 
 impl Clocks {

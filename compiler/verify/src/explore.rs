@@ -2,21 +2,19 @@
 
 use crate::atom::Atom;
 use crate::beyond::Beyond;
-use crate::machine::{End, Machine, State};
+use crate::limit::Limit;
+use crate::machine::{End, Machine};
+use crate::pack::State;
 use grafc_logic::scan::TransitionId;
-use indexmap::{IndexMap, IndexSet};
+use indexmap::IndexSet;
 use rustc_hash::FxBuildHasher;
 
 type Set<T> = IndexSet<T, FxBuildHasher>;
-type Map<K, V> = IndexMap<K, V, FxBuildHasher>;
 
-/// The answers of a path, in order of the questions; those on time left out.
-pub(crate) type Answers = Vec<(Atom, bool)>;
-
-/// What reactions lead to.
+/// What was met on the way; places are those in the order of meeting.
 #[derive(Default)]
 pub(crate) struct Explored {
-    /// The states, in the order in which they were met.
+    /// The states.
     pub(crate) states: Set<State>,
     /// The situation of each, by its place among the situations.
     pub(crate) situation_of: Vec<usize>,
@@ -24,33 +22,73 @@ pub(crate) struct Explored {
     pub(crate) situations: Set<Vec<usize>>,
     /// The states after the initial reaction.
     pub(crate) initial: Set<usize>,
-    /// From state to state, with the answers that lead there.
-    pub(crate) edges: Map<(usize, usize), Set<Answers>>,
-    /// From a state, or from the start, into a ring of transitions without end.
-    pub(crate) livelocks: Map<(Option<usize>, Vec<TransitionId>), Set<Answers>>,
-    /// Whether there is no state that was not looked at.
-    pub(crate) complete: bool,
+    /// A state, or the start, in which the assumptions allow no inputs at all.
+    pub(crate) barred: Option<Option<usize>>,
+    /// The start, and so many states in a row after it, have a reaction that the assumptions allow.
+    pub(crate) allowed: usize,
+    /// Why there are states that were not looked at, or paths; none if there are not.
+    pub(crate) limit: Option<Limit>,
 }
 
-/// Where many inputs count in a state, there are as many paths from it as there are vectors: so many are walked for each state
-/// that may be looked at.
-const PATHS_PER_STATE: usize = 10;
+/// One reaction, as far as its inputs are known.
+pub(crate) struct Reaction<'a> {
+    /// From this state, by its place; none for the initial reaction.
+    pub(crate) from: Option<(usize, &'a State)>,
+    /// Where it ended.
+    pub(crate) to: To,
+    /// What was asked, and answered.
+    pub(crate) path: &'a [(Atom, bool)],
+}
 
-/// So many are walked in any case.
-const FEWEST_PATHS: usize = 10_000;
+/// Where a reaction ended.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) enum To {
+    /// In this state.
+    State(usize),
+    /// In one that there was no more room for.
+    NotKept,
+    /// Nowhere: these transitions are cleared again and again.
+    Livelock(Vec<TransitionId>),
+    /// Nowhere: an assumption bars these inputs.
+    Barred,
+}
 
-/// Explores as far as this number of states, and the paths that go with it.
-pub(crate) fn explore(machine: &mut Machine, most: usize) -> Result<Explored, Beyond> {
-    let mut found = Explored { complete: true, ..Explored::default() };
-    let mut left = most.saturating_mul(PATHS_PER_STATE).saturating_add(FEWEST_PATHS);
-    found.reactions(machine, None, most, &mut left)?;
-    let mut next = 0;
-    while next < found.states.len() && left > 0 {
-        found.reactions(machine, Some(next), most, &mut left)?;
-        next += 1;
+/// What looks at the reactions.
+pub(crate) trait Keep {
+    /// A reaction, with the machine that did it; whether that is enough.
+    fn reaction(&mut self, machine: &Machine, reaction: Reaction) -> bool;
+}
+
+/// How far to go.
+pub(crate) struct Bounds<'b> {
+    /// At most so many states.
+    pub(crate) states: usize,
+    /// At most so many paths.
+    pub(crate) paths: usize,
+    /// Asked now and then, with how many states are known and how many of them were looked at: why to stop.
+    pub(crate) stop: &'b mut dyn FnMut(usize, usize) -> Option<Limit>,
+}
+
+/// So many paths are walked between two questions whether to go on.
+const PATHS_AT_ONCE: usize = 64;
+
+/// Explores all that there is, or as far as the bounds.
+pub(crate) fn explore(machine: &mut Machine, bounds: &mut Bounds, keep: &mut dyn Keep) -> Result<Explored, Beyond> {
+    let mut found = Explored::default();
+    let mut walked = 0;
+    let mut next = None;
+    loop {
+        found.reactions(machine, next, bounds, &mut walked, keep)?;
+        let place = next.map_or(0, |place| place + 1);
+        if found.limit.is_none_or(|limit| limit == Limit::States) && found.allowed == place {
+            found.barred = Some(next);
+            return Ok(found);
+        }
+        if found.limit.is_some_and(|limit| limit != Limit::States) || place >= found.states.len() {
+            return Ok(found);
+        }
+        next = Some(place);
     }
-    found.complete &= left > 0;
-    Ok(found)
 }
 
 impl Explored {
@@ -58,41 +96,47 @@ impl Explored {
         &mut self,
         machine: &mut Machine,
         from: Option<usize>,
-        most: usize,
-        left: &mut usize,
+        bounds: &mut Bounds,
+        walked: &mut usize,
+        keep: &mut dyn Keep,
     ) -> Result<(), Beyond> {
         let state = from.and_then(|from| self.states.get_index(from)).cloned();
-        machine.reactions(state.as_ref(), |end, path| {
-            *left = left.saturating_sub(1);
-            let goes_on = *left > 0;
-            let answers = || path.iter().filter(|(atom, _)| !matches!(atom, Atom::Ends(..))).copied().collect();
-            match end {
-                End::Livelock(ring) => {
-                    self.livelocks.entry((from, ring)).or_default().insert(answers());
-                }
-                End::Rest(state, situation) => {
-                    let to = match self.states.get_index_of(&state) {
-                        Some(to) => to,
-                        None if self.states.len() >= most => {
-                            self.complete = false;
-                            return goes_on;
-                        }
-                        None => {
-                            self.situation_of.push(self.situations.insert_full(situation).0);
-                            self.states.insert_full(state).0
-                        }
-                    };
-                    match from {
-                        None => {
-                            self.initial.insert(to);
-                        }
-                        Some(from) => {
-                            self.edges.entry((from, to)).or_default().insert(answers());
-                        }
+        machine.reactions(state.as_ref(), |machine, end, path| {
+            let to = match end {
+                End::Livelock(ring) => To::Livelock(ring),
+                End::Barred => To::Barred,
+                End::Rest(state, situation) => match self.states.get_index_of(&state) {
+                    Some(to) => To::State(to),
+                    None if self.states.len() >= bounds.states => {
+                        self.limit = Some(Limit::States);
+                        To::NotKept
                     }
-                }
+                    None => {
+                        self.situation_of.push(self.situations.insert_full(situation).0);
+                        To::State(self.states.insert_full(state).0)
+                    }
+                },
+            };
+            if let (None, To::State(to)) = (from, &to) {
+                self.initial.insert(*to);
             }
-            goes_on
+            if to != To::Barred && self.allowed == from.map_or(0, |from| from + 1) {
+                self.allowed += 1;
+            }
+            *walked += 1;
+            if keep.reaction(machine, Reaction { from: from.zip(state.as_ref()), to, path }) {
+                self.limit = Some(Limit::Enough);
+                return false;
+            }
+            let limit = if *walked >= bounds.paths {
+                Some(Limit::Paths)
+            } else if *walked % PATHS_AT_ONCE == 0 {
+                (bounds.stop)(self.states.len(), from.unwrap_or(0))
+            } else {
+                None
+            };
+            self.limit = limit.or(self.limit);
+            limit.is_none()
         })
     }
 }

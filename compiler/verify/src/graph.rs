@@ -1,9 +1,11 @@
 //! The graph of reachable situations, or of states.
 
+use crate::atom::Atom;
 use crate::beyond::Beyond;
-use crate::explore::{Answers, Explored, explore};
+use crate::claim::designation;
+use crate::explore::{Bounds, Explored, Keep, Reaction, To, explore};
 use crate::machine::Machine;
-use crate::when::When;
+use crate::when::{Answers, When};
 use grafc_logic::scan::{Program, TransitionId};
 use indexmap::{IndexMap, IndexSet};
 use rustc_hash::{FxBuildHasher, FxHashSet};
@@ -39,6 +41,8 @@ pub struct Graph {
     pub states: usize,
     /// Whether that is all.
     pub complete: bool,
+    /// Where the assumptions allow no inputs at all, so that what follows is left out: at the start, if no steps are named.
+    pub barred: Option<Vec<String>>,
     /// Whether delays were free to end at any time, so that real times may allow less.
     pub free_delays: bool,
 }
@@ -100,13 +104,49 @@ impl Graph {
     }
 }
 
+/// Where many inputs count in a state, there are as many paths from it as there are vectors: so many are walked for each state
+/// that may be looked at.
+const PATHS_PER_STATE: usize = 10;
+
+/// So many are walked in any case.
+const FEWEST_PATHS: usize = 10_000;
+
+type Map<K, V> = IndexMap<K, V, FxBuildHasher>;
+
+/// The reactions, by what they connect.
+#[derive(Default)]
+struct Kept {
+    /// From state to state, with the answers that lead there.
+    edges: Map<(usize, usize), IndexSet<Answers, FxBuildHasher>>,
+    /// From a state, or from the start, into a ring of transitions without end.
+    livelocks: Map<(Option<usize>, Vec<TransitionId>), IndexSet<Answers, FxBuildHasher>>,
+}
+
+impl Keep for Kept {
+    fn reaction(&mut self, _: &Machine, Reaction { from, to, path }: Reaction) -> bool {
+        let answers = path.iter().filter(|(atom, _)| !matches!(atom, Atom::Ends(..))).copied().collect();
+        match (from.map(|(from, _)| from), to) {
+            (from, To::Livelock(ring)) => {
+                self.livelocks.entry((from, ring)).or_default().insert(answers);
+            }
+            (Some(from), To::State(to)) => {
+                self.edges.entry((from, to)).or_default().insert(answers);
+            }
+            (None, To::State(_)) | (_, To::NotKept | To::Barred) => {}
+        }
+        false
+    }
+}
+
 /// Explores a program that shows its transitions, up to a number of states.
 ///
 /// # Errors
 /// What of the chart cannot be followed.
 pub fn graph(program: &Program, of: Of, most: usize) -> Result<Graph, Beyond> {
     let mut machine = Machine::new(program)?;
-    let explored = explore(&mut machine, most)?;
+    let mut kept = Kept::default();
+    let paths = most.saturating_mul(PATHS_PER_STATE).saturating_add(FEWEST_PATHS);
+    let explored = explore(&mut machine, &mut Bounds { states: most, paths, stop: &mut |_, _| None }, &mut kept)?;
     let keys: Vec<Vec<usize>> = explored.situations.iter().cloned().collect();
     // The nodes that states belong to, and what they are sorted by.
     let (node_of, sorting): (Vec<usize>, Vec<Vec<usize>>) = match of {
@@ -116,15 +156,15 @@ pub fn graph(program: &Program, of: Of, most: usize) -> Result<Graph, Beyond> {
             (states, explored.situation_of.iter().map(|s| keys[*s].clone()).collect())
         }
     };
-    let order = numbered(&explored, &node_of, &sorting);
+    let order = numbered(&explored, &kept, &node_of, &sorting);
     let node = |state: usize| order[node_of[state]];
 
-    let mut edges: IndexMap<(usize, usize), Vec<&Answers>, FxBuildHasher> = IndexMap::default();
-    for ((from, to), answers) in explored.edges.iter().filter(|((from, to), _)| node_of[*from] != node_of[*to]) {
+    let mut edges: Map<(usize, usize), Vec<&Answers>> = IndexMap::default();
+    for ((from, to), answers) in kept.edges.iter().filter(|((from, to), _)| node_of[*from] != node_of[*to]) {
         edges.entry((node(*from), node(*to))).or_default().extend(answers);
     }
-    let mut rings: IndexMap<(Option<usize>, &[TransitionId]), Vec<&Answers>, FxBuildHasher> = IndexMap::default();
-    for ((from, ring), answers) in &explored.livelocks {
+    let mut rings: Map<(Option<usize>, &[TransitionId]), Vec<&Answers>> = IndexMap::default();
+    for ((from, ring), answers) in &kept.livelocks {
         rings.entry((from.map(node), ring)).or_default().extend(answers);
     }
     let asked = edges.values().chain(rings.values()).flatten().flat_map(|path| path.iter());
@@ -152,7 +192,7 @@ pub fn graph(program: &Program, of: Of, most: usize) -> Result<Graph, Beyond> {
         ids
     };
     let has_transitions = program.observing.as_ref().is_some_and(|observing| !observing.transitions.is_empty());
-    let deadlocks = if explored.complete && has_transitions { deadlocks(&explored) } else { Vec::new() };
+    let deadlocks = if explored.limit.is_none() && has_transitions { deadlocks(&explored, &kept) } else { Vec::new() };
     Ok(Graph {
         chart: program.name.clone(),
         nodes,
@@ -168,21 +208,19 @@ pub fn graph(program: &Program, of: Of, most: usize) -> Result<Graph, Beyond> {
             })
             .collect(),
         states: explored.states.len(),
-        complete: explored.complete,
+        complete: explored.limit.is_none(),
+        barred: explored.barred.map(|state| {
+            let situation = state.and_then(|state| explored.situations.get_index(explored.situation_of[state]));
+            situation.into_iter().flatten().map(|place| program.steps.raw[*place].label.to_string()).collect()
+        }),
         free_delays: !program.timers.is_empty(),
     })
 }
 
-/// A transition by its designation, or by its number.
-fn designation(program: &Program, t: TransitionId) -> String {
-    let designation = &program.elements.transitions[t].designation;
-    designation.as_ref().map_or_else(|| format!("#{}", t.index() + 1), |designation| format!("({designation})"))
-}
-
 /// A number for each node: breadth first, the roots and what follows each in order of their steps.
-fn numbered(explored: &Explored, node_of: &[usize], sorting: &[Vec<usize>]) -> Vec<usize> {
+fn numbered(explored: &Explored, kept: &Kept, node_of: &[usize], sorting: &[Vec<usize>]) -> Vec<usize> {
     let mut after: Vec<Vec<usize>> = vec![Vec::new(); sorting.len()];
-    for (from, to) in explored.edges.keys().filter(|(from, to)| node_of[*from] != node_of[*to]) {
+    for (from, to) in kept.edges.keys().filter(|(from, to)| node_of[*from] != node_of[*to]) {
         after[node_of[*from]].push(node_of[*to]);
     }
     // Of two states with the same steps, the one that was met first.
@@ -210,11 +248,11 @@ fn numbered(explored: &Explored, node_of: &[usize], sorting: &[Vec<usize>]) -> V
 }
 
 /// The states from which no path reaches another situation.
-fn deadlocks(explored: &Explored) -> Vec<usize> {
+fn deadlocks(explored: &Explored, kept: &Kept) -> Vec<usize> {
     let mut before: Vec<Vec<usize>> = vec![Vec::new(); explored.states.len()];
     let mut alive: FxHashSet<usize> = FxHashSet::default();
     let mut open: Vec<usize> = Vec::new();
-    for (from, to) in explored.edges.keys() {
+    for (from, to) in kept.edges.keys() {
         if explored.situation_of[*from] != explored.situation_of[*to] {
             if alive.insert(*from) {
                 open.push(*from);

@@ -18,8 +18,8 @@ pub(crate) struct Live {
 }
 
 impl Live {
-    /// The live variables of a program.
-    pub(crate) fn new(program: &Program) -> Live {
+    /// The live variables of a program, of whose last section only some statements are run.
+    pub(crate) fn new(program: &Program, after: &[Statement]) -> Live {
         let mut between_calls: Set = program.variables.iter().map(|_| false).collect();
         // The situation counts also where nothing asks for it.
         for step in &program.steps {
@@ -29,6 +29,7 @@ impl Live {
         loop {
             // After the last micro-step comes the next call, or another micro-step.
             head = between_calls.clone();
+            backwards(program, after, &mut head);
             loop {
                 let mut next = head.clone();
                 backwards(program, &program.micro_step, &mut next);

@@ -2,15 +2,16 @@
 
 use crate::atom::{Atom, Path, Question};
 use crate::beyond::Beyond;
+use crate::claimed::Claimed;
 use crate::clocks::{Clocks, Phase};
+use crate::facts::{Active, Fact, Facts};
+use crate::goal::Answers;
 use crate::live::Live;
+use crate::pack::{Layout, State};
 use grafc_formula::number::{arithmetic, compare, divide, negate, zero};
 use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Type, Value, VarId};
 use grafc_logic::scan::{Division, Program, Role, Statement, TransitionId};
 use index_vec::IndexVec;
-
-/// What is left after a reaction, as numbers that can be compared.
-pub(crate) type State = Box<[u64]>;
 
 /// How a path ended.
 #[derive(Clone, PartialEq, Debug)]
@@ -19,21 +20,19 @@ pub(crate) enum End {
     Rest(State, Vec<usize>),
     /// It would go on without end, by these transitions (R9).
     Livelock(Vec<TransitionId>),
-}
-
-/// What happened in a reaction.
-pub(crate) struct Way<'m> {
-    /// The transitions that were cleared, in order of time; one may be there several times.
-    pub(crate) cleared: &'m [TransitionId],
-    /// The timers after it.
-    pub(crate) timers: &'m IndexVec<TimerId, Phase>,
+    /// An assumption is broken by its inputs.
+    Barred,
 }
 
 /// Runs a program.
 pub(crate) struct Machine<'p> {
     program: &'p Program,
     clocks: Clocks,
-    live: Live,
+    between_calls: Layout,
+    between_micro_steps: Layout,
+    /// What is seen of micro-steps, if that is wanted.
+    facts: Option<Facts>,
+    claimed: Claimed,
     values: IndexVec<VarId, Value>,
     timers: IndexVec<TimerId, Phase>,
     memo: Vec<(u64, Seen)>,
@@ -41,6 +40,25 @@ pub(crate) struct Machine<'p> {
     stack: Vec<(FormulaId, bool)>,
     /// The transitions that the latest reaction has cleared so far.
     passed: Vec<TransitionId>,
+}
+
+/// So many claims that something leads to something are followed.
+pub(crate) const MOST_LEADS: usize = 31;
+
+/// What of claims is true in a state.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Marks(u64);
+
+impl Marks {
+    /// Whether the chart may have come to its end.
+    pub(crate) fn is_final(self) -> bool {
+        self.0 & 1 == 1
+    }
+
+    /// Of what leads to what, whether the first is true, and the second.
+    pub(crate) fn leads(self, place: usize) -> (bool, bool) {
+        (self.0 >> (1 + 2 * place) & 1 == 1, self.0 >> (2 + 2 * place) & 1 == 1)
+    }
 }
 
 /// What is known of a formula.
@@ -60,10 +78,15 @@ enum Seen {
 impl<'p> Machine<'p> {
     /// A program, of which transitions are shown.
     pub(crate) fn new(program: &'p Program) -> Result<Self, Beyond> {
+        let claimed = Claimed::new(program);
+        let live = Live::new(program, &claimed.after);
         Ok(Machine {
             program,
             clocks: Clocks::new(program)?,
-            live: Live::new(program),
+            between_calls: Layout::new(program, &live.between_calls, 1 + 2 * claimed.leads.len()),
+            between_micro_steps: Layout::new(program, &live.between_micro_steps, 1),
+            facts: None,
+            claimed,
             values: IndexVec::new(),
             timers: IndexVec::new(),
             memo: vec![(0, Seen::Value(Value::Bool(false))); program.pool.len()],
@@ -73,43 +96,67 @@ impl<'p> Machine<'p> {
         })
     }
 
+    /// From here on, micro-steps are looked at, and timers of which no reaction asked are vague.
+    pub(crate) fn look_on(&mut self) {
+        self.facts = Some(Facts::new(self.program));
+    }
+
+    /// What was seen of the latest path.
+    pub(crate) fn facts(&self) -> impl Iterator<Item = Fact> + '_ {
+        self.facts.iter().flat_map(Facts::seen)
+    }
+
+    /// The timers after the latest path.
+    pub(crate) fn timers(&self) -> &IndexVec<TimerId, Phase> {
+        &self.timers
+    }
+
+    /// The transitions that the latest path has cleared, in order of time; one may be there several times.
+    pub(crate) fn passed(&self) -> &[TransitionId] {
+        &self.passed
+    }
+
+    /// What timers measure.
+    pub(crate) fn clocks(&self) -> &Clocks {
+        &self.clocks
+    }
+
     /// Walks all paths of a reaction from a state, or of the initial reaction, as long as they are wanted.
     pub(crate) fn reactions(
         &mut self,
         from: Option<&State>,
-        mut visit: impl FnMut(End, &[(Atom, bool)]) -> bool,
-    ) -> Result<(), Beyond> {
-        self.reactions_seen(from, |end, answers, _| visit(end, answers))
-    }
-
-    /// The same, with what happened on the way.
-    pub(crate) fn reactions_seen(
-        &mut self,
-        from: Option<&State>,
-        mut visit: impl FnMut(End, &[(Atom, bool)], Way) -> bool,
+        mut visit: impl FnMut(&Self, End, &[(Atom, bool)]) -> bool,
     ) -> Result<(), Beyond> {
         let mut path = Path::default();
         loop {
             path.rewind();
             self.load(from);
-            let end = self.react(&mut path)?;
-            let way = Way { cleared: &self.passed, timers: &self.timers };
-            if !visit(end, path.answers(), way) || !path.advance() {
+            let end = self.react(from.is_none(), &mut path)?;
+            if !visit(self, end, path.answers()) || !path.advance() {
                 return Ok(());
             }
         }
     }
 
-    /// The timers of the program, and what they measure.
-    pub(crate) fn clocks(&self) -> &Clocks {
-        &self.clocks
+    /// Goes one path, whose answers are known.
+    pub(crate) fn walk(&mut self, from: Option<&State>, answers: &[(Atom, bool)]) -> Result<End, Beyond> {
+        let mut path = Path::of(answers);
+        self.load(from);
+        self.react(from.is_none(), &mut path)
+    }
+
+    /// Goes the path that agrees with what is given, and says what of it was asked, in order.
+    pub(crate) fn follow(&mut self, from: Option<&State>, given: &[(Atom, bool)]) -> Result<(End, Answers), Beyond> {
+        let mut path = Path::given(given);
+        self.load(from);
+        let end = self.react(from.is_none(), &mut path)?;
+        Ok((end, path.answers().to_vec()))
     }
 
     /// The names and values of what makes a state beside the situation.
     pub(crate) fn told(&self, state: &State) -> Vec<(String, String)> {
-        let variables = self.live.between_calls.iter().zip(state.iter());
-        let shown = variables.filter(|(v, _)| match self.program.variables[**v].role {
-            Role::Output | Role::Internal | Role::Memory => Some(**v) != self.program.started,
+        let shown = self.between_calls.variables(state).filter(|(v, _)| match self.program.variables[*v].role {
+            Role::Output | Role::Internal | Role::Memory => Some(*v) != self.program.started,
             Role::Input
             | Role::Constant
             | Role::Step
@@ -118,22 +165,21 @@ impl<'p> Machine<'p> {
             | Role::Temporary
             | Role::Observed => false,
         });
-        let mut told: Vec<(String, String)> = shown
-            .map(|(v, bits)| {
-                let variable = &self.program.variables[*v];
-                (variable.name.to_string(), spelled(decoded(variable.ty, *bits)))
-            })
-            .collect();
-        for (timer, bits) in self.program.timers.iter().zip(&state[self.live.between_calls.len()..]) {
-            if *bits > 0 {
-                let phase = if *bits == 1 { "runs".to_string() } else { format!("ended {}", bits - 1) };
-                told.push((timer.name.clone(), phase));
-            }
+        let name = |v: VarId| self.program.variables[v].name.to_string();
+        let mut told: Vec<(String, String)> = shown.map(|(v, value)| (name(v), spelled(value))).collect();
+        for (timer, phase) in self.program.timers.iter().zip(self.between_calls.timers(state)) {
+            let told_of = match phase.passed {
+                _ if !phase.on => continue,
+                0 => "runs".to_string(),
+                passed => format!("ended {passed}"),
+            };
+            told.push((timer.name.clone(), told_of));
         }
         told
     }
 
     fn load(&mut self, from: Option<&State>) {
+        self.facts.iter_mut().for_each(Facts::forget);
         self.values = self.program.variables.iter().map(|v| v.initial).collect();
         self.timers = self.program.timers.iter().map(|_| Phase::default()).collect();
         if let Some(wanted) = self.program.observing.as_ref().and_then(|observing| observing.wanted) {
@@ -144,29 +190,31 @@ impl<'p> Machine<'p> {
         if let Some(started) = self.program.started {
             self.values[started] = Value::Bool(true);
         }
-        let (variables, timers) = state.split_at(self.live.between_calls.len());
-        for (v, bits) in self.live.between_calls.iter().zip(variables) {
-            self.values[*v] = decoded(self.program.variables[*v].ty, *bits);
+        for (v, value) in self.between_calls.variables(state) {
+            self.values[v] = value;
         }
-        for (phase, bits) in self.timers.iter_mut().zip(timers) {
-            *phase = Phase { on: *bits > 0, fresh: false, passed: bits.saturating_sub(1) as usize };
-        }
+        self.timers = self.between_calls.timers(state).collect();
     }
 
-    fn state(&self, variables: &[VarId]) -> State {
-        let values = variables.iter().map(|v| encoded(self.values[*v]));
-        let timers = self.timers.iter().map(|phase| if phase.on { 1 + phase.passed as u64 } else { 0 });
-        values.chain(timers).collect()
+    /// The phase of each timer in a state.
+    pub(crate) fn phases<'s>(&'s self, state: &'s State) -> impl Iterator<Item = Phase> + 's {
+        self.between_calls.timers(state)
     }
 
-    fn react(&mut self, path: &mut Path) -> Result<End, Beyond> {
+    fn react(&mut self, is_initial: bool, path: &mut Path) -> Result<End, Beyond> {
         let program = self.program;
         self.passed.clear();
         self.run(&program.first, path)?;
+        if is_initial {
+            self.look_at_start(path)?;
+        }
         self.run(&program.before, path)?;
+        if self.claimed.assumptions.iter().any(|v| self.values[*v] != Value::Bool(true)) {
+            return Ok(End::Barred);
+        }
         match program.repeat {
             None => {
-                self.run(&program.micro_step, path)?;
+                self.micro_step(path)?;
                 let cleared = self.cleared();
                 self.passed.extend(cleared);
             }
@@ -174,11 +222,11 @@ impl<'p> Machine<'p> {
                 // The states that micro-steps began in, with what they cleared.
                 let mut seen: Vec<(State, Vec<TransitionId>)> = Vec::new();
                 loop {
-                    let head = self.state(&self.live.between_micro_steps);
+                    let head = self.between_micro_steps.pack(&self.values, &self.timers, 0);
                     if let Some(at) = seen.iter().position(|(state, _)| *state == head) {
                         return Ok(End::Livelock(ring(&seen[at..])));
                     }
-                    self.run(&program.micro_step, path)?;
+                    self.micro_step(path)?;
                     let cleared = self.cleared();
                     self.passed.extend(&cleared);
                     seen.push((head, cleared));
@@ -191,8 +239,84 @@ impl<'p> Machine<'p> {
                 }
             }
         }
+        let after = std::mem::take(&mut self.claimed.after);
+        let done = self.run_own(&after, path);
+        self.claimed.after = after;
+        done?;
         let situation = self.situation(path)?;
-        Ok(End::Rest(self.state(&self.live.between_calls), situation))
+        let mut marks = 0;
+        if self.facts.is_some() {
+            self.keep_track(path);
+            marks = self.marks();
+        }
+        Ok(End::Rest(self.between_calls.pack(&self.values, &self.timers, marks), situation))
+    }
+
+    /// One micro-step, looked at if that is wanted.
+    fn micro_step(&mut self, path: &mut Path) -> Result<(), Beyond> {
+        let Some(mut facts) = self.facts.take() else { return self.run(&self.program.micro_step, path) };
+        let before = self.active(path);
+        let done = before.and_then(|before| {
+            self.run(&self.program.micro_step, path)?;
+            let after = self.active(path)?;
+            facts.micro_step(&before, &self.cleared(), &after);
+            Ok(())
+        });
+        self.look_at_flags(&mut facts);
+        self.facts = Some(facts);
+        done
+    }
+
+    /// The situation before the first micro-step, and what was done there.
+    fn look_at_start(&mut self, path: &mut Path) -> Result<(), Beyond> {
+        let Some(mut facts) = self.facts.take() else { return Ok(()) };
+        let active = self.active(path).map(|active| facts.situation(&active));
+        self.look_at_flags(&mut facts);
+        self.facts = Some(facts);
+        active
+    }
+
+    fn look_at_flags(&self, facts: &mut Facts) {
+        for (flag, fact) in facts.flags() {
+            if self.values[flag] == Value::Bool(true) {
+                facts.note(fact);
+            }
+        }
+    }
+
+    fn active(&mut self, path: &mut Path) -> Result<Active, Beyond> {
+        self.program.steps.iter().map(|step| self.truth(step.active, path)).collect()
+    }
+
+    /// What of claims is true in the state reached: what is asserted or wanted is seen, the rest becomes a part of the state.
+    fn marks(&mut self) -> u64 {
+        let holds = |v: &VarId| self.values[*v] == Value::Bool(true);
+        let Claimed { assertions, wanted, finals, leads, .. } = &self.claimed;
+        let broken = assertions.iter().enumerate().filter(|(_, v)| !holds(v)).map(|(place, _)| Fact::Broken(place));
+        let met = wanted.iter().enumerate().filter(|(_, v)| holds(v)).map(|(place, _)| Fact::Wanted(place));
+        for fact in broken.chain(met).collect::<Vec<_>>() {
+            self.facts.iter_mut().for_each(|facts| facts.note(fact));
+        }
+        let mut marks = u64::from(finals.iter().any(holds));
+        for (place, (from, to)) in leads.iter().enumerate().take(MOST_LEADS) {
+            marks |= u64::from(holds(from)) << (1 + 2 * place) | u64::from(holds(to)) << (2 + 2 * place);
+        }
+        marks
+    }
+
+    /// What of claims is true in a state.
+    pub(crate) fn marks_of(&self, state: &State) -> Marks {
+        Marks(self.between_calls.marks(state))
+    }
+
+    /// What is known of timers that run after a reaction: of those that it did not ask for, no more than before.
+    fn keep_track(&mut self, path: &Path) {
+        for (t, phase) in self.timers.iter_mut_enumerated() {
+            let next = self.clocks.times[t].get(phase.passed);
+            let runs_on =
+                next.filter(|_| phase.on && !phase.fresh).map(|time| Atom::Ends(self.clocks.operand[t], *time));
+            phase.vague = runs_on.is_some_and(|atom| path.known(atom, Type::Time) != Some(false));
+        }
     }
 
     /// The transitions that the last micro-step cleared, in order of declaration.
@@ -202,18 +326,16 @@ impl<'p> Machine<'p> {
     }
 
     fn situation(&mut self, path: &mut Path) -> Result<Vec<usize>, Beyond> {
-        let program = self.program;
-        let mut active = Vec::new();
-        for (s, step) in program.steps.iter_enumerated() {
-            if self.truth(step.active, path)? {
-                active.push(s.index());
-            }
-        }
-        Ok(active)
+        let active = self.active(path)?;
+        Ok((0..active.len()).filter(|s| active[*s]).collect())
+    }
+
+    fn run(&mut self, statements: &'p [Statement], path: &mut Path) -> Result<(), Beyond> {
+        self.run_own(statements, path)
     }
 
     /// Statements nest no deeper than lowering nests them, whatever the chart.
-    fn run(&mut self, statements: &'p [Statement], path: &mut Path) -> Result<(), Beyond> {
+    fn run_own(&mut self, statements: &[Statement], path: &mut Path) -> Result<(), Beyond> {
         for statement in statements {
             match statement {
                 Statement::Heading(_) => {}
@@ -228,14 +350,14 @@ impl<'p> Machine<'p> {
                     let phase = &mut self.timers[*timer];
                     *phase = match (phase.on, input) {
                         (true, true) => *phase,
-                        (false, true) => Phase { on: true, fresh: true, passed: 0 },
+                        (false, true) => Phase { on: true, fresh: true, passed: 0, vague: false },
                         (_, false) => Phase::default(),
                     };
                 }
                 Statement::Case { of, arms } => {
                     let at = self.values[*of];
                     if let Some(arm) = arms.iter().find(|arm| Value::Int(arm.value) == at) {
-                        self.run(&arm.body, path)?;
+                        self.run_own(&arm.body, path)?;
                     }
                 }
                 Statement::If { branches, otherwise } => {
@@ -246,7 +368,7 @@ impl<'p> Machine<'p> {
                             break;
                         }
                     }
-                    self.run(taken, path)?;
+                    self.run_own(taken, path)?;
                 }
             }
         }
@@ -427,23 +549,6 @@ fn ring(round: &[(State, Vec<TransitionId>)]) -> Vec<TransitionId> {
     cleared.sort_unstable();
     cleared.dedup();
     cleared
-}
-
-fn encoded(value: Value) -> u64 {
-    match value {
-        Value::Bool(b) => b.into(),
-        Value::Int(n) | Value::Time(n) => n as u64,
-        Value::Real(x) => x.to_bits(),
-    }
-}
-
-fn decoded(ty: Type, bits: u64) -> Value {
-    match ty {
-        Type::Bool => Value::Bool(bits != 0),
-        Type::Int | Type::Dint | Type::Uint | Type::Udint => Value::Int(bits as i64),
-        Type::Time => Value::Time(bits as i64),
-        Type::Real | Type::Lreal => Value::Real(f64::from_bits(bits)),
-    }
 }
 
 fn spelled(value: Value) -> String {

@@ -7,7 +7,8 @@
 
 use crate::atom::Atom;
 use crate::beyond::Beyond;
-use crate::machine::{End, Machine, State};
+use crate::machine::{End, Machine};
+use crate::pack::State;
 use grafc_formula::{TimerId, Value, VarId};
 use grafc_logic::scan::{Program, Role, TransitionId};
 use index_vec::IndexVec;
@@ -119,12 +120,12 @@ impl Search<'_> {
         // Of several ways to the same, the first.
         let mut list: IndexMap<(usize, Vec<usize>), Move, FxBuildHasher> = IndexMap::default();
         let state = node.as_ref().map(|(state, _)| state);
-        machine.reactions_seen(state, |end, answers, way| {
+        machine.reactions(state, |machine, end, answers| {
             *left = left.saturating_sub(1);
             let End::Rest(state, situation) = end else { return *left > 0 };
             let before = node.as_ref().map(|(_, readings)| readings);
             let Some(after_ms) = self.after(answers, before, &operands) else { return *left > 0 };
-            let mut cleared: Vec<usize> = way.cleared.iter().map(|t: &TransitionId| t.index()).collect();
+            let mut cleared: Vec<usize> = machine.passed().iter().map(|t: &TransitionId| t.index()).collect();
             cleared.sort_unstable();
             cleared.dedup();
             let readings: Readings = match self.times {
@@ -137,7 +138,7 @@ impl Search<'_> {
                             .map_or(0, |readings| readings[timer.index()].saturating_add(after_ms))
                             .min(ends[timer.index()]),
                     };
-                    way.timers.iter_enumerated().map(read).collect()
+                    machine.timers().iter_enumerated().map(read).collect()
                 }
             };
             if cleared.is_empty() && node.as_ref().is_some_and(|(before, _)| *before == state) {

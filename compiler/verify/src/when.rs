@@ -1,9 +1,11 @@
 //! The inputs of paths, as a condition.
 
 use crate::atom::Atom;
-use crate::explore::Answers;
 use biodivine_lib_bdd::{Bdd, BddPartialValuation, BddVariable, BddVariableSet};
 use grafc_logic::scan::Program;
+
+/// The answers of a path, in order of the questions; those on time left out.
+pub(crate) type Answers = Vec<(Atom, bool)>;
 
 /// Writes conditions on inputs.
 pub(crate) struct When<'p> {

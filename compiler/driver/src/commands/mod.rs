@@ -16,6 +16,7 @@ pub mod serve;
 pub mod sim;
 pub mod stats;
 pub mod test;
+pub mod verify;
 
 use crate::report::Failure;
 use crate::stream::Stream;
@@ -40,4 +41,13 @@ fn refuse_output_over_input<'a>(output: &Stream, inputs: impl IntoIterator<Item 
             "choose another file with `-o`".to_string(),
         )),
     }
+}
+
+/// The assumptions of a chart allow no inputs in a situation, or at the start if no steps are named.
+fn barred(steps: &[String]) -> Failure {
+    let place = if steps.is_empty() { "at the start".to_string() } else { format!("in {{{}}}", steps.join(", ")) };
+    Failure::Contradiction(
+        format!("{place} the assumptions allow no inputs at all, so anything could be proved"),
+        "the assumptions contradict each other, or what the inputs were before: leave one out".to_string(),
+    )
 }

@@ -195,6 +195,12 @@ impl Elements {
         designation.as_ref().map_or_else(labels, |designation| designation.text().clone())
     }
 
+    /// The steps before a transition, and those after it.
+    pub fn around(&self, transition: TransitionId) -> (&[StepId], &[StepId]) {
+        let Transition { before, after, .. } = &self.transitions[transition];
+        (self.steps(before), self.steps(after))
+    }
+
     fn steps(&self, range: &Range<u32>) -> &[StepId] {
         &self.around[range.start as usize..range.end as usize]
     }

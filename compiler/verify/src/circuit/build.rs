@@ -243,7 +243,7 @@ impl Builder<'_> {
     /// The variables that a later clock may read, and inputs, which are held while the chart does not rest.
     fn variables_kept(&self) -> Vec<VarId> {
         let program = self.program;
-        let live = Live::new(program);
+        let live = Live::new(program, &program.after);
         let mut is_kept: IndexVec<VarId, bool> = program
             .variables
             .iter()

@@ -13,8 +13,8 @@ use crate::stream::Stream;
 use clap::{Args, ValueEnum};
 use grafc::Document;
 use grafc_diagnostics::Diagnostics;
-use grafc_logic::scan::Observed;
-use grafc_logic::{Options, compile_observed};
+use grafc_logic::scan::{ClaimKind, Claimed, Observed};
+use grafc_logic::{Extras, Options, compile_with};
 use grafc_model::reaction::Profile;
 use grafc_verify::{Beyond, Graph, Of, graph};
 
@@ -24,7 +24,7 @@ Example:
   grafc graph valve.gct --format svg -o valve_graph.svg
   grafc graph valve.gct --of states --format json
 
-An edge bears the inputs with which some reaction leads from one situation to the other. Delays may end at any later
+Inputs that the assumptions of the chart exclude are left out. An edge bears the inputs with which some reaction leads from one situation to the other. Delays may end at any later
 reaction. A reaction that does not end leads nowhere: what comes after LIVELOCK is not in the graph. Exit code 4: there is
 more than `--max` allows, or something that cannot be followed.";
 
@@ -102,6 +102,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         Some(Err(beyond)) => {
             Err(Failure::Open(beyond.to_string(), "compare it with constants, or leave it out".to_string()))
         }
+        Some(Ok(graph)) if graph.barred.is_some() => Err(super::barred(graph.barred.as_deref().unwrap_or_default())),
         Some(Ok(graph)) => {
             let text = match args.format {
                 Form::Text => text::text(&graph),
@@ -122,7 +123,10 @@ fn explored(document: &Document, profile: Profile, of: Of, most: usize) -> (Expl
     let diagnostics = document.diagnostics().clone();
     let Some(analysis) = document.analysis() else { return (None, diagnostics) };
     let options = Options { profile, ..Options::default() };
-    let (program, _) = compile_observed(analysis.clone(), &options, Observed::Transitions);
+    let extras = Extras { saved: true, observed: Observed::Transitions, claims: Claimed::All };
+    let (mut program, _) = compile_with(analysis.clone(), &options, extras);
+    // What is claimed of states changes nothing of what leads to what.
+    program.claims.retain(|claim| claim.kind == ClaimKind::Assume);
     (Some(graph(&program, of, most)), diagnostics)
 }
 

@@ -1,0 +1,133 @@
+//! `grafc verify`: claims on a chart, each proved, shown to fail by a trace, or open.
+
+mod human;
+mod json;
+mod junit;
+mod said;
+mod traces;
+
+use super::refuse_output_over_input;
+use crate::Exit;
+use crate::arguments::{ProfileArguments, QuietArgument};
+use crate::progress::Progress;
+use crate::report::{Failure, Format, Report};
+use crate::signals::Interrupt;
+use crate::stream::Stream;
+use clap::{Args, ValueEnum};
+use grafc::Document;
+use grafc::files::print;
+use grafc_logic::scan::{Claimed, Observed};
+use grafc_logic::{Extras, Options, compile_with};
+use grafc_model::reaction::Profile;
+use grafc_verify::{Answer, Limit, Method, Subject, Verified, verify};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+const AFTER_HELP: &str = "\
+Example:
+  grafc verify valve.gct
+  grafc verify valve.gct --traces faults
+  grafc verify valve.gct --format junit > verified.xml
+
+What the chart asserts and wants (`assert`, `reach`) is answered under what it assumes. Always asked: livelock, deadlock, conflict, dead-transition, dead-step; and as notes, which change no exit code when they fail:
+selection, reentry, home. A claim that fails has a trace that `grafc sim` replays to the fault.
+Exit code 1: a claim fails. Exit code 4: none fails, and one is open; it is said why.";
+
+/// Arguments of `grafc verify`.
+#[derive(Args, Debug)]
+#[command(after_help = AFTER_HELP)]
+pub struct Arguments {
+    /// The chart; `-` is standard input
+    #[arg(value_name = "CHART")]
+    chart: Stream,
+    /// The form of the answers
+    #[arg(long, value_enum, default_value_t = Form::Human)]
+    format: Form,
+    /// Give what is known after so many seconds
+    #[arg(long, value_name = "SECONDS", default_value_t = 60, value_parser = clap::value_parser!(u64).range(1..=31_536_000))]
+    time: u64,
+    /// Write the trace of each claim that fails into this folder
+    #[arg(long, value_name = "DIR")]
+    traces: Option<PathBuf>,
+    #[command(flatten)]
+    profile: ProfileArguments,
+    #[command(flatten)]
+    quiet: QuietArgument,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Form {
+    /// For people
+    Human,
+    /// One JSON object
+    Json,
+    /// For build servers
+    Junit,
+}
+
+/// Verifies one chart.
+pub fn run(args: Arguments) -> Result<Exit, Failure> {
+    let begun = Instant::now();
+    let mut report = Report::default();
+    let mut found = None;
+    if let Some(file) = report.load(&args.chart)? {
+        let source = report.sources.file(file);
+        // The only text, so places in it are the same in document and report.
+        let document = Document::new(&source.name, &source.text).named(args.chart.chart_name());
+        report.diagnostics.append(document.diagnostics().clone());
+        found = verified(&document, args.profile.profile()?, begun + Duration::from_secs(args.time));
+    }
+    let exit = report.tell(args.quiet.messages(Format::Human));
+    let Some((name, verified)) = found else { return Ok(exit) };
+    if let Some(trace) = &verified.barred {
+        return Err(super::barred(trace.rows.last().and_then(|row| row.steps.as_deref()).unwrap_or_default()));
+    }
+    let mut written = Vec::new();
+    if let Some(folder) = &args.traces {
+        for (path, text) in traces::files(folder, &verified) {
+            refuse_output_over_input(&Stream::File(path.clone()), [&args.chart])?;
+            written.push((path, text));
+        }
+        traces::write(folder, written)?;
+    }
+    let text = match args.format {
+        Form::Human => human::human(&name, &verified),
+        Form::Json => json::json(&name, &verified),
+        Form::Junit => junit::junit(&name, &verified)?,
+    };
+    print(&text)?;
+    Ok(exit.max(of(&verified)))
+}
+
+/// A fault that is shown counts before what is open.
+fn of(verified: &Verified) -> Exit {
+    let fails = verified.verdicts.iter().any(|v| matches!(v.answer, Answer::Fails(_)) && !v.claim.kind.is_note());
+    let is_open = verified.verdicts.iter().any(|v| matches!(v.answer, Answer::Open(_)));
+    match (fails, is_open) {
+        (true, _) => Exit::ChartErrors,
+        (false, true) => Exit::Open,
+        (false, false) => Exit::Done,
+    }
+}
+
+/// The answers, if the chart has no errors, and its name.
+fn verified(document: &Document, profile: Profile, end: Instant) -> Option<(String, Verified)> {
+    let analysis = document.analysis()?;
+    let chart = document.chart()?;
+    let options = Options { profile, ..Options::default() };
+    let extras = Extras { saved: true, observed: Observed::Transitions, claims: Claimed::All };
+    let (program, _) = compile_with(analysis.clone(), &options, extras);
+    let interrupt = Interrupt::awaited();
+    let mut progress = Progress::of_search();
+    let mut stop = |at: grafc_verify::Progress| {
+        if let Some(progress) = &mut progress {
+            progress.say(format!("{} states known, {} looked at", at.known, at.looked_at));
+        }
+        if interrupt.has_come() {
+            return Some(Limit::Interrupted);
+        }
+        (Instant::now() >= end).then_some(Limit::Time)
+    };
+    let verified = verify(Subject { chart, program: &program, profile }, Method::Auto, &mut stop);
+    Some((program.name.clone(), verified))
+}
