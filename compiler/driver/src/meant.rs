@@ -16,7 +16,7 @@ const OTHER_WORDS: &[(&[&str], &str, &str)] = &[
     (&["statistics", "size", "measure", "info"], "stats", "grafc stats CHART"),
     (&["error", "describe", "why", "doc"], "explain", "grafc explain CODE"),
     (&["manual"], "man", "grafc man"),
-    (&["tests", "coverage", "cover", "scenario", "scenarios"], "test", "grafc test [PATH]"),
+    (&["coverage", "cover", "scenario", "scenarios"], "test", "grafc test [PATH]"),
     (&["version"], "", "grafc --version"),
 ];
 

@@ -11,7 +11,6 @@
 //! One cause is told once: after it is assumed away, what still is impossible has another one.
 
 use super::constant::Constant;
-use super::region::Transitions;
 use crate::analysis::together::questions::Questions;
 use crate::analysis::together::witness::{self, SearchResult};
 use grafc_model::chart::{ExprId, ExprKind, StepId, TransitionId, below};
@@ -19,6 +18,10 @@ use grafc_net::Net;
 use grafc_net::net::{Forced, Steps};
 use index_vec::{IndexVec, index_vec};
 use rustc_hash::FxHashMap;
+use smallvec::SmallVec;
+
+/// Transitions: mostly few.
+pub(super) type Transitions = SmallVec<[TransitionId; 4]>;
 
 /// Of the steps that a transition needs, so many are compared with each other.
 const COMPARED: usize = 8;

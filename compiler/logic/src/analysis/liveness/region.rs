@@ -5,19 +5,15 @@
 //! places the linked steps of an empty enclosure (R5a, I1), and between them the situation only evolves. So whatever the
 //! grafcet can come to is reached from one of its starts by clearings alone.
 
-use super::possible::Never;
+use super::possible::{Never, Transitions};
 use crate::analysis::together::questions::Questions;
 use grafc_model::chart::{ExprId, ExprKind, GrafcetId, Mode, StepId, TransitionId, below};
 use grafc_net::Net;
 use grafc_net::net::{Forced, Steps};
 use rustc_hash::FxHashMap;
-use smallvec::SmallVec;
 
 /// Active steps of a grafcet, in order: mostly few.
 pub(super) type Marking = Steps;
-
-/// Transitions: mostly few.
-pub(super) type Transitions = SmallVec<[TransitionId; 4]>;
 
 /// What a condition says of the steps of its own grafcet, and whether it asks for nothing but inputs and time besides.
 struct Guard {
