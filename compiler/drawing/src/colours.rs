@@ -22,8 +22,10 @@ pub struct Colours {
     pub steps: BTreeMap<String, Colour>,
     /// Of transitions, in order of declaration.
     pub transitions: Vec<Colour>,
-    /// Of links, by what they lead from and to: labels, and designations or `#n`.
-    pub links: BTreeMap<(String, String), Colour>,
+    /// Of links before transitions, by the label that they lead from and the designation, or `#n`, that they lead to.
+    pub before: BTreeMap<(String, String), Colour>,
+    /// Of links after transitions, the other way around. A step and a transition may be called alike.
+    pub after: BTreeMap<(String, String), Colour>,
     /// Of actions, in the order of the text.
     pub actions: Vec<Colour>,
     /// Of forcing orders, in order of declaration.
@@ -52,7 +54,11 @@ fn colour(group: &mut Group, colours: &Colours) {
     let place = |name: &str| data(name).and_then(|value| value.parse::<usize>().ok());
     let found = match (data("data-step"), data("data-from"), data("data-to")) {
         (Some(label), _, _) => colours.steps.get(label),
-        (None, Some(from), Some(to)) => colours.links.get(&(from.to_string(), to.to_string())),
+        (None, Some(from), Some(to)) => {
+            let is_before = group.class.split(' ').any(|class| class == "before");
+            let links = if is_before { &colours.before } else { &colours.after };
+            links.get(&(from.to_string(), to.to_string()))
+        }
         (None, _, _) => {
             let transition = place("data-number").and_then(|number| colours.transitions.get(number.checked_sub(1)?));
             let action = || place("data-action").and_then(|number| colours.actions.get(number));

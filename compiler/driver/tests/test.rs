@@ -254,6 +254,31 @@ fn coverage_is_of_all_tests_of_a_chart() {
     assert!(folder.path("drawn/valve.coverage.svg").exists());
 }
 
+/// From step 1 to transition (2), and from transition (1) to step 2.
+#[test]
+fn links_between_what_is_called_alike_have_their_own_colours() {
+    let chart = "input a, b : bool
+output V, W : bool
+initial step 1
+step 2 { V }
+step 3 { W }
+transition (1) 1 -> 2 : a and not b
+transition (2) 1 -> 3 : b
+transition (3) 2 -> 1 : not a
+transition (4) 3 -> 1 : not b
+";
+    let folder = Folder::new(&[("c.gct", chart), ("c.test.csv", "t_ms,a,|,V\n0,0,,0\n10,1,,1\n")]);
+    folder.run(&["test", "--coverage-drawing", "c.svg"]).is_done();
+    let svg = folder.read("c.svg");
+    for link in [
+        "class=\"link after wholly\" data-from=\"1\" data-to=\"2\"",
+        "class=\"link before never\" data-from=\"1\" data-to=\"2\"",
+        "class=\"link after never\" data-from=\"2\" data-to=\"3\"",
+    ] {
+        assert!(svg.contains(link), "{link}: {svg}");
+    }
+}
+
 /// Enclosed by 5, with an activation link of 51; the order of 1 holds G3 in 31 and lets it go.
 #[test]
 fn coverage_of_orders_and_activation_links() {

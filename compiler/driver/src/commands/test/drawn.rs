@@ -91,10 +91,10 @@ fn colours(coverage: &Coverage) -> Colours {
             Node::Macro(id) => chart.macro_steps[id].label.to_string(),
         };
         for before in &transition.pre {
-            colours.links.insert((name_of(before), name.clone()), colour);
+            colours.before.insert((name_of(before), name.clone()), colour);
         }
         for after in &transition.post {
-            colours.links.insert((name.clone(), name_of(after)), colour);
+            colours.after.insert((name.clone(), name_of(after)), colour);
         }
     }
     colours
