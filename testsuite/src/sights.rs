@@ -25,7 +25,7 @@ pub struct Sights {
 }
 
 /// The steps before a transition, and those after it (M1).
-fn arcs(chart: &Chart, t: TransitionId) -> (BTreeSet<StepId>, BTreeSet<StepId>) {
+pub fn arcs(chart: &Chart, t: TransitionId) -> (BTreeSet<StepId>, BTreeSet<StepId>) {
     let before = chart.transitions[t].pre.iter().map(|node| match *node {
         Node::Step(s) => s,
         Node::Macro(m) => chart.exit(m),

@@ -24,7 +24,7 @@ mod probes;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use grafc_logic::{Encoding, Options};
 use grafc_model::chart::{
-    Chart, ExprId, ExprKind, GrafcetId, Node, Order, Situation, StepId, TransitionId, Value, VariableId,
+    Chart, ExprId, ExprKind, GrafcetId, Order, Situation, StepId, TransitionId, Value, VariableId,
 };
 use grafc_model::reaction::{Evolution, Profile, Stimulus};
 use grafc_model::simulate::Activity;
@@ -33,6 +33,7 @@ use grafc_testsuite::net_steps::same;
 use grafc_testsuite::random::profile;
 use grafc_testsuite::random::{ChartKind, checked, low_bound, trace};
 use grafc_testsuite::runs::{caught, overlapping, run, simulate};
+use grafc_testsuite::sights::arcs;
 use probes::{Seen, Watched, watch};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -51,19 +52,6 @@ fn warned(diagnostics: &Diagnostics, code: Code, places: &[Span]) -> bool {
         places.contains(&d.primary.span) || d.secondary.iter().any(|label| places.contains(&label.span))
     };
     diagnostics.iter().any(|d| d.code == code && shows(d))
-}
-
-/// The steps before a transition, and those after it (M1).
-fn arcs(chart: &Chart, t: TransitionId) -> (BTreeSet<StepId>, BTreeSet<StepId>) {
-    let before = chart.transitions[t].pre.iter().map(|node| match *node {
-        Node::Step(s) => s,
-        Node::Macro(m) => chart.exit(m),
-    });
-    let after = chart.transitions[t].post.iter().map(|node| match *node {
-        Node::Step(s) => s,
-        Node::Macro(m) => chart.entry(m),
-    });
-    (before.collect(), after.collect())
 }
 
 /// What was seen, by code: charts that showed it, and charts that were not warned of it.

@@ -3,6 +3,7 @@
 use crate::Exit;
 use crate::stream::Stream;
 use clap::ValueEnum;
+use grafc::Document;
 use grafc::files::{Refusal, print};
 use grafc_diagnostics::{Code, Diagnostics, FileId, Policy, Severity, SourceMap, render};
 use std::fmt;
@@ -99,6 +100,14 @@ impl Report {
     pub fn load(&mut self, stream: &Stream) -> Result<Option<FileId>, Refusal> {
         let added = grafc::add(&mut self.sources, stream.input_name(), stream.read()?);
         Ok(added.map_err(|diagnostic| self.diagnostics.push(diagnostic)).ok())
+    }
+
+    /// Reads a chart; none if it is not UTF-8. It is the only text of the report, so places in it are the same in the
+    /// document.
+    pub fn document(&mut self, chart: &Stream) -> Result<Option<Document>, Refusal> {
+        let Some(file) = self.load(chart)? else { return Ok(None) };
+        let source = self.sources.file(file);
+        Ok(Some(Document::new(&source.name, &source.text).named(chart.chart_name())))
     }
 
     /// A text that is read as it comes, and not kept.

@@ -40,15 +40,11 @@ mod ending {
                 if IS_AWAITED.load(Ordering::SeqCst) && COME.swap(signal, Ordering::SeqCst) == 0 {
                     continue;
                 }
-                end(signal);
+                abandon();
+                // If that cannot be done, the process goes on to its own end.
+                let _ = emulate_default_handler(signal);
             }
         });
-    }
-
-    fn end(signal: i32) {
-        abandon();
-        // If that cannot be done, the process goes on to its own end.
-        let _ = emulate_default_handler(signal);
     }
 
     /// Work that is told between two steps that it is to end, so that it can say what is known so far; told twice, the
@@ -65,11 +61,6 @@ mod ending {
         /// Whether it has come.
         pub fn has_come(&self) -> bool {
             COME.load(Ordering::Relaxed) != 0
-        }
-
-        /// Does what it would have done.
-        pub fn give_way(&self) {
-            end(COME.load(Ordering::Relaxed));
         }
     }
 
@@ -99,8 +90,5 @@ mod ending {
         pub fn has_come(&self) -> bool {
             false
         }
-
-        /// There is nothing to be done.
-        pub fn give_way(&self) {}
     }
 }

@@ -30,6 +30,16 @@ pub(crate) enum At {
     Real(RealAt),
 }
 
+impl At {
+    /// Where the Boolean lies that this must be: the program has been verified.
+    pub(crate) fn bool(self) -> BoolAt {
+        match self {
+            At::Bool(at) => at,
+            At::Whole(_) | At::Real(_) => unreachable!("it is Boolean, and lies at {self:?}"),
+        }
+    }
+}
+
 /// An operation. Those of formulas are done in all lanes; those of statements keep their result in the lanes that the
 /// statement is reached in.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -130,7 +130,7 @@ impl Compiler<'_> {
                 Statement::Divide(Division { target, modulo, dividend, divisor, flag, .. }) => {
                     let (a, b) = (self.value(*dividend), self.value(*divisor));
                     let ty = self.types[*target];
-                    let At::Bool(raised) = self.variables[*flag] else { unreachable!("a flag is Boolean") };
+                    let raised = self.variables[*flag].bool();
                     self.operations.push(match (self.variables[*target], a, b) {
                         (At::Whole(to), At::Whole(a), At::Whole(b)) => {
                             Operation::DivideWholes(to, *modulo, ty, (a, b), raised)
@@ -211,10 +211,7 @@ impl Compiler<'_> {
     }
 
     fn truth(&mut self, formula: FormulaId) -> BoolAt {
-        match self.value(formula) {
-            At::Bool(at) => at,
-            other => unreachable!("a condition is Boolean: {other:?}"),
-        }
+        self.value(formula).bool()
     }
 
     /// Where the value of a formula lies, once the operations so far are done.
@@ -262,10 +259,6 @@ impl Compiler<'_> {
 
     fn work_out(&mut self, id: FormulaId) -> At {
         let (pool, ty) = (self.pool, self.pool.ty(id));
-        let bool_at = |at: At| match at {
-            At::Bool(at) => at,
-            other => unreachable!("an operand is Boolean: {other:?}"),
-        };
         match *pool.get(id) {
             Formula::Constant(value) => {
                 let at = self.room.place(ty);
@@ -280,13 +273,13 @@ impl Compiler<'_> {
                 At::Whole(to)
             }
             Formula::Not(a) => {
-                let a = bool_at(self.known[&a].0);
+                let a = self.known[&a].0.bool();
                 self.bools(|to| Operation::Not(to, a))
             }
             Formula::And(list) => self.chain(pool.list(list), Operation::And),
             Formula::Or(list) => self.chain(pool.list(list), Operation::Or),
             Formula::Xor(a, b) => {
-                let (a, b) = (bool_at(self.known[&a].0), bool_at(self.known[&b].0));
+                let (a, b) = (self.known[&a].0.bool(), self.known[&b].0.bool());
                 self.bools(|to| Operation::Xor(to, a, b))
             }
             Formula::Compare(op, a, b) => match (self.known[&a].0, self.known[&b].0) {
@@ -333,18 +326,12 @@ impl Compiler<'_> {
 
     /// A conjunction or disjunction, two operands at a time.
     fn chain(&mut self, operands: &[FormulaId], join: impl Fn(BoolAt, BoolAt, BoolAt) -> Operation) -> At {
-        let places: Vec<BoolAt> = operands
-            .iter()
-            .map(|operand| match self.known[operand].0 {
-                At::Bool(at) => at,
-                other => unreachable!("an operand is Boolean: {other:?}"),
-            })
-            .collect();
         let to = BoolAt::from_usize(self.room.bools);
         self.room.bools += 1;
-        let mut so_far = places[0];
-        for place in &places[1..] {
-            self.operations.push(join(to, so_far, *place));
+        // There are two or more.
+        let mut so_far = self.known[&operands[0]].0.bool();
+        for operand in &operands[1..] {
+            self.operations.push(join(to, so_far, self.known[operand].0.bool()));
             so_far = to;
         }
         At::Bool(to)

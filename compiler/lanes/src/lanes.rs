@@ -1,7 +1,7 @@
 //! The state of 64 scenarios, and a call.
 
 use crate::Word;
-use crate::code::{At, Body, BoolAt, LANES, Operation, Part};
+use crate::code::{Body, LANES, Operation, Part};
 use crate::compile::{Code, compile};
 use crate::operate::{Timer, Values, lanes};
 use grafc_formula::Value;
@@ -49,7 +49,7 @@ impl<'p> Lanes<'p> {
     /// # Panics
     /// The input is not Boolean.
     pub fn set_bools(&mut self, input: usize, word: Word) {
-        let at = bool_at(self.code.variables[self.inputs[input]]);
+        let at = self.code.variables[self.inputs[input]].bool();
         self.values.bools[at] = word;
     }
 
@@ -78,7 +78,7 @@ impl<'p> Lanes<'p> {
         match program.repeat {
             None => values.run(code, &code.micro_step, mask),
             Some(repeat) => {
-                let again = bool_at(code.variables[repeat.again]);
+                let again = code.variables[repeat.again].bool();
                 let (mut left, mut count) = (mask, 0);
                 while left != 0 && repeat.limit.is_none_or(|limit| count < limit.bound) {
                     count += 1;
@@ -86,7 +86,7 @@ impl<'p> Lanes<'p> {
                     left &= values.bools[again];
                 }
                 if let Some(limit) = repeat.limit {
-                    values.bools[bool_at(code.variables[limit.flag])] |= left;
+                    values.bools[code.variables[limit.flag].bool()] |= left;
                 }
             }
         }
@@ -149,7 +149,7 @@ impl<'p> Lanes<'p> {
     /// # Panics
     /// The variable is not Boolean.
     pub fn bools_of(&self, variable: VarId) -> Word {
-        self.values.bools[bool_at(self.code.variables[variable])]
+        self.values.bools[self.code.variables[variable].bool()]
     }
 
     /// Where each flag is raised: LIVELOCK, ALLOC_CONFLICT, FORCE_CONFLICT, DIV0.
@@ -161,15 +161,8 @@ impl<'p> Lanes<'p> {
     }
 }
 
-fn bool_at(at: At) -> BoolAt {
-    match at {
-        At::Bool(at) => at,
-        other => unreachable!("it is Boolean, and lies at {other:?}"),
-    }
-}
-
 /// The first so many lanes.
-pub(crate) fn first_lanes(count: usize) -> Word {
+fn first_lanes(count: usize) -> Word {
     if count >= LANES { Word::MAX } else { (1 << count) - 1 }
 }
 

@@ -102,9 +102,8 @@ impl Values {
             }
             Operation::DivideWholes(to, modulo, ty, (a, b), flag) => {
                 let (a, b) = (self.wholes[a], self.wholes[b]);
-                let value = |n: i64| if ty == Type::Time { Value::Time(n) } else { Value::Int(n) };
                 for lane in lanes(mask) {
-                    let quotient = divide(ty, modulo, value(a[lane]), value(b[lane]));
+                    let quotient = divide(ty, modulo, of_type(ty, a[lane]), of_type(ty, b[lane]));
                     bools[flag] |= Word::from(quotient.is_none()) << lane;
                     self.wholes[to][lane] = quotient.map_or(0, whole);
                 }
@@ -133,8 +132,7 @@ impl Values {
     pub(crate) fn value(&self, at: At, ty: Type, lane: usize) -> Value {
         match at {
             At::Bool(at) => Value::Bool(self.bools[at] >> lane & 1 == 1),
-            At::Whole(at) if ty == Type::Time => Value::Time(self.wholes[at][lane]),
-            At::Whole(at) => Value::Int(self.wholes[at][lane]),
+            At::Whole(at) => of_type(ty, self.wholes[at][lane]),
             At::Real(at) => Value::Real(self.reals[at][lane]),
         }
     }
@@ -170,9 +168,12 @@ fn compare_wholes(op: Comparison, a: &Row<i64>, b: &Row<i64>) -> Word {
 }
 
 fn wholes(op: Arithmetic, ty: Type, a: Row<i64>, b: &Row<i64>) -> Row<i64> {
-    let value = |n: i64| if ty == Type::Time { Value::Time(n) } else { Value::Int(n) };
-    let one = |lane: usize| whole(arithmetic(op, ty, value(a[lane]), value(b[lane])));
-    std::array::from_fn(one)
+    std::array::from_fn(|lane| whole(arithmetic(op, ty, of_type(ty, a[lane]), of_type(ty, b[lane]))))
+}
+
+/// A whole number, or a time.
+fn of_type(ty: Type, n: i64) -> Value {
+    if ty == Type::Time { Value::Time(n) } else { Value::Int(n) }
 }
 
 fn whole(value: Value) -> i64 {

@@ -188,32 +188,10 @@ fn marks(chart: &Tables) -> FxHashMap<VariableId, Vec<Number>> {
         }
         chart.exprs[id].kind
     };
-    let value = |kind: ExprKind| match kind {
-        ExprKind::Literal(value) => Some(value),
-        ExprKind::Variable(id) if chart.variables[id].kind == VariableKind::Constant => {
-            Some(chart.variables[id].initial)
-        }
-        ExprKind::Variable(_)
-        | ExprKind::StepActive(_)
-        | ExprKind::StepTime(_)
-        | ExprKind::MacroActive(_)
-        | ExprKind::GrafcetActive(_)
-        | ExprKind::Not(_)
-        | ExprKind::And(..)
-        | ExprKind::Or(..)
-        | ExprKind::Xor(..)
-        | ExprKind::Rise(_)
-        | ExprKind::Fall(_)
-        | ExprKind::Delay { .. }
-        | ExprKind::Compare(..)
-        | ExprKind::Arithmetic(..)
-        | ExprKind::Negate(_)
-        | ExprKind::Widen(_) => None,
-    };
     for expr in &chart.exprs {
         let ExprKind::Compare(_, a, b) = expr.kind else { continue };
         for (side, other) in [(bare(a), bare(b)), (bare(b), bare(a))] {
-            if let (ExprKind::Variable(id), Some(value)) = (side, value(other))
+            if let (ExprKind::Variable(id), Some(value)) = (side, chart.constant(&other))
                 && chart.variables[id].kind == VariableKind::Input
             {
                 found.entry(id).or_default().push(value.into());

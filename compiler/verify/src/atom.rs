@@ -105,12 +105,6 @@ impl Bound {
         }
     }
 
-    /// Values on both sides of it.
-    pub(crate) fn around(self, ty: Type) -> [Value; 2] {
-        let (at_least, below) = self.sides(ty);
-        [at_least, below]
-    }
-
     /// Whether all values of the type, or none, are not below it.
     pub(crate) fn trivial(self, ty: Type) -> Option<bool> {
         let Bound::Whole(n) = self else { return None };

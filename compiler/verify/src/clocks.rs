@@ -67,7 +67,7 @@ impl Clocks {
 }
 
 /// A constant, perhaps by its name.
-fn constant(program: &Program, formula: FormulaId) -> Option<Value> {
+pub(crate) fn constant(program: &Program, formula: FormulaId) -> Option<Value> {
     let known = program.pool.as_constant(formula);
     if let Formula::Variable(v) = program.pool.get(formula) {
         let variable = &program.variables[*v];

@@ -49,20 +49,10 @@ impl Facts {
             let (before, after) = program.elements.around(t);
             (before.to_vec(), after.to_vec())
         };
-        let flags = program.variables.iter_enumerated().filter_map(|(v, variable)| match variable.role {
-            Role::Flag(Flag::AllocConflict) => Some((v, Fact::AllocConflict)),
-            Role::Flag(Flag::ForceConflict) => Some((v, Fact::ForceConflict)),
-            Role::Flag(Flag::Livelock | Flag::Div0)
-            | Role::Input
-            | Role::Output
-            | Role::Internal
-            | Role::Constant
-            | Role::Step
-            | Role::State
-            | Role::Memory
-            | Role::Temporary
-            | Role::Observed => None,
-        });
+        let conflicts = [(Flag::AllocConflict, Fact::AllocConflict), (Flag::ForceConflict, Fact::ForceConflict)];
+        let flags = conflicts
+            .into_iter()
+            .flat_map(|(flag, fact)| program.of_role(Role::Flag(flag)).map(move |(v, _)| (v, fact)));
         Facts {
             around: transitions.map(|seen| of(seen.transition)).collect(),
             flags: flags.collect(),

@@ -32,6 +32,6 @@ fn of_input(input: VarId, ty: Type, answers: &Answers, before: Value) -> Option<
         Atom::AtLeast(v, bound) if v == input => Some(bound),
         Atom::Holds(_) | Atom::AtLeast(..) | Atom::Ends(..) => None,
     });
-    let near = bounds.flat_map(|bound| bound.around(ty));
+    let near = bounds.flat_map(|bound| <[Value; 2]>::from(bound.sides(ty)));
     std::iter::once(before).chain(near).find(fits)
 }

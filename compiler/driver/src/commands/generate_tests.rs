@@ -92,9 +92,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     };
     let mut report = Report::default();
     let mut made = None;
-    if let Some(file) = report.load(&args.chart)? {
-        let source = report.sources.file(file);
-        let document = Document::new(&source.name, &source.text).named(args.chart.chart_name());
+    if let Some(document) = report.document(&args.chart)? {
         report.diagnostics.append(document.diagnostics().clone());
         made = tests(&document, &args)?;
     }

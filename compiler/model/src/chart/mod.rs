@@ -89,6 +89,34 @@ impl From<Chart> for Tables {
     }
 }
 
+impl Tables {
+    /// The value of an expression that never changes, by itself: a literal, a constant.
+    pub fn constant(&self, kind: &ExprKind) -> Option<Value> {
+        match kind {
+            ExprKind::Literal(value) => Some(*value),
+            ExprKind::Variable(id) if self.variables[*id].kind == VariableKind::Constant => {
+                Some(self.variables[*id].initial)
+            }
+            ExprKind::Variable(_)
+            | ExprKind::StepActive(_)
+            | ExprKind::StepTime(_)
+            | ExprKind::MacroActive(_)
+            | ExprKind::GrafcetActive(_)
+            | ExprKind::Not(_)
+            | ExprKind::And(..)
+            | ExprKind::Or(..)
+            | ExprKind::Xor(..)
+            | ExprKind::Rise(_)
+            | ExprKind::Fall(_)
+            | ExprKind::Delay { .. }
+            | ExprKind::Compare(..)
+            | ExprKind::Arithmetic(..)
+            | ExprKind::Negate(_)
+            | ExprKind::Widen(_) => None,
+        }
+    }
+}
+
 impl Deref for Chart {
     type Target = Tables;
 

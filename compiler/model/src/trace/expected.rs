@@ -110,13 +110,12 @@ impl<'a, R: Read> Expectations<'a, R> {
         if self.is_over {
             return Ok(None);
         }
-        self.given.times.pass(&mut self.row);
-        if !self.rows.next(&mut self.row, &mut self.said)? {
-            self.is_over = true;
-            return Ok(None);
-        }
-        self.is_read = self.said.fits(&self.row, self.header.len());
-        Ok(Some(if self.is_read { self.given.read(&self.row, &mut self.said) } else { self.given.kept(false) }))
+        let next = self.given.next(&mut self.rows, &mut self.row, &mut self.said, self.header.len())?;
+        self.is_over = next.is_none();
+        Ok(next.map(|(stimulus, fits)| {
+            self.is_read = fits;
+            stimulus
+        }))
     }
 
     /// Reads what the row at hand expects, and compares it with what its call came to, if there was one; with what the

@@ -2,12 +2,14 @@
 
 use super::columns::{RESTART, columns, kind_of, unknown};
 use super::row::Row;
+use super::rows::Rows;
 use super::said::Said;
 use super::times::Times;
 use super::values::parse_value;
 use crate::chart::{Chart, Type, Value, Variable, VariableKind};
 use crate::reaction::Stimulus;
 use crate::resolve::suggest::Suggestions;
+use std::io;
 
 /// The columns of what is given, and the values that the latest row came to.
 pub(super) struct Given<'a> {
@@ -45,7 +47,7 @@ impl<'a> Given<'a> {
     }
 
     /// The stimulus of a row. A cell that cannot be read is reported and taken as empty.
-    pub fn read(&mut self, row: &Row, said: &mut Said) -> Stimulus {
+    fn read(&mut self, row: &Row, said: &mut Said) -> Stimulus {
         let mut restart = false;
         for (column, role) in self.columns.iter().enumerate() {
             match *role {
@@ -80,8 +82,29 @@ impl<'a> Given<'a> {
         self.kept(restart)
     }
 
+    /// Reads the next row, if there is one: its stimulus, and whether it has as many cells as it must have. What comes behind
+    /// a row that is no text is hardly a trace.
+    ///
+    /// # Errors
+    /// The text cannot be read.
+    pub fn next<R: io::Read>(
+        &mut self,
+        rows: &mut Rows<R>,
+        row: &mut Row,
+        said: &mut Said,
+        width: usize,
+    ) -> io::Result<Option<(Stimulus, bool)>> {
+        self.times.pass(row);
+        if !rows.next(row, said)? {
+            return Ok(None);
+        }
+        let fits = said.fits(row, width);
+        let stimulus = if fits { self.read(row, said) } else { self.kept(false) };
+        Ok(Some((stimulus, fits)))
+    }
+
     /// The stimulus of a row that cannot be read: that of the row before.
-    pub fn kept(&self, restart: bool) -> Stimulus {
+    fn kept(&self, restart: bool) -> Stimulus {
         Stimulus { t_ms: self.times.latest(), restart, inputs: self.values.clone() }
     }
 }

@@ -66,16 +66,9 @@ impl<'a, R: Read> Stimuli<'a, R> {
         if self.is_over {
             return Ok(None);
         }
-        self.given.times.pass(&mut self.row);
-        if !self.rows.next(&mut self.row, &mut self.said)? {
-            // What comes behind a fault is hardly a trace.
-            self.is_over = true;
-            return Ok(None);
-        }
-        Ok(Some(match self.said.fits(&self.row, self.width) {
-            true => self.given.read(&self.row, &mut self.said),
-            false => self.given.kept(false),
-        }))
+        let next = self.given.next(&mut self.rows, &mut self.row, &mut self.said, self.width)?;
+        self.is_over = next.is_none();
+        Ok(next.map(|(stimulus, _)| stimulus))
     }
 
     /// The places of the times of the latest row, and of the row before it.

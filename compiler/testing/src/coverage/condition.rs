@@ -3,7 +3,7 @@
 //! An atom is what `and`, `or`, `xor` and `not` join: a variable, an edge, a delay, a comparison. The same atom in two
 //! places of a condition is one. What never changes is none.
 
-use grafc_model::chart::{Chart, ExprId, ExprKind, Value, VariableKind, below};
+use grafc_model::chart::{Chart, ExprId, ExprKind, Value, below};
 use grafc_model::simulate::Simulator;
 use rustc_hash::FxHashMap;
 
@@ -54,7 +54,7 @@ impl Condition {
             joints.push(id);
             if is_joint(kind) {
                 open.extend(kind.operands().rev());
-            } else if !is_constant(chart, kind) {
+            } else if chart.constant(kind).is_none() {
                 place_of.entry(classes.of[id.index()]).or_insert_with(|| {
                     atoms.push(Atom { expr: id, counts: [0; 2] });
                     atoms.len() - 1
@@ -72,10 +72,10 @@ impl Condition {
                     ExprKind::And(a, b) => of(a) & of(b),
                     ExprKind::Or(a, b) => of(a) | of(b),
                     ExprKind::Xor(a, b) => of(a) ^ of(b),
-                    ref kind => match place_of.get(&classes.of[id.index()]) {
-                        Some(place) if !is_constant(chart, kind) => TRUE_IN[*place],
-                        Some(_) | None if constant(chart, kind) => !0,
-                        Some(_) | None => 0,
+                    ref kind => match (chart.constant(kind), place_of.get(&classes.of[id.index()])) {
+                        (None, Some(place)) => TRUE_IN[*place],
+                        (Some(Value::Bool(true)), _) => !0,
+                        (Some(_) | None, _) => 0,
                     },
                 };
                 table.insert(id, value);
@@ -143,40 +143,6 @@ fn is_joint(kind: &ExprKind) -> bool {
         | ExprKind::Negate(_)
         | ExprKind::Widen(_) => false,
     }
-}
-
-/// What a kind of expression that never changes is.
-fn constant_value(chart: &Chart, kind: &ExprKind) -> Option<Value> {
-    match kind {
-        ExprKind::Literal(value) => Some(*value),
-        ExprKind::Variable(id) if chart.variables[*id].kind == VariableKind::Constant => {
-            Some(chart.variables[*id].initial)
-        }
-        ExprKind::Variable(_)
-        | ExprKind::StepActive(_)
-        | ExprKind::StepTime(_)
-        | ExprKind::MacroActive(_)
-        | ExprKind::GrafcetActive(_)
-        | ExprKind::Not(_)
-        | ExprKind::And(..)
-        | ExprKind::Or(..)
-        | ExprKind::Xor(..)
-        | ExprKind::Rise(_)
-        | ExprKind::Fall(_)
-        | ExprKind::Delay { .. }
-        | ExprKind::Compare(..)
-        | ExprKind::Arithmetic(..)
-        | ExprKind::Negate(_)
-        | ExprKind::Widen(_) => None,
-    }
-}
-
-fn is_constant(chart: &Chart, kind: &ExprKind) -> bool {
-    constant_value(chart, kind).is_some()
-}
-
-fn constant(chart: &Chart, kind: &ExprKind) -> bool {
-    constant_value(chart, kind) == Some(Value::Bool(true))
 }
 
 /// Which expressions of a chart say the same: they have the same class.

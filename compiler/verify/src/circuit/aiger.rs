@@ -4,7 +4,7 @@
 //! Inputs and latches come first and bear their names; what must never hold is a bad state, and what is assumed a constraint
 //! on the inputs.
 
-use super::build::Circuit;
+use super::build::{Circuit, one_line};
 use super::graph::{Literal, Node};
 
 /// The file.
@@ -56,9 +56,4 @@ fn push(out: &mut Vec<u8>, mut number: u64) {
         number >>= 7;
     }
     out.push(number as u8);
-}
-
-/// A name without line ends, which end the line of a symbol.
-fn one_line(name: &str) -> String {
-    name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

@@ -2,7 +2,7 @@
 
 use super::graph::{Graph, Literal};
 use super::numbers::{Bits, constant, widened, width};
-use crate::clocks::Clocks;
+use crate::clocks::{self, Clocks};
 use crate::live::Live;
 use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Type, Value, VarId};
 use grafc_logic::scan::{ClaimKind, Division, Flag, Program, Role, SeenBody, Statement};
@@ -476,18 +476,9 @@ impl Builder<'_> {
     /// The value of a formula, each shared part once.
     fn value(&mut self, root: FormulaId) -> Result<Held, Beyond> {
         let mut known: FxHashMap<FormulaId, Held> = FxHashMap::default();
-        let mut stack = vec![(root, false)];
-        while let Some((id, ready)) = stack.pop() {
-            if known.contains_key(&id) {
-                continue;
-            }
-            if ready {
-                let held = self.apply(id, &known)?;
-                known.insert(id, held);
-            } else {
-                stack.push((id, true));
-                stack.extend(self.program.pool.operands(id).map(|operand| (operand, false)));
-            }
+        for id in self.program.pool.below(root) {
+            let held = self.apply(id, &known)?;
+            known.insert(id, held);
         }
         Ok(known.remove(&root).unwrap_or(Held::Unknown))
     }
@@ -543,11 +534,7 @@ impl Builder<'_> {
             (_, Formula::TimerElapsed(t)) => (*t, a, op.mirrored()),
             _ => return Err(Beyond::Real(self.program.name.clone())),
         };
-        let known = pool.as_constant(other).or(match pool.get(other) {
-            Formula::Variable(v) => Some(self.program.variables[*v].initial),
-            _ => None,
-        });
-        let Some(Value::Time(time)) = known else {
+        let Some(Value::Time(time)) = clocks::constant(self.program, other) else {
             return Err(Beyond::Duration(self.program.timers[timer].name.clone()));
         };
         let (at, beyond) = (self.has_run(timer, time), self.has_run(timer, time.saturating_add(1)));
@@ -572,4 +559,9 @@ impl Builder<'_> {
         let on = *on;
         self.graph.and(on, passed)
     }
+}
+
+/// A name without line ends: in the texts of circuits they end a symbol, or a comment.
+pub(super) fn one_line(name: &str) -> String {
+    name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

@@ -2,7 +2,7 @@
 //!
 //! Names are numbers, since not all names of charts are names of SMV; a comment beside each says whose it is.
 
-use super::build::Circuit;
+use super::build::{Circuit, one_line};
 use super::graph::{Literal, Node};
 use std::fmt::Write;
 
@@ -22,7 +22,7 @@ pub fn smv(circuit: &Circuit) -> String {
         if literal.is_negated() { format!("!{name}") } else { name.clone() }
     };
     let mut out =
-        format!("-- {}: a step is a micro-step of the chart; it rests where l0 holds\n", comment(&circuit.name));
+        format!("-- {}: a step is a micro-step of the chart; it rests where l0 holds\n", one_line(&circuit.name));
     let mut line = |words: std::fmt::Arguments| {
         // Writing into a text cannot fail.
         let _ = writeln!(out, "{words}");
@@ -32,11 +32,11 @@ pub fn smv(circuit: &Circuit) -> String {
         line(format_args!("IVAR"));
     }
     for (place, input) in circuit.inputs.iter().enumerate() {
-        line(format_args!("  i{place} : boolean; -- {}", comment(&input.name)));
+        line(format_args!("  i{place} : boolean; -- {}", one_line(&input.name)));
     }
     line(format_args!("VAR"));
     for (place, latch) in circuit.latches.iter().enumerate() {
-        line(format_args!("  l{place} : boolean; -- {}", comment(&latch.name)));
+        line(format_args!("  l{place} : boolean; -- {}", one_line(&latch.name)));
     }
     line(format_args!("DEFINE"));
     for (node, kind) in nodes.iter().enumerate() {
@@ -52,19 +52,14 @@ pub fn smv(circuit: &Circuit) -> String {
     }
     // What is broken after a step hangs on the inputs of it, and an invariant may not: so it is kept.
     for (place, bad) in circuit.bad.iter().enumerate() {
-        line(format_args!("VAR b{place} : boolean; -- {}", comment(&bad.name)));
+        line(format_args!("VAR b{place} : boolean; -- {}", one_line(&bad.name)));
         line(format_args!("ASSIGN init(b{place}) := FALSE; next(b{place}) := {};", literal(bad.literal)));
     }
     if circuit.assumed != Literal::TRUE {
         line(format_args!("TRANS {}", literal(circuit.assumed)));
     }
     for (place, bad) in circuit.bad.iter().enumerate() {
-        line(format_args!("INVARSPEC !b{place} -- {}", comment(&bad.name)));
+        line(format_args!("INVARSPEC !b{place} -- {}", one_line(&bad.name)));
     }
     out
-}
-
-/// A name that ends no comment.
-fn comment(name: &str) -> String {
-    name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

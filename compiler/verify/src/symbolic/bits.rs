@@ -4,7 +4,7 @@ use super::order;
 use super::sets::Halt;
 use crate::atom::{Atom, Bound, Question};
 use crate::beyond::Beyond;
-use crate::clocks::Clocks;
+use crate::clocks::{Clocks, constant};
 use crate::live::Live;
 use biodivine_lib_bdd::{Bdd, BddVariable, BddVariableSet};
 use grafc_formula::{Formula, FormulaId, TimerId, Type, Value, VarId};
@@ -49,16 +49,6 @@ pub(crate) fn width(ty: Type) -> Option<usize> {
         Type::Time => Some(64),
         Type::Real | Type::Lreal => None,
     }
-}
-
-/// A constant, perhaps by its name.
-pub(crate) fn constant(program: &Program, formula: FormulaId) -> Option<Value> {
-    let known = program.pool.as_constant(formula);
-    if let Formula::Variable(v) = program.pool.get(formula) {
-        let variable = &program.variables[*v];
-        return known.or((variable.role == Role::Constant).then_some(variable.initial));
-    }
-    known
 }
 
 /// The input that a formula is, perhaps as another type.

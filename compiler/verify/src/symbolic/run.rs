@@ -1,12 +1,12 @@
 //! Statements, run once for all states: each variable is a function of what it was before.
 
-use super::bits::{Bits, beyond, constant};
+use super::bits::{Bits, beyond};
 use super::number;
 use super::seen::Seen;
 use super::sets::{Halt, Sets};
 use crate::atom::{Atom, Question};
 use crate::beyond::Beyond;
-use crate::clocks::Clocks;
+use crate::clocks::{Clocks, constant};
 use biodivine_lib_bdd::Bdd;
 use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Type, Value, VarId};
 use grafc_logic::scan::{Program, Role, Statement};
@@ -148,18 +148,9 @@ impl<'p> Run<'p> {
 
     fn value(&self, root: FormulaId, sets: &mut Sets) -> Result<Seen, Halt> {
         let mut known: FxHashMap<FormulaId, Seen> = FxHashMap::default();
-        let mut open = vec![(root, false)];
-        while let Some((id, ready)) = open.pop() {
-            if known.contains_key(&id) {
-                continue;
-            }
-            if ready {
-                let value = self.apply(id, &known, sets)?;
-                known.insert(id, value);
-            } else {
-                open.push((id, true));
-                open.extend(self.program.pool.operands(id).map(|operand| (operand, false)));
-            }
+        for id in self.program.pool.below(root) {
+            let value = self.apply(id, &known, sets)?;
+            known.insert(id, value);
         }
         Ok(known.remove(&root).unwrap_or(Seen::Truth(self.bits.all.mk_false())))
     }

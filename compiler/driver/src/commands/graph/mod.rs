@@ -88,10 +88,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     refuse_output_over_input(&output, [&args.chart])?;
     let mut report = Report::default();
     let mut found = None;
-    if let Some(file) = report.load(&args.chart)? {
-        let source = report.sources.file(file);
-        // The only text, so places in it are the same in document and report.
-        let document = Document::new(&source.name, &source.text).named(args.chart.chart_name());
+    if let Some(document) = report.document(&args.chart)? {
         let diagnostics;
         (found, diagnostics) = explored(&document, args.profile.profile()?, args.of.of(), args.max);
         report.diagnostics.append(diagnostics);

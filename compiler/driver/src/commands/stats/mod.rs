@@ -62,10 +62,7 @@ impl Form {
 pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let mut report = Report::default();
     let mut found = None;
-    if let Some(file) = report.load(&args.chart)? {
-        let source = report.sources.file(file);
-        // The only text, so places in it are the same in document and report.
-        let mut document = Document::new(&source.name, &source.text).named(args.chart.chart_name());
+    if let Some(mut document) = report.document(&args.chart)? {
         let diagnostics;
         (found, diagnostics) = if args.outputs {
             outputs(&document, args.format)

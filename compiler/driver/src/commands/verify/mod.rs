@@ -70,10 +70,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let begun = Instant::now();
     let mut report = Report::default();
     let mut found = None;
-    if let Some(file) = report.load(&args.chart)? {
-        let source = report.sources.file(file);
-        // The only text, so places in it are the same in document and report.
-        let document = Document::new(&source.name, &source.text).named(args.chart.chart_name());
+    if let Some(document) = report.document(&args.chart)? {
         report.diagnostics.append(document.diagnostics().clone());
         found = verified(&document, args.profile.profile()?, begun + Duration::from_secs(args.time));
     }
