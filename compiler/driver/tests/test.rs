@@ -254,6 +254,17 @@ fn coverage_is_of_all_tests_of_a_chart() {
     assert!(folder.path("drawn/valve.coverage.svg").exists());
 }
 
+#[test]
+fn what_is_read_is_not_written_over() {
+    let table = "t_ms,a,|,V\n0,0,,0\n";
+    let folder = Folder::new(&[("valve.gct", VALVE), ("valve.test.csv", table)]);
+    for option in ["--junit", "--lcov", "--coverage-drawing"] {
+        folder.run(&["test", option, "valve.gct"]).ends(2, "the output would overwrite `valve.gct`");
+        folder.run(&["test", "valve.gct", option, "./valve.test.csv"]).ends(2, "would overwrite `valve.test.csv`");
+    }
+    assert_eq!((folder.read("valve.gct").as_str(), folder.read("valve.test.csv").as_str()), (VALVE, table));
+}
+
 /// From step 1 to transition (2), and from transition (1) to step 2.
 #[test]
 fn links_between_what_is_called_alike_have_their_own_colours() {

@@ -38,7 +38,7 @@ fn refuse_output_over_input<'a>(output: &Stream, inputs: impl IntoIterator<Item 
         None => Ok(()),
         Some(input) => Err(Failure::WrongUse(
             format!("the output would overwrite `{}`", input.input_name()),
-            "choose another file with `-o`".to_string(),
+            "choose another file".to_string(),
         )),
     }
 }

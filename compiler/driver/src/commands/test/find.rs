@@ -68,6 +68,12 @@ pub fn find(places: &[PathBuf]) -> Result<Found, Failure> {
 }
 
 impl Found {
+    /// All files that are read.
+    pub fn files(&self) -> impl Iterator<Item = &PathBuf> {
+        let of_charts = self.charts.iter();
+        of_charts.flat_map(|(chart, tested)| [chart].into_iter().chain(&tested.tables).chain(&tested.scenarios))
+    }
+
     /// Adds a file; of a chart that was named or found in a folder, its own scenarios count.
     fn add(&mut self, file: &Path, with_own: bool) {
         if ends_with(file, CHART) {

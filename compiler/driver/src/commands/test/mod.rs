@@ -6,6 +6,7 @@ mod junit;
 mod run;
 mod told;
 
+use super::refuse_output_over_input;
 use crate::Exit;
 use crate::arguments::{ControlArguments, MessageArguments, Period, ProfileArguments, period};
 use crate::report::{Failure, Report};
@@ -88,6 +89,11 @@ impl Choice {
 pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let here = [PathBuf::from(".")];
     let found = find::find(if args.paths.is_empty() { &here } else { &args.paths })?;
+    let inputs: Vec<Stream> = found.files().cloned().map(Stream::File).collect();
+    let drawing = args.coverage_drawing.clone().map(Stream::File);
+    for output in [&args.junit, &args.lcov, &drawing].into_iter().flatten() {
+        refuse_output_over_input(output, &inputs)?;
+    }
     let messages = args.messages.messages();
     let mut report = Report::new(args.messages.policy()?);
     for test in &found.alone {
