@@ -126,7 +126,8 @@ impl Bound {
     }
 }
 
-fn is_whole(ty: Type) -> bool {
+/// Whether the values of a type are whole numbers, times or truths.
+pub(crate) fn is_whole(ty: Type) -> bool {
     match ty {
         Type::Real | Type::Lreal => false,
         Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Time => true,

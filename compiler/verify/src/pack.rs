@@ -93,7 +93,8 @@ impl Place {
     }
 }
 
-fn width(ty: Type) -> u32 {
+/// How many bits a value of a type takes.
+pub(crate) fn width(ty: Type) -> u32 {
     match ty {
         Type::Bool => 1,
         Type::Int | Type::Uint => 16,

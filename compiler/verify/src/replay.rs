@@ -1,13 +1,11 @@
 //! A trace under the reference simulator: what is shown to people has been seen there.
 
-use crate::claimed::Claimed;
 use crate::facts::{Active, Fact, Facts};
 use crate::goal::Goal;
 use crate::machine::End;
-use grafc_formula::{Value, VarId};
-use grafc_logic::scan::evaluate::Evaluator;
+use grafc_formula::Value;
 use grafc_logic::scan::{Program, TransitionId};
-use grafc_model::chart::Chart;
+use grafc_model::chart::{Chart, ClaimKind};
 use grafc_model::reaction::{Profile, Stimulus};
 use grafc_model::simulate::Simulator;
 
@@ -21,10 +19,8 @@ pub(crate) fn replays(
     goal: Goal,
 ) -> bool {
     let mut simulator = Simulator::new(chart, profile);
+    simulator.watch_claims();
     let mut facts = Facts::new(program);
-    // What claims say is computed by the program, whose states are compared with the simulator's.
-    let mut evaluator = Evaluator::new(program);
-    let claimed = Claimed::new(program);
     for (place, ((t_ms, inputs), end)) in rows.iter().zip(ends).enumerate() {
         facts.forget();
         let before = simulator.flags();
@@ -43,13 +39,7 @@ pub(crate) fn replays(
             }
         });
         let after = simulator.flags();
-        evaluator.react(&stimulus);
-        let holds = |v: &VarId| evaluator.value_of(*v) == Value::Bool(true);
-        let broken =
-            claimed.assertions.iter().enumerate().filter(|(_, v)| !holds(v)).map(|(place, _)| Fact::Broken(place));
-        let met = claimed.wanted.iter().enumerate().filter(|(_, v)| holds(v)).map(|(place, _)| Fact::Wanted(place));
-        broken.chain(met).for_each(|fact| facts.note(fact));
-        if claimed.assumptions.iter().any(|v| !holds(v)) {
+        if !claims(chart, &simulator, &mut facts) {
             return false;
         }
         for (was, is, fact) in [
@@ -79,6 +69,27 @@ pub(crate) fn replays(
         // That there is no way on is proved; the situation is the one.
         Goal::Stuck | Goal::Homeless | Goal::Lost(_) => true,
     }
+}
+
+/// Notes what the chart's own claims say after a reaction; whether its assumptions were kept.
+fn claims(chart: &Chart, simulator: &Simulator, facts: &mut Facts) -> bool {
+    let (mut assertions, mut wanted) = (0.., 0..);
+    chart.claims.list.iter().filter_map(|claim| Some((claim.kind, claim.condition()?))).all(|(kind, condition)| {
+        let holds = simulator.claimed(condition);
+        match kind {
+            ClaimKind::Assume => return holds,
+            ClaimKind::Assert => {
+                let broken = assertions.next().map(Fact::Broken).filter(|_| !holds);
+                broken.into_iter().for_each(|fact| facts.note(fact));
+            }
+            ClaimKind::Reach => {
+                let met = wanted.next().map(Fact::Wanted).filter(|_| holds);
+                met.into_iter().for_each(|fact| facts.note(fact));
+            }
+            ClaimKind::Final => {}
+        }
+        true
+    })
 }
 
 fn active(simulator: &Simulator) -> Active {

@@ -1,6 +1,8 @@
 //! Whole numbers as bits, the lowest first: two's complement of the width of their type.
 
 use super::graph::{Graph, Literal};
+use crate::atom::is_whole;
+use crate::pack;
 use grafc_formula::{Arithmetic, Comparison, Type};
 
 /// A whole number.
@@ -8,12 +10,7 @@ pub(crate) type Bits = Vec<Literal>;
 
 /// How many bits a whole number of a type has; none if it is of no such type.
 pub(crate) fn width(ty: Type) -> Option<usize> {
-    match ty {
-        Type::Int | Type::Uint => Some(16),
-        Type::Dint | Type::Udint => Some(32),
-        Type::Time => Some(64),
-        Type::Bool | Type::Real | Type::Lreal => None,
-    }
+    (is_whole(ty) && ty != Type::Bool).then(|| pack::width(ty) as usize)
 }
 
 /// Whether the numbers of a type have a sign.

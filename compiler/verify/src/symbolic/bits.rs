@@ -2,10 +2,11 @@
 
 use super::order;
 use super::sets::Halt;
-use crate::atom::{Atom, Bound, Question};
+use crate::atom::{Atom, Bound, Question, is_whole};
 use crate::beyond::Beyond;
 use crate::clocks::{Clocks, constant};
 use crate::live::Live;
+use crate::pack;
 use biodivine_lib_bdd::{Bdd, BddVariable, BddVariableSet};
 use grafc_formula::{Formula, FormulaId, TimerId, Type, Value, VarId};
 use grafc_logic::scan::{Program, Role, Statement};
@@ -42,13 +43,7 @@ pub(crate) struct Phases {
 
 /// How many bits a value takes in a diagram; none if it cannot be taken apart.
 pub(crate) fn width(ty: Type) -> Option<usize> {
-    match ty {
-        Type::Bool => Some(1),
-        Type::Int | Type::Uint => Some(16),
-        Type::Dint | Type::Udint => Some(32),
-        Type::Time => Some(64),
-        Type::Real | Type::Lreal => None,
-    }
+    is_whole(ty).then(|| pack::width(ty) as usize)
 }
 
 /// The input that a formula is, perhaps as another type.
