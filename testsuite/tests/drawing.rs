@@ -4,7 +4,7 @@ use grafc_drawing::{Group, Options, Page, Picture, Shape, draw, svg};
 use grafc_model::chart::{Chart, Tables};
 use grafc_testsuite::charts::{charts_folder, check, vectors_folder};
 use grafc_testsuite::drawing_lint::lint;
-use grafc_testsuite::random::{ChartKind, Draw, checked, checked_draw};
+use grafc_testsuite::random::{ChartKind, Draw, checked, checked_draw, with_claims};
 use quick_xml::Reader;
 use quick_xml::events::Event;
 use std::fs;
@@ -105,7 +105,8 @@ fn a_thousand_random_charts_are_drawn_without_faults() {
         let pictures = draw(&drawn.chart, &SINGLE).expect("nothing was asked for");
         found.extend(lint(&drawn.chart, &pictures).into_iter().map(|fault| format!("{seed} {kind:?}: {fault}")));
         if seed % 20 == 0 {
-            found.extend(faults(&format!("{seed} {kind:?}"), &drawn.chart));
+            let (_, claimed) = with_claims(&drawn);
+            found.extend(faults(&format!("{seed} {kind:?}"), &claimed));
         }
     }
     assert_no_faults(&found);
@@ -204,6 +205,21 @@ fn texts(picture: &Picture, wanted: &str) -> Vec<(String, i32, i32)> {
     let mut found = Vec::new();
     picture.groups.iter().for_each(|group| of(group, 0, 0, wanted, &mut found));
     found
+}
+
+/// A row stands on one page, and rows keep the order of the text.
+#[test]
+fn claims_go_on_on_the_next_page() {
+    let claims: String = (0..150).map(|number| format!("assert \"number {number}\" : X1 or not X1\n")).collect();
+    let (chart, pages) = on_a4("claims", &format!("initial step 1\n{claims}"));
+    assert_no_faults(&lint(&chart, &pages));
+    assert!(pages.len() > 1, "150 rows of more than 20 units each are higher than two tables side by side on a page");
+    let rows: Vec<String> = pages.iter().flat_map(|page| texts(page, "comment")).map(|(text, ..)| text).collect();
+    let expected: Vec<String> = (0..150).map(|number| format!("\"number {number}\"")).collect();
+    assert_eq!(rows, expected);
+    // They are claims about the whole chart.
+    let options = Options { grafcet: Some(chart.grafcets[0].name.to_string()), ..SINGLE };
+    assert!(texts(&draw(&chart, &options).expect("a drawing")[0], "comment").is_empty());
 }
 
 #[test]

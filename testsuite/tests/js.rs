@@ -278,7 +278,7 @@ import Chart from './valve.mjs';
 const c = new Chart();
 c.scan({}, 0);
 // Action 0 is `close`; 1 to 3 are those of step 2, 4 to 6 those of step 3.
-assert.deepEqual(c.observed, { satisfied: [], frozen: [], forced: [], actions: [0], orders: [] });
+assert.deepEqual(c.observed, { satisfied: [], frozen: [], forced: [], actions: [0], orders: [], broken: [], reached: [] });
 c.microStep({ go: true, level: 11, rate: 0.5 }, 100);
 // Activated just now; the outputs stay published until the scan is over, and with them `close`.
 assert.deepEqual(c.observed.actions, [0, 2]);

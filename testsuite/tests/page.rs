@@ -84,6 +84,24 @@ grafcet G4 {
 }
 ";
 
+/// Claims of each kind; which of them hold is to be seen from the chart alone.
+const CLAIMS: &str = "\
+chart Claims
+input up, down, call_up, call_down : bool
+output Lift, Lower : bool
+initial step 1
+step 2 { Lift }
+step 3 { Lower }
+transition 1 -> 2 : call_up and not up
+transition 1 -> 3 : call_down and not down
+transition 2 -> 1 : up
+transition 3 -> 1 : down
+assume \"the platform is at one place\" : not (up and down)
+assert not (Lift and Lower)
+assert \"nobody calls while it goes up\" : not X2 or not call_up
+reach X3
+";
+
 /// Names that would be markup or script, or turn what follows around.
 const HOSTILE: &str = "\
 chart `</script><script>window.harmed=1</script>` \"</title><img src=x onerror='window.harmed=1'> ]]> -->\"
@@ -106,6 +124,7 @@ fn pages_do_what_a_user_expects() {
     let folder = folder.path();
     let b4 = page(folder, "b4", &weigh_mix());
     let states = page(folder, "states", STATES);
+    let claims = page(folder, "claims", CLAIMS);
     let hostile = page(folder, "hostile", HOSTILE);
     let out = folder.join("saved");
     let jobs = [
@@ -115,6 +134,7 @@ fn pages_do_what_a_user_expects() {
         json!({ "do": "looks", "page": b4 }),
         json!({ "do": "keyboard", "page": b4 }),
         json!({ "do": "states", "page": states }),
+        json!({ "do": "claims", "page": claims }),
         json!({
             "do": "hostile",
             "page": hostile,

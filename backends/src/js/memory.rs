@@ -1,7 +1,7 @@
 //! All that a chart keeps, in groups by what it is for: as it is before the first scan, and what each input may be.
 
 use super::expressions::stored;
-use super::places::Places;
+use super::places::{Places, claims};
 use super::shows_all;
 use super::text::{comment, key};
 use crate::writer::Writer;
@@ -101,10 +101,11 @@ impl Memory<'_> {
     fn seen(&self, out: &mut Writer) {
         let Some(observing) = &self.program.observing else { return out.line("seen: {},") };
         let words = |name: &str, is_shown: bool| is_shown.then(|| EcoString::from(format!("{name}: {{}}")));
-        let list = |name: &str, length: usize| match length {
+        let filled = |name: &str, length: usize, value: &str| match length {
             0 => None,
-            _ => Some(EcoString::from(format!("{name}: Array({length}).fill(false)"))),
+            _ => Some(EcoString::from(format!("{name}: Array({length}).fill({value})"))),
         };
+        let list = |name: &str, length: usize| filled(name, length, "false");
         let transitions = observing.transitions.len();
         let all = shows_all(self.program);
         let lists = [
@@ -115,6 +116,9 @@ impl Memory<'_> {
             list("forced", observing.forced.len()),
             list("orders", observing.orders.len()),
             list("actions", observing.actions.len()),
+            // What is false is told, which nothing is before the first scan.
+            filled("asserted", claims(self.program, true).count(), "true"),
+            list("wanted", claims(self.program, false).count()),
         ];
         out.comment("what is seen of the last micro-step");
         out.open("seen: {");

@@ -51,7 +51,7 @@ impl Uses {
 impl<'p> Places<'p> {
     /// Finds all places.
     pub fn new(program: &'p Program, names: &'p Names) -> Self {
-        let shown = program.observing.as_ref().map(|seen| shown(seen, names)).unwrap_or_default();
+        let shown = program.observing.as_ref().map(|seen| shown(program, seen, names)).unwrap_or_default();
         let mut places =
             Places { program, names, origins: None, read: IndexVec::new(), temporaries: temporaries(program), shown };
         for id in program.variables.indices() {
@@ -127,7 +127,7 @@ pub(super) fn parts(program: &Program) -> [Vec<&[Statement]>; PARTS] {
 
 /// Where the variables of the role `Observed` stand in lists: of transitions by words, so that one more changes the lines of
 /// no other.
-fn shown(observing: &Observing, names: &Names) -> FxHashMap<VarId, EcoString> {
+fn shown(program: &Program, observing: &Observing, names: &Names) -> FxHashMap<VarId, EcoString> {
     let mut shown = FxHashMap::default();
     for seen in &observing.transitions {
         let word = transition_word(names, seen);
@@ -142,7 +142,16 @@ fn shown(observing: &Observing, names: &Names) -> FxHashMap<VarId, EcoString> {
     list("forced", &mut observing.forced.iter().map(|(_, v)| *v));
     list("orders", &mut observing.orders.iter().map(|(_, v)| *v));
     list("actions", &mut observing.actions.iter().map(|(_, v)| *v));
+    list("asserted", &mut claims(program, true).map(|(_, v)| v));
+    list("wanted", &mut claims(program, false).map(|(_, v)| v));
     shown
+}
+
+/// The claims of which each scan says whether they are true, by their places: those that must be so always, or those that
+/// are met in some states.
+pub(super) fn claims(program: &Program, always: bool) -> impl Iterator<Item = (usize, VarId)> {
+    let of_this_kind = program.claims.iter().filter(move |claim| claim.must_always_hold() == always);
+    of_this_kind.filter_map(|claim| Some((claim.place, claim.condition()?)))
 }
 
 /// The word by which what is seen of a transition is found: that of a variable, which no other has; and none that an

@@ -2,7 +2,7 @@
 
 use super::expressions::{literal, preset};
 use super::memory::{about, property};
-use super::places::{Places, transition_word};
+use super::places::{Places, claims, transition_word};
 use super::shows_all;
 use super::text::{key, quoted};
 use crate::writer::Writer;
@@ -42,6 +42,10 @@ pub(super) fn write(out: &mut Writer, program: &Program, places: &Places) {
     list(out, "const FORCED = ", &steps, ";");
     list(out, "const ORDERS = ", &numbers(&observing.orders), ";");
     list(out, "const ACTIONS = ", &numbers(&observing.actions), ";");
+    let places_of = |always: bool| claims(program, always).map(|(k, _)| eco_format!("{k}")).collect::<Vec<_>>();
+    out.comment("claims: assumptions and assertions, and what is to be reached, by their places in the chart");
+    list(out, "const ASSERTED = ", &places_of(true), ";");
+    list(out, "const WANTED = ", &places_of(false), ";");
     let delays: Vec<EcoString> = observing.delays.iter().map(|seen| delay(program, places, &named, seen)).collect();
     lines(out, "const DELAYS =", &delays);
 }

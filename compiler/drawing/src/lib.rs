@@ -6,6 +6,7 @@
 //!
 //! | file | what |
 //! | --- | --- |
+//! | `claims` | what is claimed of the chart, as a table in the margin |
 //! | `colours` | colours of what has happened to elements |
 //! | `font` | the widths of texts, by the font that PDF and PNG embed |
 //! | `wording` | conditions and values as the standard writes them |
@@ -20,6 +21,7 @@
 //! | `states` | graphs of states, for what is found of a chart |
 //! | `svg` | the text |
 
+mod claims;
 mod colours;
 mod cut;
 mod diagram;

@@ -1,6 +1,7 @@
 //! Pages: grafcets and expansions in order, as many on a page as it has room for. What is too large for a page is drawn
 //! smaller if it misses by less than half, else it is cut, and labels say where links go on.
 
+use crate::claims;
 use crate::cut::{cut, split};
 use crate::diagram::{Diagram, Element, Elements, Part, Parts, Where, diagram, shelves};
 use crate::panel::{Panel, name, shifted};
@@ -21,25 +22,35 @@ const BACK: usize = 3;
 const SPLITS: usize = 6;
 
 /// All pages.
-pub(crate) fn pages(elements: &Elements<'_>, parts: &Parts, page: Page, roots: &[Part]) -> Vec<Sheet> {
+pub(crate) fn pages(
+    elements: &Elements<'_>,
+    parts: &Parts,
+    page: Page,
+    roots: &[Part],
+    with_claims: bool,
+) -> Vec<Sheet> {
     let room = Room::of(page);
     let mut items = Items { elements, parts, room, items: Vec::new() };
     let mut queue: VecDeque<Part> = roots.iter().copied().collect();
     while let Some(part) = queue.pop_front() {
         let whole = Panel::whole(elements, parts, part);
         if room.holds(whole.bounds, SMALLER) {
-            items.add(part, whole);
+            items.add(name(elements, part), whole);
             continue;
         }
         let alone = diagram(elements, parts.own(part), &|_| None);
         let places = alone.places.clone();
         let panel = Panel::alone(elements, part, alone, None);
         if room.holds(panel.bounds, SMALLER) {
-            items.add(part, panel);
+            items.add(name(elements, part), panel);
         } else {
             items.cut(part, cut(&places, room.wide, room.high));
         }
         parts.within(part).iter().rev().for_each(|inner| queue.push_front(*inner));
+    }
+    if with_claims {
+        let tables = claims::claims(elements.chart, room.high);
+        tables.into_iter().for_each(|table| items.add(claims::NAME.to_string(), table));
     }
     items.draw()
 }
@@ -70,7 +81,8 @@ impl Room {
 
 /// What stands on a page.
 struct Item {
-    part: Part,
+    /// What it is called among the parts of a sheet.
+    title: String,
     size: Bounds,
     content: Content,
 }
@@ -79,6 +91,7 @@ enum Content {
     Whole(Panel),
     /// One of so many pieces; where the links of its elements lead is known when all have their pages.
     Piece {
+        part: Part,
         elements: Vec<Element>,
         number: usize,
         of: usize,
@@ -100,8 +113,8 @@ struct Filled {
 }
 
 impl Items<'_> {
-    fn add(&mut self, part: Part, panel: Panel) {
-        self.items.push(Item { part, size: panel.bounds, content: Content::Whole(panel) });
+    fn add(&mut self, title: String, panel: Panel) {
+        self.items.push(Item { title, size: panel.bounds, content: Content::Whole(panel) });
     }
 
     /// A part in pieces, each measured with labels as long as they can become.
@@ -144,8 +157,8 @@ impl Items<'_> {
                 let of = pieces.len();
                 let items = pieces.into_iter().zip(sizes).enumerate();
                 self.items.extend(items.map(|(number, (elements, size))| {
-                    let content = Content::Piece { elements, number: number + 1, of };
-                    Item { part, size, content }
+                    let content = Content::Piece { part, elements, number: number + 1, of };
+                    Item { title: name(self.elements, part), size, content }
                 }));
                 return;
             }
@@ -207,10 +220,10 @@ impl Items<'_> {
             let wide = on_paper(room.wide, filled.times);
             let edge = on_paper(EDGE, filled.times);
             for (item, place) in filled.items.iter().zip(shelves(&filled.sizes, APART, wide)) {
-                let Some(Item { part, content, .. }) = items[*item].take() else { continue };
+                let Some(Item { title, content, .. }) = items[*item].take() else { continue };
                 let panel = match content {
                     Content::Whole(panel) => panel,
-                    Content::Piece { elements: own, number: piece, of } => {
+                    Content::Piece { part, elements: own, number: piece, of } => {
                         let elsewhere = |element: Element| match page_of.get(&element) {
                             Some((other, _)) if other == item => None,
                             Some((_, page)) if *page == number + 1 => Some(Where::Here),
@@ -223,7 +236,6 @@ impl Items<'_> {
                 };
                 let by = Point { x: edge + place.x - panel.bounds.left, y: edge + place.y - panel.bounds.top };
                 sheet.picture.groups.extend(panel.groups.into_iter().map(|group| shifted(group, by)));
-                let title = name(elements, part);
                 if sheet.parts.last() != Some(&title) {
                     sheet.parts.push(title);
                 }

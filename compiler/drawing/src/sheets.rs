@@ -1,5 +1,6 @@
 //! Sheets: everything on one, or on pages of a size.
 
+use crate::claims;
 use crate::diagram::{Elements, Part, Parts, moved, shelves, wide};
 use crate::pages;
 use crate::panel::{Panel, name, shifted};
@@ -43,9 +44,11 @@ pub fn draw(chart: &Tables, options: &Options) -> Result<Vec<Picture>, Refusal> 
         None => parts.roots.clone(),
         Some(asked) => vec![find(chart, asked)?],
     };
+    // What is claimed is claimed of the chart as a whole.
+    let with_claims = options.grafcet.is_none();
     let mut sheets = match options.page {
-        None => vec![single(&elements, &parts, &roots)],
-        Some(page) => pages::pages(&elements, &parts, page, &roots),
+        None => vec![single(&elements, &parts, &roots, with_claims)],
+        Some(page) => pages::pages(&elements, &parts, page, &roots, with_claims),
     };
     let pages = sheets.len();
     for (number, sheet) in sheets.iter_mut().enumerate() {
@@ -108,8 +111,11 @@ fn finish(chart: &Tables, options: &Options, sheet: &mut Sheet, (page, pages): (
 }
 
 /// Everything on one sheet. The first grafcet keeps its origin.
-fn single(elements: &Elements<'_>, parts: &Parts, roots: &[Part]) -> Sheet {
-    let panels: Vec<Panel> = roots.iter().map(|root| Panel::whole(elements, parts, *root)).collect();
+fn single(elements: &Elements<'_>, parts: &Parts, roots: &[Part], with_claims: bool) -> Sheet {
+    let mut panels: Vec<Panel> = roots.iter().map(|root| Panel::whole(elements, parts, *root)).collect();
+    if with_claims {
+        panels.extend(claims::claims(elements.chart, i32::MAX));
+    }
     let sizes: Vec<Bounds> = panels.iter().map(|panel| panel.bounds).collect();
     let parts_here = roots.iter().map(|root| name(elements, *root)).collect();
     let mut sheet = Sheet { picture: Picture::default(), parts: parts_here, times: 1.0 };

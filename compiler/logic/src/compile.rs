@@ -36,11 +36,12 @@ pub fn compile_saved(analysis: Analysis, options: &Options) -> (Program, Diagnos
     make(analysis, options, Extras { saved: true, ..Extras::default() })
 }
 
-/// The same with what gives saved memory back, and with what is shown of micro-steps.
+/// The same with what gives saved memory back, and with what is shown of micro-steps; where all is shown, claims as well.
 ///
 /// Where a micro-step more would find nothing to do, it is done all the same: who looks on sees each of R9.
 pub fn compile_observed(analysis: Analysis, options: &Options, observed: Observed) -> (Program, Diagnostics) {
-    make(analysis, options, Extras { saved: true, observed, ..Extras::default() })
+    let claims = if observed == Observed::All { Claimed::All } else { Claimed::Nothing };
+    make(analysis, options, Extras { saved: true, observed, claims })
 }
 
 /// The same with all that is asked for.

@@ -15,6 +15,8 @@ struct Data<'a> {
     macros: Vec<Macro<'a>>,
     grafcets: Vec<Grafcet<'a>>,
     transitions: Vec<Transition<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    claims: Vec<Claim<'a>>,
 }
 
 #[derive(Serialize)]
@@ -93,6 +95,13 @@ struct Transition<'a> {
     after: Vec<&'a str>,
 }
 
+#[derive(Serialize)]
+struct Claim<'a> {
+    kind: &'static str,
+    /// Its text or, without one, its body.
+    name: &'a str,
+}
+
 /// The chart as JSON that can stand in a page.
 pub(crate) fn json(chart: &Tables) -> Result<String, serde_json::Error> {
     let marks = marks(chart);
@@ -152,6 +161,12 @@ pub(crate) fn json(chart: &Tables) -> Result<String, serde_json::Error> {
                 before: transition.pre.iter().map(label).collect(),
                 after: transition.post.iter().map(label).collect(),
             })
+            .collect(),
+        claims: chart
+            .claims
+            .list
+            .iter()
+            .map(|claim| Claim { kind: claim.kind.keyword(), name: claim.name() })
             .collect(),
     };
     serde_json::to_string(&data).map(|text| in_html(&text))

@@ -33,6 +33,9 @@ const FROZEN = ["G10"];
 const FORCED = ["1"];
 const ORDERS = [0, 1];
 const ACTIONS = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9];
+// claims: assumptions and assertions, and what is to be reached, by their places in the chart
+const ASSERTED = [];
+const WANTED = [];
 const DELAYS = [
     { of: "transition", owner: "8", text: "mix_time/X9", total: constants.mix_time, delay: "on_X9" },
 ];
@@ -659,7 +662,7 @@ export class Weigh_mix_b5 {
         this.#s = s;
     }
 
-    // what is seen of the last micro-step, and of the situation that it came to
+    // what is seen of the last micro-step, and of the situation that it came to; of claims, of the last scan
     get observed() {
         const { seen } = this.#s;
         const of = (names, list = []) => names.filter((_, k) => list[k]);
@@ -669,6 +672,8 @@ export class Weigh_mix_b5 {
             forced: of(FORCED, seen.forced),
             actions: of(ACTIONS, seen.actions),
             orders: of(ORDERS, seen.orders),
+            broken: of(ASSERTED, seen.asserted?.map((holds) => !holds)),
+            reached: of(WANTED, seen.wanted),
         };
     }
 

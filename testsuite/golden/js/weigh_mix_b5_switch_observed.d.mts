@@ -153,13 +153,15 @@ export declare class Weigh_mix_b5 {
      */
     restore(data: Weigh_mix_b5Saved, now_ms: number): void;
 
-    /** What is seen of the last micro-step, and of the situation that it came to. */
+    /** What is seen of the last micro-step, and of the situation that it came to; of claims, of the last scan. */
     get observed(): {
         satisfied: Weigh_mix_b5Transition[];
         frozen: string[];
         forced: string[];
         actions: number[];
         orders: number[];
+        broken: number[];
+        reached: number[];
     };
 
     /** Constants and internal variables. */

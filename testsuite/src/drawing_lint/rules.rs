@@ -18,8 +18,12 @@ pub fn each_symbol_once(chart: &Tables, sheets: &[Flat]) -> Vec<String> {
     }
     *found.entry(("action", String::new())).or_default() -= (chart.continuous.len() + chart.stored.len()) as i32;
     *found.entry(("order", String::new())).or_default() -= chart.orders.len() as i32;
+    for place in 0..chart.claims.list.len() {
+        *found.entry(("claim", place.to_string())).or_default() -= 1;
+    }
     for owner in sheets.iter().flat_map(|sheet| &sheet.owners) {
-        for (class, data) in [("step", "data-step"), ("transition", "data-transition"), ("action", ""), ("order", "")] {
+        let named = [("step", "data-step"), ("transition", "data-transition"), ("claim", "data-claim")];
+        for (class, data) in named.into_iter().chain([("action", ""), ("order", "")]) {
             if owner.is(class) {
                 let name = owner.get(data).unwrap_or_default().to_string();
                 *found.entry((class, name)).or_default() += 1;

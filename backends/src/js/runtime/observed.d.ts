@@ -1,11 +1,13 @@
 
-    /** What is seen of the last micro-step, and of the situation that it came to. */
+    /** What is seen of the last micro-step, and of the situation that it came to; of claims, of the last scan. */
     get observed(): {
         satisfied: CHARTTransition[];
         frozen: string[];
         forced: string[];
         actions: number[];
         orders: number[];
+        broken: number[];
+        reached: number[];
     };
 
     /** Constants and internal variables. */

@@ -1,4 +1,4 @@
-// what is seen of the last micro-step, and of the situation that it came to
+// what is seen of the last micro-step, and of the situation that it came to; of claims, of the last scan
 get observed() {
     const { seen } = this.#s;
     const of = (names, list = []) => names.filter((_, k) => list[k]);
@@ -8,6 +8,8 @@ get observed() {
         forced: of(FORCED, seen.forced),
         actions: of(ACTIONS, seen.actions),
         orders: of(ORDERS, seen.orders),
+        broken: of(ASSERTED, seen.asserted?.map((holds) => !holds)),
+        reached: of(WANTED, seen.wanted),
     };
 }
 

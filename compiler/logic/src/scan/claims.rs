@@ -44,6 +44,23 @@ pub enum SeenBody {
 }
 
 impl SeenClaim {
+    /// What says after a call whether what is claimed of it is true; none where it takes more than a call to say.
+    pub fn condition(&self) -> Option<VarId> {
+        match self.body {
+            SeenBody::Condition(holds) => Some(holds),
+            SeenBody::Leads(..) => None,
+        }
+    }
+
+    /// Whether it is false that is a fault: of an assumption or an assertion, while a state that is wanted or final needs
+    /// to be reached but once.
+    pub fn must_always_hold(&self) -> bool {
+        match self.kind {
+            ClaimKind::Assume | ClaimKind::Assert => true,
+            ClaimKind::Reach | ClaimKind::Final => false,
+        }
+    }
+
     /// All variables that it names.
     pub fn variables(&mut self) -> impl Iterator<Item = &mut VarId> {
         let (first, second) = match &mut self.body {

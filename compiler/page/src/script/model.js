@@ -11,6 +11,7 @@ export class Model {
     this.steps = data.steps.map((step, index) => ({ ...step, index }));
     this.macros = data.macros.map((macro, index) => ({ ...macro, index }));
     this.grafcets = data.grafcets.map((grafcet, index) => ({ ...grafcet, index }));
+    this.claims = data.claims ?? [];
     // What the module calls them.
     const names = data.transitions.map(({ designation }, index) => designation ?? `#${index + 1}`);
     // Where two would be called the same, all go by their numbers.

@@ -1,4 +1,4 @@
-// The drawing alive: what is active, enabled, cleared, forced, frozen and acting is lit.
+// The drawing alive: what is active, enabled, cleared, forced, frozen, acting, broken and reached is lit.
 
 import { gather, shape } from './dom.js';
 
@@ -28,10 +28,11 @@ export class View {
     this.actions = gather(svg, 'data-action');
     this.orders = gather(svg, 'data-order');
     this.grafcets = gather(svg, 'data-grafcet');
+    this.claims = gather(svg, 'data-claim');
     const numbers = gather(svg, 'data-number');
     // By the name that the module gives them.
     this.transitions = new Map(model.transitions.map(({ name, index }) => [name, numbers.get(String(index + 1)) ?? []]));
-    const names = ['active', 'forced', 'enabled', 'satisfied', 'cleared', 'acting', 'in-force', 'frozen'];
+    const names = ['active', 'forced', 'enabled', 'satisfied', 'cleared', 'acting', 'in-force', 'frozen', 'broken', 'reached'];
     this.lights = new Map(names.map((name) => [name, new Light(name)]));
     this.glows = { cleared: new Map(), acted: new Map() };
     const isStored = (group) => group.matches('.on-activation, .on-deactivation, .on-event, .on-clearing');
@@ -50,6 +51,8 @@ export class View {
     this.light('satisfied', this.transitions, observed.satisfied ?? []);
     this.light('in-force', this.orders, (observed.orders ?? []).map(String));
     this.light('frozen', this.grafcets, observed.frozen ?? []);
+    this.light('broken', this.claims, (observed.broken ?? []).map(String));
+    this.light('reached', this.claims, (observed.reached ?? []).map(String));
     this.light('cleared', this.transitions, this.lately('cleared', engine, isRunning, now));
     const acted = [...this.lately('acted', engine, isRunning, now)].map(String).filter((number) => this.stored.has(number));
     this.light('acting', this.actions, [...(observed.actions ?? []).map(String), ...acted]);

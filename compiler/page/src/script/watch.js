@@ -1,4 +1,5 @@
-// What comes out: outputs, variables, delays with what is left of them, the situation of each grafcet, and flags in words.
+// What comes out: outputs, variables, delays with what is left of them, the situation of each grafcet, and flags and broken
+// claims in words.
 
 import { bdi, byId, element, mark, write } from './dom.js';
 import { named } from './inputs.js';
@@ -42,7 +43,7 @@ export class Watch {
     for (const { variable, item, value } of this.variables) showValue(item, value, variable, variables[variable.name] ?? variable.initial);
     this.showDelays(delays);
     this.showGrafcets(engine);
-    this.showFlags(flags, engine.ring);
+    this.showFlags(flags, engine.ring, engine.observed.broken ?? []);
   }
 
   showDelays(delays) {
@@ -78,12 +79,16 @@ export class Watch {
     }
   }
 
-  showFlags(flags, ring) {
+  showFlags(flags, ring, broken) {
     const names = raised(flags);
-    const key = `${document.documentElement.lang} ${names.join()} ${ring ? ring.length : ''}`;
+    const key = `${document.documentElement.lang} ${names.join()} ${ring ? ring.length : ''} ${broken.join()}`;
     if (key === this.told) return;
     this.told = key;
-    byId('flags').replaceChildren(...names.map((name) => {
+    const claims = broken.map((place) => {
+      const { kind, name } = this.model.claims[place];
+      return element('div', { class: 'flag', 'data-broken': String(place) }, element('b', {}, kind), `${word('claim-broken')} `, bdi(shown(name)));
+    });
+    byId('flags').replaceChildren(...claims, ...names.map((name) => {
       const box = element('div', { class: 'flag', 'data-flag': name }, element('b', {}, name), word(`flag-${name}`));
       if (name === 'LIVELOCK' && ring) {
         const ringed = [...ring, ring[0]].map((situation) => `{${situation.map(shown).join(', ')}}`).join(' → ');
