@@ -495,3 +495,33 @@ fn claims_are_looked_at_in_tests() {
         run.out
     );
 }
+
+/// The one that runs goes on to its end, the others are told as not run, and files are written.
+#[cfg(unix)]
+#[test]
+fn tests_that_are_interrupted_tell_what_is_known() {
+    use std::io::{BufRead, BufReader, Read};
+    use std::process::{Command, Stdio};
+    const COUNT: usize = 2000;
+    let scenarios: String =
+        (0..COUNT).map(|number| format!("scenario \"n{number:04}\" {{ after 100s : a = 0 -> not V }}\n")).collect();
+    let folder = Folder::new(&[("valve.gct", VALVE), ("valve.scenarios", &scenarios)]);
+    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("grafc"));
+    command.current_dir(folder.path(".")).args(["test", "--scan", "1ms", "--junit", "tests.xml"]);
+    let mut grafc = command.stdout(Stdio::piped()).spawn().unwrap();
+    let mut output = BufReader::new(grafc.stdout.take().unwrap());
+    let mut text = String::new();
+    while !text.contains("n0000 ... ok\n") {
+        assert_ne!(output.read_line(&mut text).unwrap(), 0, "{text}");
+    }
+    assert!(Command::new("kill").args(["-INT", &grafc.id().to_string()]).status().unwrap().success());
+    output.read_to_string(&mut text).unwrap();
+    assert_eq!(grafc.wait().unwrap().code(), Some(4), "{text}");
+    let passed = text.matches(" ... ok\n").count();
+    let result =
+        format!("\ntest result: INTERRUPTED. {passed} passed; 0 failed; 0 filtered out; {} not run\n", COUNT - passed);
+    assert!(passed < COUNT && text.ends_with(&result), "{text}");
+    let junit = folder.read("tests.xml");
+    assert!(junit.contains(&format!("tests=\"{COUNT}\" skipped=\"{}\"", COUNT - passed)), "{}", &junit[..400]);
+    assert_eq!(junit.matches("<skipped message=\"interrupted before it began\"/>").count(), COUNT - passed);
+}

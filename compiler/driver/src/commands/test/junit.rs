@@ -1,6 +1,6 @@
 //! What came of tests in the form of JUnit, which servers read. It bears no times: the same tests give the same text.
 
-use super::run::{Done, Loaded};
+use super::run::{Done, Ending, Loaded};
 use grafc_diagnostics::{Severity, SourceMap, render};
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
@@ -31,8 +31,14 @@ fn case(name: &str, chart: &str, status: TestCaseStatus) -> TestCase {
 }
 
 fn status(test: &Done, sources: &SourceMap) -> TestCaseStatus {
-    if !test.has_failed {
-        return TestCaseStatus::success();
+    match test.ending {
+        Ending::Passed => return TestCaseStatus::success(),
+        Ending::NotRun => {
+            let mut status = TestCaseStatus::skipped();
+            status.set_message("interrupted before it began");
+            return status;
+        }
+        Ending::Failed => {}
     }
     let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
     if let Some(first) = test.said.iter().find(|one| one.severity() == Severity::Error) {

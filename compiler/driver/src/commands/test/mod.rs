@@ -10,6 +10,7 @@ use super::refuse_output_over_input;
 use crate::Exit;
 use crate::arguments::{ControlArguments, MessageArguments, Period, ProfileArguments, period};
 use crate::report::{Failure, Report};
+use crate::signals::Interrupt;
 use crate::stream::Stream;
 use clap::Args;
 use grafc::files::print;
@@ -27,7 +28,7 @@ Example:
 
 NAME.test.csv and NAME.*.test.csv beside NAME.gct are its tests: a trace of its inputs, a column `|`, and what is
 expected of outputs, variables and `situation`; a blank cell expects nothing. `scenario` blocks in NAME.gct and in
-NAME.scenarios are tests, too. Exit code 1: a test failed.";
+NAME.scenarios are tests, too. Exit code 1: a test failed; 4: Ctrl-C left some that were not run.";
 
 /// Arguments of `grafc test`.
 #[derive(Args, Debug)]
@@ -119,16 +120,18 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         run::How { profile: args.profile.profile()?, bound_as_known: args.profile.bound_as_known(), scan: args.scan.0 };
     let told = told::Told::new(count, messages);
     told.begin()?;
+    // What is known when somebody interrupts it is told and written all the same.
+    let interrupt = Interrupt::awaited();
     let mut suites = Vec::new();
     let mut coverages = Vec::new();
     for loaded in &charts {
         let tests: Vec<&Test> = loaded.tests.iter().filter(|test| args.choice.takes(&test.name)).collect();
         let (results, coverage) =
-            run::run(loaded, &tests, how, measured, &mut report, &mut |test, result| told.test(test, result))?;
+            run::run(loaded, &tests, how, measured, &mut report, &interrupt, &mut |test| told.test(test))?;
         suites.push((loaded, results));
         coverages.extend(coverage.map(|coverage| (loaded, coverage)));
     }
-    let has_failed = told.end(&suites, left_out, faulty, &report.sources)?;
+    let ending = told.end(&suites, left_out, faulty, &report.sources)?;
     if args.coverage {
         for (loaded, coverage) in &coverages {
             print(&format!("\n{}", summary(coverage, report.sources.file(loaded.file))))?;
@@ -145,6 +148,5 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     if let Some(path) = &args.coverage_drawing {
         drawn::write(path, &coverages)?;
     }
-    let exit = report.tell(messages);
-    Ok(if has_failed { exit.max(Exit::ChartErrors) } else { exit })
+    Ok(report.tell(messages).max(ending))
 }

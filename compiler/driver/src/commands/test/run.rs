@@ -2,6 +2,7 @@
 
 use super::find::{Tested, called, shown, table_called};
 use crate::report::{Failure, Report};
+use crate::signals::Interrupt;
 use grafc::files;
 use grafc_diagnostics::{Diagnostics, FileId};
 use grafc_model::chart::{Chart, ControlNames, Scenario};
@@ -56,8 +57,19 @@ pub struct Done {
     pub name: String,
     /// What is wrong, and what else is to be said.
     pub said: Diagnostics,
-    /// Whether it failed.
-    pub has_failed: bool,
+    /// How it ended.
+    pub ending: Ending,
+}
+
+/// How a test ended.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Ending {
+    /// All is as the test says.
+    Passed,
+    /// Something is not.
+    Failed,
+    /// It has not begun, since somebody interrupted the tests.
+    NotRun,
 }
 
 impl Loaded {
@@ -127,14 +139,16 @@ fn beside(path: &Path, chart: FileId, report: &mut Report) -> Result<Option<Vec<
     Ok(is_right.then_some(scenarios))
 }
 
-/// Runs some tests of a chart, and tells each as it ends; what they cover, if somebody measures that.
+/// Runs some tests of a chart, and tells each as it ends; what they cover, if somebody measures that. When somebody
+/// interrupts them, the one that runs goes on to its end, and no other begins.
 pub fn run<'c>(
     loaded: &'c Loaded,
     tests: &[&Test],
     how: How,
     is_measured: bool,
     report: &mut Report,
-    told: &mut dyn FnMut(&str, bool) -> Result<(), Failure>,
+    interrupt: &Interrupt,
+    told: &mut dyn FnMut(&Done) -> Result<(), Failure>,
 ) -> Result<(Vec<Done>, Option<Coverage<'c>>), Failure> {
     let Some(chart) = &loaded.chart else { return Ok((Vec::new(), None)) };
     let mut profile = how.profile;
@@ -144,6 +158,10 @@ pub fn run<'c>(
     let mut coverage = is_measured.then(|| Coverage::new(chart));
     let mut all = Vec::new();
     for test in tests {
+        if interrupt.has_come() {
+            all.push(Done { name: test.name.clone(), said: Diagnostics::new(), ending: Ending::NotRun });
+            continue;
+        }
         let mut said = match &test.what {
             What::Scenario(scenario) => grafc_testing::scenario(chart, profile, scenario, how.scan, coverage.as_mut()),
             What::Table(path) => match grafc::add(&mut report.sources, shown(path), files::read(path)?) {
@@ -159,9 +177,10 @@ pub fn run<'c>(
             },
         };
         report.policy.apply(&mut said);
-        let has_failed = said.has_errors();
-        told(&test.name, has_failed)?;
-        all.push(Done { name: test.name.clone(), said, has_failed });
+        let ending = if said.has_errors() { Ending::Failed } else { Ending::Passed };
+        let done = Done { name: test.name.clone(), said, ending };
+        told(&done)?;
+        all.push(done);
     }
     Ok((all, coverage))
 }

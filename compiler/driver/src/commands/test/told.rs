@@ -1,6 +1,7 @@
 //! What is said of tests while they run and at their end, as cargo says it.
 
-use super::run::{Done, Loaded};
+use super::run::{Done, Ending, Loaded};
+use crate::Exit;
 use crate::report::{Failure, Format, Messages, is_coloured};
 use grafc::files::print;
 use grafc_diagnostics::{Diagnostics, Severity, SourceMap, render};
@@ -25,23 +26,24 @@ impl Told {
     }
 
     /// A test is over. Who wants to hear of errors alone is not told of others.
-    pub fn test(&self, name: &str, has_failed: bool) -> Result<(), Failure> {
+    pub fn test(&self, test: &Done) -> Result<(), Failure> {
+        let has_failed = test.ending == Ending::Failed;
         if self.messages.quiet && !has_failed {
             return Ok(());
         }
-        Ok(print(&format!("test {name} ... {}\n", if has_failed { "FAILED" } else { "ok" }))?)
+        Ok(print(&format!("test {} ... {}\n", test.name, if has_failed { "FAILED" } else { "ok" }))?)
     }
 
-    /// All are over: what was wrong with them, and how many they were. Says whether one failed.
+    /// All are over: what was wrong with them, and how many they were. Says how the command is to end.
     pub fn end(
         &self,
         suites: &[(&Loaded, Vec<Done>)],
         left_out: usize,
         faulty: usize,
         sources: &SourceMap,
-    ) -> Result<bool, Failure> {
+    ) -> Result<Exit, Failure> {
         let all = || suites.iter().flat_map(|(_, tests)| tests);
-        let failed: Vec<&Done> = all().filter(|test| test.has_failed).collect();
+        let failed: Vec<&Done> = all().filter(|test| test.ending == Ending::Failed).collect();
         let mut text = String::new();
         let is_terminal = std::io::stdout().is_terminal();
         let rendered = |said: &Diagnostics| match self.messages.format {
@@ -50,7 +52,7 @@ impl Told {
             Format::Sarif => render::sarif(sources, &self.wanted(said), env!("CARGO_PKG_VERSION")),
         };
         // What is to be said of tests that did not fail.
-        for test in all().filter(|test| !test.has_failed) {
+        for test in all().filter(|test| test.ending != Ending::Failed) {
             let said = rendered(&test.said);
             if !self.wanted(&test.said).is_empty() {
                 text.push_str(&format!("\n---- {} ----\n{said}", test.name));
@@ -64,12 +66,17 @@ impl Told {
             text.push_str("\nfailures:\n");
             failed.iter().for_each(|test| text.push_str(&format!("    {}\n", test.name)));
         }
-        let (count, failures) = (all().count(), failed.len());
-        let result = if failures + faulty == 0 { "ok" } else { "FAILED" };
-        text.push_str(&format!(
-            "\ntest result: {result}. {} passed; {failures} failed; {left_out} filtered out",
-            count - failures
-        ));
+        let ended = |ending: Ending| all().filter(|test| test.ending == ending).count();
+        let (passed, failures, not_run) = (ended(Ending::Passed), failed.len(), ended(Ending::NotRun));
+        let (result, exit) = match (failures + faulty, not_run) {
+            (0, 0) => ("ok", Exit::Done),
+            (0, _) => ("INTERRUPTED", Exit::Open),
+            _ => ("FAILED", Exit::ChartErrors),
+        };
+        text.push_str(&format!("\ntest result: {result}. {passed} passed; {failures} failed; {left_out} filtered out"));
+        if not_run > 0 {
+            text.push_str(&format!("; {not_run} not run"));
+        }
         match faulty {
             0 => {}
             1 => text.push_str("; 1 file has errors"),
@@ -77,7 +84,7 @@ impl Told {
         }
         text.push('\n');
         print(&text)?;
-        Ok(failures + faulty > 0)
+        Ok(exit)
     }
 
     fn wanted(&self, said: &Diagnostics) -> Diagnostics {
