@@ -1,7 +1,9 @@
-//! `clear_flags` of generated Rust: a flag whose cause is over stays down, one whose cause lasts is raised again.
+//! `clear_flags` of generated Rust: a flag whose cause is over stays down, one whose cause lasts is raised again; and it is
+//! forgotten which assertion was false.
 
 use grafc_backends::rust::{self, Runtime};
 use grafc_logic::{Encoding, Options};
+use grafc_model::chart::{Chart, ControlNames};
 use grafc_testsuite::charts::check;
 use grafc_testsuite::executors::rust::Tools;
 use grafc_testsuite::runs::compile_saved;
@@ -44,17 +46,53 @@ fn main() {
 }
 "#;
 
+/// The second assertion is false while `a`, the first while `b`; the number of the first that was false stays.
+const CLAIMS: &str = "\
+chart Claims
+input a, b : bool
+initial step 1
+assert not X1 or not b
+assert not a
+";
+
+const CLAIMS_MAIN: &str = r#"
+fn main() {
+    use claims::{Claims, Inputs};
+    let mut chart = Claims::new();
+    let mut told = |a: bool, b: bool, now: u32| chart.scan(&Inputs { a, b }, now.into()).assertion;
+    assert_eq!(told(false, false, 0), 0);
+    assert_eq!(told(true, false, 10), 2);
+    assert_eq!(told(false, true, 20), 2, "it stays");
+    chart.clear_flags();
+    assert_eq!(chart.outputs().assertion, 0);
+    let mut told = |a: bool, b: bool, now: u32| chart.scan(&Inputs { a, b }, now.into()).assertion;
+    assert_eq!(told(false, false, 30), 0, "none is false any more");
+    assert_eq!(told(true, true, 40), 1);
+}
+"#;
+
 #[test]
 fn a_flag_is_raised_again_while_its_cause_lasts() {
+    play("orders", &check("orders", ORDERS).expect("a chart without errors"), MAIN);
+}
+
+#[test]
+fn which_assertion_was_false_is_forgotten_with_the_flags() {
+    let mut chart = check("claims", CLAIMS).expect("a chart without errors");
+    let names = ControlNames { check_assertions: true, ..ControlNames::default() };
+    assert!(chart.control(&names).is_ok());
+    play("claims", &chart, CLAIMS_MAIN);
+}
+
+/// Runs a chart as generated Rust in each encoding.
+fn play(name: &str, chart: &Chart, main: &str) {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let chart = check("orders", ORDERS).expect("a chart without errors");
     for encoding in Encoding::ALL {
-        let Ok(program) = compile_saved(&chart, &Options { encoding, ..Options::default() }) else { continue };
-        let options =
-            rust::Options { module: Some("orders".into()), runtime: Runtime::Crate, ..rust::Options::default() };
+        let Ok(program) = compile_saved(chart, &Options { encoding, ..Options::default() }) else { continue };
+        let options = rust::Options { module: Some(name.into()), runtime: Runtime::Crate, ..rust::Options::default() };
         let module = rust::emit(&program, &options).expect("a module");
         let folder = tempfile::tempdir().expect("a temporary folder");
-        fs::write(folder.path().join("main.rs"), module + MAIN).expect("a file in a temporary folder");
+        fs::write(folder.path().join("main.rs"), module + main).expect("a file in a temporary folder");
         tools.build(folder.path()).unwrap_or_else(|said| panic!("{}: {said}", encoding.name()));
         tools.play(folder.path()).unwrap_or_else(|said| panic!("{}: {said}", encoding.name()));
     }

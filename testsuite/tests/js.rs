@@ -268,6 +268,34 @@ for (const saved of saves) {
     );
 }
 
+/// Flags and the number of the first assertion that was false go down together.
+#[test]
+fn flags_are_lowered_with_what_assertion_was_false() {
+    let Some(tools) = Tools::find_or_skip() else { return };
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut asked = Asked::new(Options::default(), Product::Code(Target::Js(js::Options::default())));
+    asked.controls.check_assertions = true;
+    let text = "input a : bool initial step 1 assert X1 assert not a";
+    let (made, diagnostics) = compiled(FileId::default(), text, "chart", &asked);
+    let made = made.unwrap_or_else(|| panic!("{diagnostics:#?}"));
+    let main = "
+import assert from 'node:assert';
+import Chart from './chart.mjs';
+const c = new Chart();
+assert.equal(c.scan({}, 0).ASSERTION, 0);
+assert.equal(c.scan({ a: true }, 10).ASSERTION, 2);
+assert.equal(c.scan({ a: false }, 20).ASSERTION, 2);
+c.clearFlags();
+assert.equal(c.outputs.ASSERTION, 0);
+assert.equal(c.scan({}, 30).ASSERTION, 0);
+assert.equal(c.scan({ a: true }, 40).ASSERTION, 2);
+";
+    for (name, text) in [("chart.mjs", made.text.as_str()), ("main.mjs", main)] {
+        fs::write(folder.path().join(name), text).expect("a temporary file");
+    }
+    tools.play(folder.path(), "main.mjs").unwrap_or_else(|said| panic!("{said}"));
+}
+
 /// What a page sees: by the rules, at times where it can be told by hand.
 #[test]
 fn a_page_sees_more() {

@@ -34,6 +34,7 @@ impl Class<'_, '_> {
         let observed = self.program.observing.as_ref().and_then(|observing| observing.wanted);
         let wanted = observed.map(|v| self.places.read(v).clone());
         self.micro_step(wanted.as_deref());
+        self.clear_flags();
         self.lines(include_str!("runtime/state.js"));
         let retained: Vec<VarId> =
             self.program.variables.indices().filter(|v| self.program.variables[*v].retain).collect();
@@ -76,6 +77,20 @@ impl Class<'_, '_> {
         out.close("}");
         out.line("const of = (words = {}) => TRANSITIONS.filter((_, t) => words[WORDS[t]]);");
         out.line("return { enabled: of(s.seen.enabled), cleared: of(s.seen.cleared), stable };");
+        out.close("}");
+        out.blank();
+    }
+
+    fn clear_flags(&mut self) {
+        let out = &mut *self.out;
+        let told = self.program.assertion.map(|v| &self.places.names.variables[v]);
+        out.comment(told.map_or("lowers all flags", |_| "lowers all flags, and forgets which assertion was false"));
+        out.open("clearFlags() {");
+        out.line("this.#s.flags = fresh().flags;");
+        for name in told {
+            out.line(&format!("{} = 0;", member("this.#s.outputs", name)));
+            out.line(&format!("{} = 0;", member("this.#shown", name)));
+        }
         out.close("}");
         out.blank();
     }

@@ -148,13 +148,15 @@ impl Chart<'_> {
             "pub const fn flags(&self) -> Flags",
             &["self.flags"],
         );
-        let lowered = FLAGS.map(|flag| format!("self.flags.{} = false;", flag.name()));
-        function(
-            out,
-            "Lowers all flags.",
-            "pub const fn clear_flags(&mut self)",
-            &lowered.each_ref().map(String::as_str),
-        );
+        let lowered = FLAGS.iter().map(|flag| format!("self.flags.{} = false;", flag.name()));
+        let told = self.program.assertion.map(|v| format!("{} = 0;", self.places.read(v)));
+        let about = match told {
+            Some(_) => "Lowers all flags, and forgets which assertion was false.",
+            None => "Lowers all flags.",
+        };
+        let lowered: Vec<String> = lowered.chain(told).collect();
+        let lines: Vec<&str> = lowered.iter().map(String::as_str).collect();
+        function(out, about, "pub const fn clear_flags(&mut self)", &lines);
         function(
             out,
             "Back to the state before the first scan; the next one is the initial reaction.",

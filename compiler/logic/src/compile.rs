@@ -205,6 +205,7 @@ fn assemble(
         Some(Repeat { limit: None, .. }) => evolution.longest.max(if evolution.once { 2 } else { 1 }),
     };
     let observing = watch.map(|watch| watch.finish(&lowering));
+    let assertion = net.controls.assertion.map(|assertion| lowering.symbols.declared(assertion));
     let program = Program {
         name: net.name.to_string(),
         comment: net.comment.clone(),
@@ -224,6 +225,7 @@ fn assemble(
         restoring,
         observing,
         claims: claimed.seen,
+        assertion,
     };
     (program, overriding.kept)
 }

@@ -618,6 +618,11 @@ export class Weigh_mix_b5 {
         return { enabled: of(s.seen.enabled), cleared: of(s.seen.cleared), stable };
     }
 
+    // lowers all flags
+    clearFlags() {
+        this.#s.flags = fresh().flags;
+    }
+
     // the outputs of the last scan
     get outputs() {
         return this.#shown;
@@ -631,11 +636,6 @@ export class Weigh_mix_b5 {
     // what has gone wrong since the start, or since the flags were cleared
     get flags() {
         return { ...this.#s.flags };
-    }
-
-    // lowers all flags
-    clearFlags() {
-        this.#s.flags = fresh().flags;
     }
 
     // back to the state before the first scan, all inputs as they were declared

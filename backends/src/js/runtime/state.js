@@ -13,11 +13,6 @@ get flags() {
     return { ...this.#s.flags };
 }
 
-// lowers all flags
-clearFlags() {
-    this.#s.flags = fresh().flags;
-}
-
 // back to the state before the first scan, all inputs as they were declared
 reset() {
     this.#s = fresh();

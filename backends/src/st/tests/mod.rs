@@ -37,6 +37,7 @@ impl Build {
             restoring: None,
             observing: None,
             claims: Vec::new(),
+            assertion: None,
         };
         Build { program }
     }

@@ -17,10 +17,9 @@ pub(crate) fn add(program: &mut Program, controls: Controls) {
         let no = program.pool.truth(false);
         let mut lowered: Vec<Statement> =
             flags.into_iter().map(|flag| Statement::assign(Origin::Chart, flag, no)).collect();
-        if let Some(assertion) = controls.assertion {
-            let target = VarId::from(assertion.index());
+        if let Some(target) = program.assertion {
             let none = program.pool.constant(Value::Int(0), program.variables[target].ty);
-            lowered.push(Statement::assign(Origin::Declaration(assertion), target, none));
+            lowered.push(Statement::assign(Origin::declaration(target), target, none));
         }
         first.extend(while_true(program, input, Heading::FlagsAreLowered, lowered));
     }

@@ -25,6 +25,7 @@ pub(crate) fn empty() -> Program {
         restoring: None,
         observing: None,
         claims: Vec::new(),
+        assertion: None,
     }
 }
 

@@ -110,6 +110,9 @@ pub struct Program {
     pub observing: Option<Observing>,
     /// What is claimed of the chart, in the order of the text; empty unless somebody asked.
     pub claims: Vec<SeenClaim>,
+    /// The output that tells the first assertion that was false, if it is asked for: 0 while there is none. Who lowers the
+    /// flags lowers it as well.
+    pub assertion: Option<VarId>,
 }
 
 /// The stability loop (R9).

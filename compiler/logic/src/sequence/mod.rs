@@ -161,6 +161,7 @@ pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagn
         restoring: None,
         observing: None,
         claims: Vec::new(),
+        assertion: None,
     };
     let (given, memory, shown) = (prepared.given, prepared.memory, prepared.shown);
     Ok(Sequence { program, given, memory, shown, steps, transitions, wires })

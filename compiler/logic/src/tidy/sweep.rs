@@ -323,6 +323,7 @@ fn renumber(program: &mut Program, dead: &IndexVec<VarId, bool>) {
     if let Some(observing) = &mut program.observing {
         observing.each_variable(|v| *v = new[*v]);
     }
+    program.assertion = program.assertion.map(|v| new[v]);
     for variable in program.claims.iter_mut().flat_map(|claim| claim.variables()) {
         *variable = new[*variable];
     }
