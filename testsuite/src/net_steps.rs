@@ -51,7 +51,7 @@ impl<'a> NetSteps<'a> {
         }
         NetSteps {
             net,
-            profile,
+            profile: net.options.over(profile),
             expressions: Expressions::new(net),
             pre,
             post,
@@ -175,15 +175,22 @@ impl<'a> NetSteps<'a> {
         let before = self.active.clone();
         let next = self.settle(&before, next, false);
 
-        // R7, by kinds: E, D, T, A.
+        // R7, by kinds: E, D, T, A; and apart from them S.
         let level = |e| self.read(Reading::Levels, t).holds(e);
         let mut triggered: Vec<(u8, usize)> = Vec::new();
+        let mut each_scan = Vec::new();
         for (i, action) in net.stored.iter().enumerate() {
             let (kind, happened) = match action.event {
                 Event::Event(s, e) => (0, before[s] && cx.holds(e) && (input_event || !level(e))),
                 Event::Deactivation(s) => (1, before[s] && !next[s]),
                 Event::Clearing(t) => (2, cleared[t]),
                 Event::Activation(s) => (3, next[s] && !before[s]),
+                Event::EachScan(s, e) => {
+                    if next[s] && e.is_none_or(|e| cx.holds(e)) {
+                        each_scan.push(i);
+                    }
+                    continue;
+                }
             };
             if happened {
                 triggered.push((kind, i));
@@ -191,7 +198,11 @@ impl<'a> NetSteps<'a> {
         }
         triggered.sort_unstable();
         let triggered: Vec<usize> = triggered.into_iter().map(|(_, i)| i).collect();
-        let stored = self.allocate(&triggered, &cx);
+        let mut stored = self.allocate(&triggered, &cx);
+        if !each_scan.is_empty() {
+            let after = self.expressions.read_again(&self.active, &self.variables, &self.memory, t, &cx);
+            stored |= self.allocate(&each_scan, &after);
+        }
 
         let moved = before != next;
         for s in net.places.indices().filter(|s| next[*s] && !before[*s]) {

@@ -59,7 +59,8 @@ fn compare(chart: &Chart, profile: Profile, stimuli: &[Stimulus], counts: &mut C
             return Err(format!("{way}: {fault}"));
         }
         counts.add(&expected, &actual);
-        counts.without_loop += usize::from(program.repeat.is_none() && profile.evolution == Evolution::Stable);
+        counts.without_loop +=
+            usize::from(program.repeat.is_none() && !chart.options.is_scan() && profile.evolution == Evolution::Stable);
     }
     // A bound counts the micro-steps of the overlap as well.
     if expected.responses.iter().any(|response| response.flags.livelock) {

@@ -178,7 +178,7 @@ fn compare(chart: &Chart, profile: Profile, stimuli: &[Stimulus], counts: &mut C
 /// Where steps overlap, the transitions that clear are the same, one after the other, as far as the overlap cannot be seen
 /// and no token comes back at once.
 fn overlap(chart: &Chart, profile: Profile, stimuli: &[Stimulus], counts: &mut Counts) -> Result<(), String> {
-    if profile.evolution == Evolution::Scan || has_short_rings(chart) {
+    if chart.options.over(profile).evolution == Evolution::Scan || has_short_rings(chart) {
         return Ok(());
     }
     let expected = simulated(chart, profile, stimuli, false);

@@ -79,7 +79,7 @@ fn the_scan_programs_agree() {
 #[test]
 fn a_repeated_stimulus_changes_nothing() {
     each(|case, chart, stimuli| {
-        if case.profile.evolution == Evolution::Scan {
+        if chart.options.over(case.profile).evolution == Evolution::Scan {
             return Ok(());
         }
         let mut simulator = Simulator::new(chart, case.profile);

@@ -87,6 +87,7 @@ codes! {
     E0214 "nothing-to-retain" Error;
     E0215 "not-a-warning" Error;
     E0216 "control-input-declared" Error;
+    E0217 "chosen-otherwise" Error;
 
     E0301 "unknown-step" Error;
     E0302 "unknown-grafcet" Error;
@@ -118,6 +119,7 @@ codes! {
     E0416 "edge-or-delay-in-claim" Error;
     E0417 "assumption-beyond-inputs" Error;
     E0418 "claim-without-step" Error;
+    E0419 "each-scan-under-stable" Error;
 
     W0401 "output-read" Warning;
     W0402 "level-event" Warning;
@@ -198,6 +200,7 @@ impl Code {
                 | E0213
                 | E0214
                 | E0215
+                | E0217
                 | E0303
                 | E0307
                 | E0314

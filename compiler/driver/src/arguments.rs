@@ -4,7 +4,7 @@ use crate::report::{Failure, Format, Messages};
 use clap::{Args, ValueEnum};
 use grafc_diagnostics::{Code, Policy, Severity};
 use grafc_model::chart::ControlNames;
-use grafc_model::reaction::{Evolution, LivelockOutputs, Profile};
+use grafc_model::reaction::{Asked, Evolution, LivelockOutputs, Profile};
 
 /// How messages are told.
 #[derive(Args, Debug)]
@@ -45,16 +45,16 @@ impl QuietArgument {
     }
 }
 
-/// Choices that change what a chart means.
+/// Asked that change what a chart means.
 #[derive(Args, Debug)]
 pub struct ProfileArguments {
-    /// Evolve to a stable situation at each call, or by one step a scan as SFC does
-    #[arg(long, value_enum, default_value_t = EvolutionName::Stable, value_name = "EVOLUTION")]
-    evolution: EvolutionName,
-    /// Whether initial steps do their actions on activation at the start
-    #[arg(long, value_enum, default_value_t = Switch::On, value_name = "SWITCH")]
-    initial_actions: Switch,
-    /// Give up after so many evolutions in one call; `auto`: after as many as are known to be enough [default: the larger of 200 and steps + transitions + 1]
+    /// Evolve to a stable situation at each call, or by one step a scan as SFC does [default: as the chart's heading says, else stable]
+    #[arg(long, value_enum, value_name = "EVOLUTION")]
+    evolution: Option<EvolutionName>,
+    /// Whether initial steps do their actions on activation at the start [default: as the chart's heading says, else on]
+    #[arg(long, value_enum, value_name = "SWITCH")]
+    initial_actions: Option<Switch>,
+    /// Give up after so many evolutions in one call; `auto`: after as many as are known to be enough [default: as the chart's heading says, else the larger of 200 and steps + transitions + 1]
     #[arg(long, value_name = "K|auto", value_parser = bound)]
     bound: Option<Bound>,
     /// What outputs of steps do in a call that was given up [default: computed]
@@ -80,36 +80,37 @@ fn bound(text: &str) -> Result<Bound, String> {
 }
 
 impl ProfileArguments {
-    /// The choices as the stages take them.
+    /// What is asked for; the rest is as the chart says.
     ///
     /// # Errors
     /// A choice about calls that are given up, where each call is one evolution and none is.
-    pub fn profile(&self) -> Result<Profile, Failure> {
+    pub fn asked(&self) -> Result<Asked, Failure> {
         let given_up = [("bound", self.bound.is_some()), ("livelock-outputs", self.livelock_outputs.is_some())];
-        if self.evolution == EvolutionName::Scan
+        if self.evolution == Some(EvolutionName::Scan)
             && let Some((name, _)) = given_up.into_iter().find(|(_, is_chosen)| *is_chosen)
         {
             let what = format!("with `--evolution scan` no call is given up, so `--{name}` would do nothing");
             return Err(Failure::WrongUse(what, "leave one of the two out".to_string()));
         }
-        Ok(Profile {
-            evolution: match self.evolution {
+        Ok(Asked {
+            evolution: self.evolution.map(|evolution| match evolution {
                 EvolutionName::Stable => Evolution::Stable,
                 EvolutionName::Scan => Evolution::Scan,
-            },
-            initial_actions: match self.initial_actions {
+            }),
+            initial_actions: self.initial_actions.map(|switch| match switch {
                 Switch::On => true,
                 Switch::Off => false,
-            },
+            }),
             bound: match self.bound {
                 Some(Bound::Number(number)) => Some(number),
                 Some(Bound::Auto) | None => None,
             },
-            livelock_outputs: match self.livelock_outputs {
-                Some(LivelockOutputsName::Computed) | None => LivelockOutputs::Computed,
-                Some(LivelockOutputsName::Hold) => LivelockOutputs::Hold,
-                Some(LivelockOutputsName::Off) => LivelockOutputs::Off,
-            },
+            bound_as_known: self.bound_as_known(),
+            livelock_outputs: self.livelock_outputs.map(|outputs| match outputs {
+                LivelockOutputsName::Computed => LivelockOutputs::Computed,
+                LivelockOutputsName::Hold => LivelockOutputs::Hold,
+                LivelockOutputsName::Off => LivelockOutputs::Off,
+            }),
         })
     }
 

@@ -319,3 +319,32 @@ fn names_of_controls_are_names() {
     let made = folder.run(&["valve.gct", "--target", "st", "--reset-input", "`step`", "--clear-flags-input", "ack"]);
     assert!(made.is_done().out.contains("ack : BOOL;"));
 }
+
+#[test]
+fn what_the_heading_chooses_may_be_repeated_and_not_changed() {
+    let valve = "chart Valve evolution scan initial_actions off\ninput a : bool\noutput V : bool\ninitial step 1\n\
+                 step 2 { V }\ntransition 1 -> 2 : a\ntransition 2 -> 1 : not a\n";
+    let folder = Folder::new(&[("valve.gct", valve), ("in.csv", "t_ms,a\n0,1\n")]);
+    let commands: [&[&str]; 6] = [
+        &["valve.gct", "--target", "st"],
+        &["sim", "valve.gct", "--trace", "in.csv"],
+        &["stats", "valve.gct"],
+        &["graph", "valve.gct"],
+        &["verify", "valve.gct"],
+        &["page", "valve.gct"],
+    ];
+    for command in commands {
+        let with = |options: &[&'static str]| folder.run(&[command, options].concat());
+        let plain = with(&[]).is_done().out.clone();
+        let repeated = with(&["--evolution", "scan", "--initial-actions", "off"]);
+        assert_eq!(repeated.is_done().out, plain, "{command:?}");
+        let changed = [["--evolution", "stable"], ["--initial-actions", "on"], ["--bound", "7"], ["--bound", "auto"]];
+        for options in changed {
+            let refused = with(&options);
+            assert!(refused.err.contains("error[E0217]"), "{command:?} {options:?}: {}", refused.err);
+            assert_eq!(refused.out, "", "{command:?} {options:?}");
+        }
+    }
+    let code = folder.run(&["valve.gct", "--target", "st"]).out.clone();
+    assert!(code.contains("--evolution scan --initial-actions off"), "{code}");
+}

@@ -62,6 +62,8 @@ pub struct Extras {
 
 fn make(analysis: Analysis, options: &Options, extras: Extras) -> (Program, Diagnostics) {
     let mut diagnostics = Diagnostics::new();
+    // What the heading chooses goes before.
+    let options = &Options { profile: analysis.net().options.over(options.profile), ..*options };
     let is_small = is_small(analysis.net());
     // When this is done, the net is gone: what follows asks the program alone.
     let controls = analysis.net().controls;
@@ -264,6 +266,7 @@ impl Ends {
 impl Analysis {
     /// Whether a call may need several micro-steps, under an encoding without overlap.
     pub(crate) fn may_repeat(&self, profile: Profile) -> bool {
+        let profile = self.net().options.over(profile);
         profile.evolution == Evolution::Stable
             && Ends::new(self.net(), profile, Some(self.transients())).repeats(profile)
     }

@@ -126,11 +126,13 @@ fn stored_output(net: &Net, variable: VariableId) -> StoredOutput {
     let resets = |event: Event| actions().any(|action| action.event == event && is(false)(&action.value));
     // On no longer than a step that sets it, if that resets it when it is left.
     let outlives = |event: Event| match event {
-        Event::Activation(s) | Event::Event(s, _) => !resets(Event::Deactivation(s)),
+        Event::Activation(s) | Event::Event(s, _) | Event::EachScan(s, _) => !resets(Event::Deactivation(s)),
         Event::Deactivation(_) | Event::Clearing(_) => true,
     };
     let grafcet_of = |event: Event| match event {
-        Event::Activation(s) | Event::Event(s, _) | Event::Deactivation(s) => net.places[s].grafcet,
+        Event::Activation(s) | Event::Event(s, _) | Event::Deactivation(s) | Event::EachScan(s, _) => {
+            net.places[s].grafcet
+        }
         Event::Clearing(t) => net.transitions[t].grafcet,
     };
     let set_in: FxHashSet<GrafcetId> = actions()
@@ -158,6 +160,8 @@ fn stored_output(net: &Net, variable: VariableId) -> StoredOutput {
             Event::Event(s, e) => format!("on event {} in {}", in_signs(net, e), label(s)),
             Event::Deactivation(s) => format!("on deactivation of {}", label(s)),
             Event::Activation(s) => format!("on activation of {}", label(s)),
+            Event::EachScan(s, None) => format!("each scan in {}", label(s)),
+            Event::EachScan(s, Some(e)) => format!("each scan in {} if {}", label(s), in_signs(net, e)),
             Event::Clearing(t) => format!("when {} is cleared", arrow(net, t)),
         };
         format!(":= {} {when}", in_signs(net, action.value))

@@ -195,6 +195,10 @@ pub fn actions(
             Event::Deactivation(s) => format!("{} on deactivation", labels.step(s)),
             Event::Clearing(t) => format!("{} on clearing", labels.transition(t)),
             Event::Activation(s) => format!("{} on activation", labels.step(s)),
+            Event::EachScan(s, None) => format!("{} each scan", labels.step(s)),
+            Event::EachScan(s, Some(id)) => {
+                format!("{} each scan if {}", labels.step(s), expression(exprs, labels, id))
+            }
         };
         format!("{event}: {} := {}", labels.variable(action.target), expression(exprs, labels, action.value))
     });

@@ -11,6 +11,7 @@ mod checks;
 mod deceptive;
 pub mod dump;
 mod fixes;
+mod profile;
 pub mod reaction;
 mod resolve;
 pub mod simulate;

@@ -1,62 +1,7 @@
 //! What goes into a reaction and what comes out: shared by everything that runs a chart.
 
 use crate::chart::{StepId, Value};
-
-/// How a chart evolves when it is called.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Evolution {
-    /// Micro-steps until the situation is stable (R9).
-    #[default]
-    Stable,
-    /// Exactly one micro-step a call, as SFC does (R14).
-    Scan,
-}
-
-/// What outputs of continuous actions do in a call that LIVELOCK ended; those of stored actions keep their values.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum LivelockOutputs {
-    /// As the situation says that was reached (R11).
-    #[default]
-    Computed,
-    /// As after the call before.
-    Hold,
-    /// False.
-    Off,
-}
-
-/// Choices that change what a chart means.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Profile {
-    /// How it evolves.
-    pub evolution: Evolution,
-    /// Whether initial steps do their actions on activation at the start (R10).
-    pub initial_actions: bool,
-    /// The bound K on micro-steps (R9); `None` is max(200, steps + transitions + 1).
-    pub bound: Option<u32>,
-    /// What outputs do where that is hit.
-    pub livelock_outputs: LivelockOutputs,
-}
-
-impl Default for Profile {
-    fn default() -> Self {
-        Profile {
-            evolution: Evolution::Stable,
-            initial_actions: true,
-            bound: None,
-            livelock_outputs: LivelockOutputs::Computed,
-        }
-    }
-}
-
-impl Profile {
-    /// The largest bound: what 31 bits hold.
-    pub const LARGEST_BOUND: u32 = i32::MAX as u32;
-
-    /// The bound K for a chart of this size; macro-steps do not count.
-    pub fn bound_for(&self, steps: usize, transitions: usize) -> u32 {
-        self.bound.unwrap_or((steps + transitions + 1).max(200) as u32)
-    }
-}
+pub use crate::profile::{Asked, Evolution, LivelockOutputs, Profile};
 
 /// The run-time flags; once raised they stay.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]

@@ -63,6 +63,7 @@ pub fn into_net(chart: Chart) -> Net {
     Net {
         name: chart.name,
         comment: chart.comment,
+        options: chart.options,
         variables: chart.variables,
         places: chart
             .steps

@@ -25,8 +25,8 @@
 use ecow::EcoString;
 use grafc_diagnostics::Span;
 use grafc_model::chart::{
-    Claims, Continuous, Controls, Expr, ExprId, GrafcetId, MacroId, Note, Order, StepId, Stored, TransitionId,
-    Variable, VariableId,
+    ChartOptions, Claims, Continuous, Controls, Expr, ExprId, GrafcetId, MacroId, Note, Order, StepId, Stored,
+    TransitionId, Variable, VariableId,
 };
 use index_vec::IndexVec;
 use rustc_hash::FxHashSet;
@@ -56,6 +56,8 @@ pub struct Net {
     pub name: EcoString,
     /// The chart's attached comment.
     pub comment: Option<Note>,
+    /// What its heading chooses of its meaning.
+    pub options: ChartOptions,
     /// Declared variables.
     pub variables: IndexVec<VariableId, Variable>,
     /// Places: the steps of the chart.

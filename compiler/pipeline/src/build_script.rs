@@ -8,7 +8,6 @@ use crate::compile::compile;
 use crate::document::chart_name;
 use crate::fault;
 use crate::files::{self, Refusal, print};
-use crate::header::header;
 use crate::options::{Options, Product};
 use crate::sources;
 use grafc_backends::Target;
@@ -16,7 +15,7 @@ use grafc_backends::rust::{self, Runtime};
 use grafc_diagnostics::{Code, Diagnostics, Policy, SourceMap, render};
 use grafc_logic::Encoding;
 use grafc_model::chart::ControlNames;
-use grafc_model::reaction::{Evolution, LivelockOutputs, Profile};
+use grafc_model::reaction::{Asked, Evolution, LivelockOutputs, Profile};
 use std::fmt;
 use std::io::Write;
 use std::panic::{self, AssertUnwindSafe};
@@ -57,6 +56,7 @@ pub struct Build {
     out_dir: Option<PathBuf>,
     runtime: Runtime,
     lowering: grafc_logic::Options,
+    asked: Asked,
     bound_as_known: bool,
     controls: ControlNames,
     policy: Policy,
@@ -71,6 +71,7 @@ impl Build {
             out_dir: None,
             runtime: Runtime::default(),
             lowering: grafc_logic::Options::default(),
+            asked: Asked::default(),
             bound_as_known: false,
             controls: ControlNames::default(),
             policy: Policy::default(),
@@ -128,6 +129,7 @@ impl Build {
     /// the chart means.
     pub fn evolution(&mut self, evolution: Evolution) -> &mut Self {
         self.lowering.profile.evolution = evolution;
+        self.asked.evolution = Some(evolution);
         self
     }
 
@@ -135,6 +137,7 @@ impl Build {
     /// is given here. This changes what the chart means.
     pub fn initial_actions(&mut self, initial_actions: bool) -> &mut Self {
         self.lowering.profile.initial_actions = initial_actions;
+        self.asked.initial_actions = Some(initial_actions);
         self
     }
 
@@ -142,6 +145,7 @@ impl Build {
     /// 2,147,483,647 as that. This changes what the chart means.
     pub fn bound(&mut self, micro_steps: u32) -> &mut Self {
         self.lowering.profile.bound = Some(micro_steps.clamp(1, Profile::LARGEST_BOUND));
+        (self.asked.bound, self.asked.bound_as_known) = (self.lowering.profile.bound, false);
         self
     }
 
@@ -149,12 +153,14 @@ impl Build {
     pub fn bound_auto(&mut self) -> &mut Self {
         self.lowering.profile.bound = None;
         self.bound_as_known = true;
+        (self.asked.bound, self.asked.bound_as_known) = (None, true);
         self
     }
 
     /// What outputs of continuous actions do in a scan that LIVELOCK ends, as `--livelock-outputs`.
     pub fn livelock_outputs(&mut self, outputs: LivelockOutputs) -> &mut Self {
         self.lowering.profile.livelock_outputs = outputs;
+        self.asked.livelock_outputs = Some(outputs);
         self
     }
 
@@ -265,18 +271,17 @@ impl Build {
         let name = chart_name(&self.chart);
         let module = self.module.clone().unwrap_or_else(|| name.clone());
         let options = rust::Options { runtime: self.runtime, module: Some(module.clone()), ..rust::Options::default() };
-        let mut target = Target::Rust(options);
+        let target = Target::Rust(options);
         let path = self.folder()?.join(format!("{module}.{}", target.about().extension));
         if files::is_same_file(&path, &self.chart) {
             let what = format!("the output would overwrite `{}`", self.chart.display());
             return Err(Failure::WrongUse(what, "choose another name with `module`"));
         }
         let source = self.chart.file_name().unwrap_or(self.chart.as_os_str()).to_string_lossy();
-        target.set_header(header(&source, &self.lowering, self.bound_as_known, &self.controls, &target));
-
         let (lowering, controls, policy) = (self.lowering, self.controls.clone(), self.policy.clone());
         let bound_as_known = self.bound_as_known;
-        let options = Options { lowering, bound_as_known, controls, product: Product::Code(target), policy };
+        let (asked, source, product) = (self.asked, Some(source.into_owned()), Product::Code(target));
+        let options = Options { lowering, asked, source, bound_as_known, controls, product, policy };
         let made = report.compile(&self.chart, &name, &options)?;
         files::write(&path, &made)?;
         print(&report.warnings())?;

@@ -11,6 +11,7 @@
 //! Here each stage is run once, and what it was made of is dropped as soon as possible. To ask again and again about a
 //! text that changes takes a [`Document`](crate::Document).
 
+use crate::header::header;
 use crate::options::{Options, Product};
 use crate::stages::{Last, check as resolve, flatten, net_after, parse, warn};
 use grafc_backends::{Output, Source, Target};
@@ -47,7 +48,7 @@ fn make(
     options: &Options,
     diagnostics: &mut Diagnostics,
 ) -> Option<Output> {
-    let Options { lowering, bound_as_known, controls, product, policy: _ } = options;
+    let Options { lowering, asked, source, bound_as_known, controls, product, policy: _ } = options;
 
     let tree = parse(file, text, diagnostics);
     if let Product::Tree = product {
@@ -55,6 +56,12 @@ fn make(
     }
     let mut chart = resolve(&tree, default_name, diagnostics)?;
     drop(tree);
+    let against = chart.options.against(asked);
+    if against.has_errors() {
+        diagnostics.append(against);
+        return None;
+    }
+    let lowering = &Lowering { profile: chart.options.over(lowering.profile), ..*lowering };
     if let Err(found) = chart.control(controls) {
         diagnostics.append(found);
         return None;
@@ -75,13 +82,21 @@ fn make(
     if let Product::Net = product {
         return Some(grafc_net::dump(analysis.net()).into());
     }
-    let lowering = &bounded(lowering, *bound_as_known, &analysis);
-    let mut last = Last::new(analysis, lowering);
+    let head = |target: &Target| {
+        let mut target = target.clone();
+        if let Some(source) = source {
+            let lines = header(source, lowering, *bound_as_known, controls, &target);
+            target.set_header(lines);
+        }
+        target
+    };
+    let bounded = &bounded(lowering, *bound_as_known, &analysis);
+    let mut last = Last::new(analysis, bounded);
     let made = match product {
-        Product::Code(target) => emit(target, &mut last),
+        Product::Code(target) => emit(&head(target), &mut last),
         Product::Mapped(target) => {
             last.wants_map = true;
-            emit(target, &mut last)
+            emit(&head(target), &mut last)
         }
         Product::Equations => last.program().map(|program| scan::equations(program).into()),
         Product::Program => last.program().map(|program| scan::dump(program).into()),
@@ -100,6 +115,7 @@ pub(crate) fn bounded(lowering: &Lowering, as_known: bool, analysis: &Analysis) 
         let net = analysis.net();
         let usual = lowering.profile.bound_for(net.places.len(), net.transitions.len());
         bounded.profile.bound = analysis.known_bound().map(|known| known.min(usual)).or(lowering.profile.bound);
+        bounded.profile = net.options.over(bounded.profile);
     }
     bounded
 }

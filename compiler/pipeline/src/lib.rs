@@ -34,7 +34,6 @@ pub use grafc_backends::{Element, Kind, Map, Output, Target};
 pub use grafc_diagnostics::{Code, Policy};
 pub use grafc_logic::{Encoding, Options as Lowering};
 pub use grafc_model::reaction::{Evolution, LivelockOutputs};
-pub use header::header;
 pub use options::{Options, Product};
 pub use simulate::{Ended, KeptCall, NotShown, Outcome, Record, Results, Run, Simulation, Text, known_bound, simulate};
 pub use sources::add;

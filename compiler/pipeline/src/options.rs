@@ -3,12 +3,17 @@
 use grafc_backends::Target;
 use grafc_diagnostics::Policy;
 use grafc_model::chart::ControlNames;
+use grafc_model::reaction::Asked;
 
 /// What is made, and what it is to mean.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// How the chart becomes a program.
     pub lowering: grafc_logic::Options,
+    /// What was asked for of what the chart means; what its heading chooses otherwise is refused (E0217).
+    pub asked: Asked,
+    /// The name of the chart's file, if the head of the code is to say what it was made of, and how.
+    pub source: Option<String>,
     /// Whether the bound on micro-steps is the one that is known to be enough, where one is.
     pub bound_as_known: bool,
     /// Inputs that act on the chart as a whole.
@@ -24,6 +29,8 @@ impl Options {
     pub fn new(lowering: grafc_logic::Options, product: Product) -> Self {
         Options {
             lowering,
+            asked: Asked::default(),
+            source: None,
             bound_as_known: false,
             controls: ControlNames::default(),
             product,

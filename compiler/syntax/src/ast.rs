@@ -36,15 +36,51 @@ pub struct Chart {
     pub is_whole: bool,
 }
 
-/// `chart Name "comment"`.
+/// `chart Name "comment" evolution scan`.
 #[derive(Clone, Debug)]
 pub struct Heading {
     /// The chart's name.
     pub name: Name,
     /// The attached comment.
     pub comment: Option<Box<Text>>,
+    /// What it chooses of the chart's meaning, each choice once.
+    pub options: Vec<ChartOption>,
     /// The whole line.
     pub span: Span,
+}
+
+/// `evolution scan`, `initial_actions off`, `bound 400` in the heading.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ChartOption {
+    /// What is chosen.
+    pub kind: ChartOptionKind,
+    /// The choice, its word included.
+    pub span: Span,
+}
+
+/// What the heading chooses.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ChartOptionKind {
+    /// `evolution stable`, `evolution scan`: whether a call is one micro-step.
+    Evolution {
+        /// Whether it is.
+        scan: bool,
+    },
+    /// `initial_actions on`, `initial_actions off`
+    InitialActions(bool),
+    /// `bound 400`
+    Bound(u32),
+}
+
+impl ChartOptionKind {
+    /// The word that begins the choice.
+    pub fn word(self) -> &'static str {
+        match self {
+            ChartOptionKind::Evolution { .. } => "evolution",
+            ChartOptionKind::InitialActions(_) => "initial_actions",
+            ChartOptionKind::Bound(_) => "bound",
+        }
+    }
 }
 
 /// A name, a step label or a designation, without its backquotes.
@@ -500,6 +536,8 @@ pub enum Event {
     Deactivation,
     /// `on event ↑a` (symbol 29)
     Event(ExprId),
+    /// `each scan`, `each scan if c`: once a scan while the step is active.
+    EachScan(Option<ExprId>),
 }
 
 /// A forced situation.

@@ -8,6 +8,9 @@ use crate::numeral::{self, Numeral};
 use crate::spelling::distance;
 use grafc_diagnostics::{Code, Diagnostic, FileId, Fix, Span};
 
+/// The largest bound on micro-steps: what 31 bits hold.
+const LARGEST_BOUND: u32 = i32::MAX as u32;
+
 /// What one item of the token stream turned out to be.
 pub(crate) enum Parsed {
     /// `chart Name`
@@ -181,6 +184,75 @@ impl<'text> Builder<'text> {
         };
         self.fault(fault);
         (None, span)
+    }
+
+    /// The heading, with each choice once.
+    pub(crate) fn heading(
+        &mut self,
+        start: u32,
+        end: u32,
+        name: Name,
+        comment: Option<Box<Text>>,
+        chosen: Vec<Option<ChartOption>>,
+    ) -> Heading {
+        let mut options: Vec<ChartOption> = Vec::new();
+        for option in chosen.into_iter().flatten() {
+            let word = option.kind.word();
+            match options.iter().find(|first| first.kind.word() == word) {
+                Some(first) => {
+                    let fault = Diagnostic::new(Code::E0107, option.span, format!("`{word}` appears twice"));
+                    let fix = Fix::maybe("leave it out").delete(option.span);
+                    let fault = fault.also(first.span, "first here").help("leave one of the two out").fix(fix);
+                    self.fault(fault);
+                }
+                None => options.push(option),
+            }
+        }
+        Heading { name, comment, options, span: self.span(start, end) }
+    }
+
+    /// `evolution stable`, `evolution scan`
+    pub(crate) fn evolution(&mut self, start: u32, end: u32, value: Name) -> Option<ChartOption> {
+        let scan = self.one_of(&value, ["stable", "scan"])? == 1;
+        Some(ChartOption { kind: ChartOptionKind::Evolution { scan }, span: self.span(start, end) })
+    }
+
+    /// `initial_actions on`, `initial_actions off`
+    pub(crate) fn initial_actions(&mut self, start: u32, end: u32, value: Name) -> Option<ChartOption> {
+        let on = self.one_of(&value, ["off", "on"])? == 1;
+        Some(ChartOption { kind: ChartOptionKind::InitialActions(on), span: self.span(start, end) })
+    }
+
+    /// `bound 400`
+    pub(crate) fn bound(&mut self, start: u32, end: u32, value: Span) -> Option<ChartOption> {
+        let number = match numeral::read(self.slice(value.start, value.end)) {
+            Ok(Numeral::Integer(number)) => u32::try_from(number).ok(),
+            Ok(Numeral::Real(_) | Numeral::Duration(_)) | Err(_) => None,
+        };
+        match number.filter(|number| (1..=LARGEST_BOUND).contains(number)) {
+            Some(number) => Some(ChartOption { kind: ChartOptionKind::Bound(number), span: self.span(start, end) }),
+            None => {
+                let message = format!("a bound is a number from 1 to {LARGEST_BOUND}");
+                self.fault(Diagnostic::new(Code::E0107, value, message).help("write `bound 200`, or leave it out"));
+                None
+            }
+        }
+    }
+
+    /// Which of two words it is.
+    fn one_of(&mut self, value: &Name, words: [&str; 2]) -> Option<usize> {
+        let found = words.iter().position(|word| !value.quoted && value.text == *word);
+        if found.is_none() {
+            let (shown, [a, b]) = (crate::shown::shorten(&value.text), words);
+            let mut fault =
+                Diagnostic::new(Code::E0107, value.span, format!("expected `{a}` or `{b}`, found `{shown}`"))
+                    .help(format!("write `{a}` or `{b}`"));
+            for word in words {
+                fault = fault.fix(Fix::maybe(format!("write `{word}`")).replace(value.span, word));
+            }
+            self.fault(fault);
+        }
+        found
     }
 
     pub(crate) fn step(

@@ -9,6 +9,9 @@
 //! of a transition, behind what may end an item. In a claim, `at most one of`, `after` and `leads to` are words where two
 //! names would follow each other.
 //!
+//! In the heading, `evolution`, `initial_actions` and `bound` are words behind the name of the chart and its comment. `each
+//! scan` is two words behind a value that is assigned in the braces of a step or transition, where no name can stand.
+//!
 //! `scenario` begins an item where a string and a brace follow it. In its braces `until`, and `after` before a time, begin a
 //! line, except where a name must stand: behind a comma, `->`, `not`. Behind `until` all is a condition, up to `within`
 //! before a time.
@@ -21,7 +24,9 @@ pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
     let mut braces = Braces::default();
     let mut scenario = Scenario::default();
     for at in 0..lexemes.len() {
-        if lexemes[at].token == Token::Name {
+        if lexemes[at].token == Token::On && at > 0 && lexemes[at - 1].token == Token::InitialActions {
+            lexemes[at].token = Token::Name;
+        } else if lexemes[at].token == Token::Name {
             let place = Place { text, lexemes: &*lexemes, at, braces: &braces };
             match place.word(0) {
                 word if scenario.is_open() => {
@@ -40,6 +45,12 @@ pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
                 "after" if place.is_after() => lexemes[at].token = Token::After,
                 "leads" if place.is_leads_to() => {
                     (lexemes[at].token, lexemes[at + 1].token) = (Token::Leads, Token::LeadsTo);
+                }
+                "evolution" if place.is_option() => lexemes[at].token = Token::Evolution,
+                "initial_actions" if place.is_option() => lexemes[at].token = Token::InitialActions,
+                "bound" if place.is_option() => lexemes[at].token = Token::Bound,
+                "each" if place.is_each_scan() => {
+                    (lexemes[at].token, lexemes[at + 1].token) = (Token::Each, Token::Scan);
                 }
                 _ => {}
             }
@@ -148,6 +159,17 @@ impl<'t> Place<'t> {
         operand && self.begins_body()
     }
 
+    /// Behind the name of the chart.
+    fn is_option(self) -> bool {
+        self.braces.in_heading
+            && !matches!(self.before(1), Some(Token::Chart | Token::Evolution | Token::InitialActions))
+    }
+
+    /// Behind a value that is assigned, where its event would stand.
+    fn is_each_scan(self) -> bool {
+        self.braces.in_value && self.word(1) == "scan" && self.before(1).is_some_and(may_end_item)
+    }
+
     fn is_leads_to(self) -> bool {
         self.braces.in_claim && self.word(1) == "to" && self.before(1).is_some_and(may_end_item)
     }
@@ -161,6 +183,10 @@ pub(crate) struct Braces {
     /// The `:` of a transition was not read yet.
     in_head_of_transition: bool,
     in_claim: bool,
+    /// The heading of the chart was begun, and no other item since.
+    in_heading: bool,
+    /// Behind `:=` in the braces of a step or transition; its event has not been read yet.
+    in_value: bool,
     /// Those of steps, transitions and forced situations.
     pub(crate) of_items: usize,
 }
@@ -171,11 +197,17 @@ impl Braces {
             Token::Grafcet | Token::Expansion => *self = Braces { in_head_of_block: true, ..Braces::default() },
             Token::Transition => *self = Braces { in_head_of_transition: true, ..Braces::default() },
             token if is_claim(token) => *self = Braces { in_claim: true, ..Braces::default() },
+            Token::Chart => *self = Braces { in_heading: true, ..Braces::default() },
             Token::Colon => self.in_head_of_transition = false,
+            Token::Assign => self.in_value = self.of_items > 0,
+            Token::On | Token::Scan | Token::If | Token::Force => self.in_value = false,
             Token::OpenBrace if self.in_head_of_block => self.in_head_of_block = false,
             Token::OpenBrace => self.of_items += 1,
             // That of a block, if no other is open.
-            Token::CloseBrace => self.of_items = self.of_items.saturating_sub(1),
+            Token::CloseBrace => {
+                self.of_items = self.of_items.saturating_sub(1);
+                self.in_value = false;
+            }
             // No item begins within the braces of another: one is missing.
             token if begins_item(token) => *self = Braces::default(),
             _ => {}

@@ -12,7 +12,13 @@ pub fn dump(chart: &Chart) -> String {
     dump.line("chart");
     dump.level += 1;
     if let Some(heading) = &chart.heading {
-        dump.line(&format!("heading {}{}", name(&heading.name), comment(&heading.comment)));
+        let options = heading.options.iter().map(|option| match option.kind {
+            ChartOptionKind::Evolution { scan } => format!(" evolution {}", if scan { "scan" } else { "stable" }),
+            ChartOptionKind::InitialActions(on) => format!(" initial_actions {}", if on { "on" } else { "off" }),
+            ChartOptionKind::Bound(number) => format!(" bound {number}"),
+        });
+        let options: String = options.collect();
+        dump.line(&format!("heading {}{}{options}", name(&heading.name), comment(&heading.comment)));
     }
     dump.items(&chart.items);
     if !chart.comments.is_empty() {
@@ -171,6 +177,8 @@ impl Dump<'_> {
                         Event::Activation => self.line("  on activation"),
                         Event::Deactivation => self.line("  on deactivation"),
                         Event::Event(condition) => self.below("on event", *condition),
+                        Event::EachScan(None) => self.line("  each scan"),
+                        Event::EachScan(Some(condition)) => self.below("each scan if", *condition),
                     }
                 }
                 ActionKind::Force { grafcet, situation } => {

@@ -395,7 +395,7 @@ impl State {
         self.operand = ends_operand(token);
         match token {
             Token::Assign => self.value = true,
-            Token::On => self.value = false,
+            Token::On | Token::Each => self.value = false,
             Token::Force => self.forcing = true,
             Token::OpenBracket => self.brackets += 1,
             Token::CloseBracket => self.brackets = self.brackets.saturating_sub(1),

@@ -8,7 +8,10 @@ use crate::ast::*;
 /// Whether two texts were read as the same chart: everything but spans, and as many comments.
 pub fn same(a: &Chart, b: &Chart) -> bool {
     let headings = match (&a.heading, &b.heading) {
-        (Some(a), Some(b)) => name(&a.name, &b.name) && text(&a.comment, &b.comment),
+        (Some(a), Some(b)) => {
+            let options = |a: &ChartOption, b: &ChartOption| a.kind == b.kind;
+            name(&a.name, &b.name) && text(&a.comment, &b.comment) && all(&a.options, &b.options, options)
+        }
         (None, None) => true,
         (Some(_), None) | (None, Some(_)) => false,
     };

@@ -195,6 +195,16 @@ pub(crate) enum Token {
     Until,
     /// `within` before the time of `until`
     Within,
+    /// `evolution` in the heading of the chart
+    Evolution,
+    /// `initial_actions` in the heading
+    InitialActions,
+    /// `bound` in the heading
+    Bound,
+    /// `each` of `each scan`
+    Each,
+    /// `scan` of `each scan`
+    Scan,
     /// The end of an item; the parser puts it there.
     End,
 }
@@ -259,13 +269,14 @@ pub(crate) fn may_end_item(token: Token) -> bool {
     use Token::*;
     match token {
         Name | String | Address | Whole | Integer | Real | Duration | Unreadable | True | False | CloseParen
-        | CloseBracket | OpenBrace | CloseBrace => true,
+        | CloseBracket | OpenBrace | CloseBrace | Scan => true,
         Chart | Input | Output | Var | Const | Grafcet | Expansion | Step | Transition | Initial | Activated
         | Enclosing | Macro | If | On | Force | And | Or | Xor | Not | Rise | Fall | Mod | Plus | Minus | Star
         | Slash | Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual | Assign | Colon | Comma | Arrow
         | OpenParen | OpenBracket | Numeral | LineComment | BlockComment | ForeignComment | Activation
         | Deactivation | Event | At | Retain | Allow | AllowInside | Assume | Assert | Reach | Final | AtMost
-        | Most | One | Of | After | Leads | LeadsTo | Scenario | Until | Within | End => false,
+        | Most | One | Of | After | Leads | LeadsTo | Scenario | Until | Within | Evolution | InitialActions
+        | Bound | Each | End => false,
     }
 }
 

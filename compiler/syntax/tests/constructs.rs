@@ -177,6 +177,7 @@ fn actions() {
                     Event::Activation => "activation".to_owned(),
                     Event::Deactivation => "deactivation".to_owned(),
                     Event::Event(condition) => show(&chart, *condition),
+                    Event::EachScan(_) => "each scan".to_owned(),
                 };
                 format!("{} := {} on {event}", assignment.target.text, show(&chart, assignment.value))
             }
@@ -401,4 +402,33 @@ fn every_construct_at_once() {
     assert_eq!(chart.items.len(), 20);
     assert_eq!(chart.comments.len(), 5);
     assert_eq!(chart.span.range(), 0..text.len());
+}
+
+/// What the heading chooses, as written.
+fn options(text: &str) -> Vec<(&'static str, String)> {
+    let chart = chart(text);
+    let chosen = chart.heading.map(|heading| heading.options).unwrap_or_default();
+    chosen.iter().map(|option| (option.kind.word(), text[option.span.range()].to_owned())).collect()
+}
+
+#[test]
+fn the_heading_chooses() {
+    let text = "chart M \"a comment\" evolution scan initial_actions on bound 16#FF step 1";
+    let expected = [
+        ("evolution", "evolution scan".to_owned()),
+        ("initial_actions", "initial_actions on".to_owned()),
+        ("bound", "bound 16#FF".to_owned()),
+    ];
+    assert_eq!(options(text), expected);
+    assert_eq!(options("chart evolution bound 7 step 1"), [("bound", "bound 7".to_owned())]);
+    assert_eq!(options("chart bound input evolution, scan, each : bool step 1 { evolution each scan }"), []);
+}
+
+#[test]
+fn each_scan() {
+    let text = "chart M evolution scan step 1 { n := n + 1 each scan  m := 2 each scan if a or b  each  scan }";
+    let chart = chart(text);
+    let Some(Item::Step(step)) = chart.items.first() else { panic!("a step") };
+    let written: Vec<&str> = step.actions.iter().map(|action| &text[action.span.range()]).collect();
+    assert_eq!(written, ["n := n + 1 each scan", "m := 2 each scan if a or b", "each", "scan"]);
 }

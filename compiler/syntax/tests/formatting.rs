@@ -29,6 +29,16 @@ grafcet X9/G4 \"e\" {
 }
 
 #[test]
+fn choices_in_the_heading_and_each_scan() {
+    assert_eq!(
+        format(
+            "chart  M\"x\"   evolution   scan  initial_actions off step 1{n:=n/2+1 each   scan  m:=-1   each scan if\na/X1}"
+        ),
+        "chart M \"x\" evolution scan initial_actions off\nstep 1 { n := n / 2 + 1 each scan   m := -1 each scan if a/X1 }\n"
+    );
+}
+
+#[test]
 fn scenarios_have_a_line_a_line() {
     assert_eq!(
         format(

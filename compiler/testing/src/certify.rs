@@ -55,6 +55,7 @@ pub fn certify(
     period: i64,
     (moves, free): (&Moves, &Moves),
 ) -> Certified {
+    let profile = chart.options.over(profile);
     let mut plan = Plan::new(moves, cover, chart.transitions.len());
     let mut trips = plan.trips();
     let mut runs: Vec<Ran> = Vec::new();

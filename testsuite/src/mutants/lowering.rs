@@ -6,6 +6,29 @@ const COMPILER: At = At::anywhere(Part::Compiler);
 
 pub(super) const FAULTS: &[Fault] = &[
     Fault {
+        name: "each-scan-sees-old-values",
+        at: COMPILER,
+        breaks: "what is done each scan sees what other actions have left (R15)",
+        text: "statements.extend(allocate::statements(lowering, cx, &triggers, Some(tokens), task.again));
+    statements.extend(each_scan::statements(lowering, cx, &each_scan, tokens, task.again));",
+        instead: "statements.extend(each_scan::statements(lowering, cx, &each_scan, tokens, task.again));
+    statements.extend(allocate::statements(lowering, cx, &triggers, Some(tokens), task.again));",
+    },
+    Fault {
+        name: "each-scan-of-the-old-situation",
+        at: COMPILER,
+        breaks: "what is done each scan is done in the scan that activates its step, and not in that which leaves it (R15)",
+        text: "clearings.active_after(lowering, s)",
+        instead: "lowering.active(s)",
+    },
+    Fault {
+        name: "each-scan-whatever-its-condition",
+        at: COMPILER,
+        breaks: "what is done each scan waits for its condition (R15)",
+        text: "task.events.get(&index).copied()",
+        instead: "task.events.get(&usize::MAX).copied()",
+    },
+    Fault {
         name: "edge-is-a-level",
         at: COMPILER,
         breaks: "a rising edge is true as long as its operand (X4)",

@@ -136,6 +136,29 @@ impl<'a> Expressions<'a> {
         reading: Reading,
         t: i64,
     ) -> Context {
+        self.evaluate(active, (variables, memory), reading, t, None)
+    }
+
+    /// The same context with other variables: edges and delays are as they were in it.
+    pub fn read_again(
+        &self,
+        active: &IndexVec<StepId, bool>,
+        variables: &IndexVec<VariableId, Value>,
+        memory: &Memory,
+        t: i64,
+        before: &Context,
+    ) -> Context {
+        self.evaluate(active, (variables, memory), Reading::Context, t, Some(before))
+    }
+
+    fn evaluate(
+        &self,
+        active: &IndexVec<StepId, bool>,
+        (variables, memory): (&IndexVec<VariableId, Value>, &Memory),
+        reading: Reading,
+        t: i64,
+        before: Option<&Context>,
+    ) -> Context {
         let net = self.net;
         let mut cx = Context {
             exprs: net.exprs.iter().map(|_| Value::Bool(false)).collect(),
@@ -152,6 +175,12 @@ impl<'a> Expressions<'a> {
                     continue;
                 }
             };
+            if let (Some(before), ExprKind::Rise(_) | ExprKind::Fall(_) | ExprKind::Delay { .. }) =
+                (before, &net.exprs[e].kind)
+            {
+                cx.exprs[e] = before.exprs[e];
+                continue;
+            }
             let any = |steps: &[StepId]| steps.iter().any(|s| active[*s]);
             let ty = net.exprs[e].ty;
             cx.exprs[e] = match net.exprs[e].kind {
@@ -202,7 +231,7 @@ fn order(net: &Net) -> Vec<Evaluated> {
         asked[e] = true;
     }
     for action in &net.stored {
-        if let Event::Event(_, e) = action.event {
+        if let Event::Event(_, e) | Event::EachScan(_, Some(e)) = action.event {
             asked[e] = true;
         }
     }

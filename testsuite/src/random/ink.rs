@@ -39,6 +39,11 @@ impl Ink {
         Ink { rng: Rng::with_seed(seed ^ 0x696e_6b00), seed, address: 0, kept }
     }
 
+    /// What it is drawn of.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
     /// In one of twelve charts every step is left after a time at the latest; the source of these times.
     pub fn waits(&self) -> Option<Rng> {
         let mut rng = Rng::with_seed(self.seed ^ 0x7761_6974);

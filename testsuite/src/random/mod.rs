@@ -12,6 +12,7 @@ mod boolean;
 mod claims;
 mod expression;
 mod ink;
+mod options;
 mod plain;
 mod structure;
 mod trace;

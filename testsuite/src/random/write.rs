@@ -4,6 +4,7 @@
 
 use super::expression::{Allowed, Scope};
 use super::ink::Ink;
+use super::options::Options;
 use super::structure::{Frame, FrameKind, RandomStepKind};
 use fastrand::Rng;
 use grafc_model::chart::Type;
@@ -20,13 +21,17 @@ const AWKWARD: [&str; 14] =
 /// The text of a chart with these frames.
 pub(super) fn chart(rng: &mut Rng, ink: &mut Ink, name: &str, frames: &[Frame]) -> String {
     let mut out = String::new();
+    let mut options = Options::draw(ink.seed());
     if !ink.chance(0.03) {
-        let _ = writeln!(out, "chart {name}{}\n", ink.attached(0.1));
+        let _ = writeln!(out, "chart {name}{}{}\n", ink.attached(0.1), options.text());
+    } else {
+        options = Options::default();
     }
     let mut writer = Writer {
         scope: Scope::default(),
         stored: Vec::new(),
         awkward: AWKWARD.to_vec(),
+        scans: options.scans(),
         declared: Vec::new(),
         designations: 0,
         waits: ink.waits(),
@@ -89,6 +94,8 @@ struct Writer<'a> {
     awkward: Vec<&'static str>,
     declared: Vec<Declared>,
     designations: u32,
+    /// What says which actions are done each scan, if the chart evolves so.
+    scans: Option<Rng>,
     /// What gives the times of a chart in which no step waits forever.
     waits: Option<Rng>,
     ink: &'a mut Ink,
@@ -311,6 +318,13 @@ impl Writer<'_> {
             return Some(format!("{target} if {}", self.scope.condition(self.rng, 2, allowed)));
         }
         let assignment = self.assignment()?;
+        if let Some(scans) = &mut self.scans
+            && scans.f32() < 0.4
+        {
+            let sign = ["↑", "not ", ""][scans.usize(0..3)];
+            let guard = format!(" if {sign}{}", self.scope.bools[scans.usize(0..self.scope.bools.len())]);
+            return Some(format!("{assignment} each scan{}", if scans.bool() { guard } else { String::new() }));
+        }
         let event = match self.rng.u8(0..10) {
             0..4 => "on activation".to_string(),
             4..6 => "on deactivation".to_string(),

@@ -65,7 +65,7 @@ pub fn watch(chart: &Chart, profile: Profile, stimuli: &[Stimulus]) -> Watched {
             values = now.clone();
         });
         let micro_steps = sights - u32::from(reaction == 0);
-        if profile.evolution == Evolution::Stable && micro_steps < bound {
+        if chart.options.over(profile).evolution == Evolution::Stable && micro_steps < bound {
             watched.stable.push(active.clone());
         }
     }

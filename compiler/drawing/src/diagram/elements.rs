@@ -85,7 +85,10 @@ impl<'a> Elements<'a> {
                 Deed::Continuous(action) => of_steps[action.step].push((deed, number)),
                 Deed::Order(order) => of_steps[order.step].push((deed, number)),
                 Deed::Stored(action) => match action.event {
-                    Event::Event(step, _) | Event::Deactivation(step) | Event::Activation(step) => {
+                    Event::Event(step, _)
+                    | Event::Deactivation(step)
+                    | Event::Activation(step)
+                    | Event::EachScan(step, _) => {
                         of_steps[step].push((deed, number));
                     }
                     Event::Clearing(transition) => of_transitions[transition].push((deed, number)),
@@ -256,6 +259,11 @@ impl<'a> Elements<'a> {
                 (When::Event(wording::expression(self.chart, event)), Element::Step(step), "action on-event")
             }
             Event::Activation(step) => (When::Activation, Element::Step(step), "action on-activation"),
+            Event::EachScan(step, condition) => {
+                text.push(Token::plain(" each scan".to_owned()));
+                let condition = condition.map(|id| wording::expression(self.chart, id));
+                (When::While(condition), Element::Step(step), "action each-scan")
+            }
             Event::Deactivation(step) => (When::Deactivation, Element::Step(step), "action on-deactivation"),
             Event::Clearing(transition) => (When::Clearing, Element::Transition(transition), "action on-clearing"),
         };

@@ -94,7 +94,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let mut made = None;
     if let Some(document) = report.document(&args.chart)? {
         report.diagnostics.append(document.diagnostics().clone());
-        made = tests(&document, &args)?;
+        report.diagnostics.append(super::against(&document, &args.profile.asked()?));
+        made = if report.has_errors() { None } else { tests(&document, &args)? };
     }
     let exit = report.tell(args.quiet.messages(Format::Human));
     let Some(made) = made else { return Ok(exit) };
@@ -123,7 +124,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
 /// The tests, if the chart has no errors.
 fn tests(document: &Document, args: &Arguments) -> Result<Option<Certified>, Failure> {
     let (Some(chart), Some(analysis)) = (document.chart(), document.analysis()) else { return Ok(None) };
-    let mut profile = args.profile.profile()?;
+    let mut profile = args.profile.asked()?.profile();
     if args.profile.bound_as_known() {
         profile = grafc::known_bound(chart, profile);
     }

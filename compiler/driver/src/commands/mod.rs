@@ -20,6 +20,9 @@ pub mod verify;
 
 use crate::report::Failure;
 use crate::stream::Stream;
+use grafc::Document;
+use grafc_diagnostics::Diagnostics;
+use grafc_model::reaction::Asked;
 
 /// Standard input can be read once.
 fn refuse_second_standard_input<'a>(streams: impl IntoIterator<Item = &'a Stream>) -> Result<(), Failure> {
@@ -41,6 +44,11 @@ fn refuse_output_over_input<'a>(output: &Stream, inputs: impl IntoIterator<Item 
             "choose another file".to_string(),
         )),
     }
+}
+
+/// What is asked for otherwise than the heading of a chart says, if there is a chart.
+fn against(document: &Document, asked: &Asked) -> Diagnostics {
+    document.chart().map(|chart| chart.options.against(asked)).unwrap_or_default()
 }
 
 /// The assumptions of a chart allow no inputs in a situation, or at the start if no steps are named.

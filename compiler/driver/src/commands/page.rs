@@ -1,6 +1,6 @@
 //! `grafc page`: a chart as one HTML file on which it runs.
 
-use super::refuse_output_over_input;
+use super::{against, refuse_output_over_input};
 use crate::Exit;
 use crate::arguments::{MessageArguments, ProfileArguments};
 use crate::report::{Failure, Report};
@@ -93,9 +93,15 @@ pub fn make(
     live: Option<Live<'_>>,
 ) -> Result<(Option<String>, Diagnostics), Failure> {
     let mut document = Document::new(&source.name, &source.text).named(default_name);
-    document.set_options(Lowering { profile: args.profile.profile()?, ..Lowering::default() });
-    document.bound_as_known(args.profile.bound_as_known());
+    let asked = args.profile.asked()?;
+    document.set_options(Lowering { profile: asked.profile(), ..Lowering::default() });
+    document.bound_as_known(asked.bound_as_known);
     let mut said = document.diagnostics().clone();
+    let against = against(&document, &asked);
+    if against.has_errors() {
+        said.append(against);
+        return Ok((None, said));
+    }
     said.append(document.warnings().clone());
     let Some(chart) = document.chart() else { return Ok((None, said)) };
     let target = Target::Js(js::Options { observed: true, ..js::Options::default() });

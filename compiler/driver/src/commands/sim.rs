@@ -89,8 +89,9 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         Form::Table => args.show,
     };
     let controls = args.controls.names();
-    let (profile, bound_as_known) = (args.profile.profile()?, args.profile.bound_as_known());
-    let how = grafc::Run { profile, bound_as_known, controls: Some(&controls), calls, show: &show };
+    let (asked, bound_as_known) = (args.profile.asked()?, args.profile.bound_as_known());
+    let how =
+        grafc::Run { profile: asked.profile(), asked, bound_as_known, controls: Some(&controls), calls, show: &show };
     let text = (chart, report.sources.file(chart).text.as_str());
     let (simulation, diagnostics) = Simulation::new(text, &args.chart.chart_name(), how);
     report.diagnostics.append(diagnostics);

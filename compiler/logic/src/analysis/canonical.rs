@@ -64,6 +64,7 @@ impl Canonical {
         let net = Net {
             name: net.name.clone(),
             comment: None,
+            options: net.options.clone(),
             variables: IndexVec::new(),
             places,
             transitions: transitions.collect(),

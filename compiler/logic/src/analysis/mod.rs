@@ -127,7 +127,7 @@ pub(crate) struct Conditions {
     pub(crate) cx: Context,
     /// The condition of each transition.
     pub(crate) of_transition: IndexVec<TransitionId, FormulaId>,
-    /// Expressions of stored actions on an event, by the number of the action.
+    /// Expressions of stored actions on an event and each scan, by the number of the action.
     pub(crate) of_event: FxHashMap<usize, FormulaId>,
 }
 
@@ -144,7 +144,7 @@ impl Conditions {
         let mut of_event = FxHashMap::default();
         for (index, action) in net.stored.iter().enumerate() {
             cx.origin = Origin::Action(ActionId::from(net.continuous.len() + index));
-            if let Event::Event(_, e) = action.event {
+            if let Event::Event(_, e) | Event::EachScan(_, Some(e)) = action.event {
                 of_event.insert(index, lowering.expr(&mut cx, e));
             }
             lowering.prepare(&mut cx, action.value, true);

@@ -36,7 +36,7 @@ impl Rivals {
             Rivals { of: net.transitions.iter().map(|_| Vec::new()).collect(), many: FxHashSet::default() };
         let clearing = net.stored.iter().filter_map(|action| match action.event {
             Event::Clearing(t) => Some(t),
-            Event::Event(..) | Event::Activation(_) | Event::Deactivation(_) => None,
+            Event::Event(..) | Event::Activation(_) | Event::Deactivation(_) | Event::EachScan(..) => None,
         });
         let clearing: FxHashSet<TransitionId> = clearing.collect();
         // A pair that shares several steps is looked at once.

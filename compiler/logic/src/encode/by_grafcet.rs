@@ -56,7 +56,7 @@ fn grafcet_of(net: &Net, statement: &Statement) -> Option<GrafcetId> {
 fn of_origin(net: &Net, origin: Origin) -> Option<GrafcetId> {
     let of_step = |s: StepId| net.places[s].grafcet;
     let of_event = |event: Event| match event {
-        Event::Event(s, _) | Event::Deactivation(s) | Event::Activation(s) => of_step(s),
+        Event::Event(s, _) | Event::Deactivation(s) | Event::Activation(s) | Event::EachScan(s, _) => of_step(s),
         Event::Clearing(t) => net.transitions[t].grafcet,
     };
     match origin {

@@ -3,6 +3,7 @@
 
 use crate::analysis::components::Components;
 use crate::encode::settle::Frozen;
+use crate::encode::single_phase;
 use crate::encode::task::{SetReset, Task};
 use crate::lower::Lowering;
 use crate::scan::{Origin, Role, Statement, Told, VarId};
@@ -145,6 +146,18 @@ impl<'a> Clearings<'a> {
         lowering.pool.and([set, inactive])
     }
 
+    /// `s` is active after the micro-step.
+    pub(crate) fn active_after(&self, lowering: &mut Lowering, s: StepId) -> FormulaId {
+        if let Some(next) = self.next[s] {
+            return next;
+        }
+        // Where steps overlap, the next activity of each has been computed.
+        match self.set_and_reset(lowering, s, false) {
+            Some(place) => single_phase::next(&mut lowering.pool, &place),
+            None => lowering.active(s),
+        }
+    }
+
     /// `s` was active before the micro-step and is not after.
     pub(crate) fn deactivated(&self, lowering: &mut Lowering, components: &Components, s: StepId) -> FormulaId {
         if let Some(next) = self.next[s] {
@@ -262,7 +275,7 @@ impl StepEvents {
             match action.event {
                 Event::Activation(s) => *uses.entry((s, true)).or_default() += 1,
                 Event::Deactivation(s) => *uses.entry((s, false)).or_default() += 1,
-                Event::Event(..) | Event::Clearing(_) => {}
+                Event::Event(..) | Event::Clearing(_) | Event::EachScan(..) => {}
             }
         }
         let mut events =

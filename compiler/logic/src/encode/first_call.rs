@@ -52,7 +52,11 @@ pub(crate) fn first_call(
                     let trigger = Trigger { when: yes, value, origin, position, repeats: true };
                     triggers.entry(action.target).or_default().push(trigger);
                 }
-                Event::Event(..) | Event::Deactivation(_) | Event::Clearing(_) | Event::Activation(_) => {}
+                Event::Event(..)
+                | Event::Deactivation(_)
+                | Event::Clearing(_)
+                | Event::Activation(_)
+                | Event::EachScan(..) => {}
             }
         }
         for trigger in triggers.values().flatten() {

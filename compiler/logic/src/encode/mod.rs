@@ -16,6 +16,7 @@ mod by_grafcet;
 pub(crate) mod claims;
 pub(crate) mod clearings;
 pub(crate) mod controls;
+pub(crate) mod each_scan;
 pub(crate) mod first_call;
 pub(crate) mod heading;
 mod in_order;

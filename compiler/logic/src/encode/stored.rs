@@ -3,12 +3,13 @@
 
 use crate::encode::allocate::{self, Position, Tokens, Trigger, Triggers};
 use crate::encode::clearings::{Clearings, StepEvents};
+use crate::encode::each_scan;
 use crate::encode::input_event::InputEvent;
 use crate::encode::task::Task;
 use crate::lower::{Context, Lowering};
 use crate::scan::{ActionId, Origin, Role, Statement, VarId};
 use ecow::eco_format;
-use grafc_formula::{Formula, FormulaId, Type};
+use grafc_formula::{FormulaId, Type};
 use grafc_model::chart::{Event, StepId};
 use rustc_hash::FxHashMap;
 
@@ -58,7 +59,9 @@ pub(crate) fn actions(
     }
     statements.extend(step_events.statements);
     let tokens = Tokens { components: task.components, arcs: task.arcs };
+    let each_scan = each_scan::triggers(lowering, task, clearings, &mut statements);
     statements.extend(allocate::statements(lowering, cx, &triggers, Some(tokens), task.again));
+    statements.extend(each_scan::statements(lowering, cx, &each_scan, tokens, task.again));
     statements
 }
 
@@ -106,12 +109,7 @@ pub(super) fn event(
         let caused = lowering.pool.or([by_edge, changed]);
         when = lowering.pool.and([when, caused]);
     }
-    // Written variables must not be read again once the first of them has its new value.
-    let reads_written = lowering.pool.below(when).into_iter().any(|f| match lowering.pool.get(f) {
-        Formula::Variable(v) => matches!(lowering.symbols.table[*v].role, Role::Output | Role::Internal),
-        _ => false,
-    });
-    if reads_written {
+    if lowering.reads_written(when) {
         let name = format!("event_{}", lowering.net.places[step].label);
         let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
         statements.push(Statement::assign(origin, target, when));

@@ -85,6 +85,32 @@ impl Context {
         self.exprs.insert(e, formula);
     }
 
+    /// The same context once stored actions have been done: edges, delays, durations and activities are as they were;
+    /// variables, and what is continuously assigned by them, are read anew.
+    pub(crate) fn after_actions(&self, net: &Net) -> Context {
+        let stays = |e: &ExprId| match net.exprs[*e].kind {
+            ExprKind::Rise(_) | ExprKind::Fall(_) | ExprKind::Delay { .. } | ExprKind::StepTime(_) => true,
+            ExprKind::Literal(_)
+            | ExprKind::Variable(_)
+            | ExprKind::StepActive(_)
+            | ExprKind::MacroActive(_)
+            | ExprKind::GrafcetActive(_)
+            | ExprKind::Not(_)
+            | ExprKind::And(..)
+            | ExprKind::Or(..)
+            | ExprKind::Xor(..)
+            | ExprKind::Compare(..)
+            | ExprKind::Arithmetic(..)
+            | ExprKind::Negate(_)
+            | ExprKind::Widen(_) => false,
+        };
+        let mut after = Context::new(self.moment);
+        after.exprs.extend(self.exprs.iter().filter(|(e, _)| stays(e)).map(|(e, formula)| (*e, *formula)));
+        after.macros.clone_from(&self.macros);
+        after.grafcets.clone_from(&self.grafcets);
+        after
+    }
+
     pub(crate) fn new(moment: Moment) -> Self {
         Context {
             moment,
@@ -416,6 +442,14 @@ impl Lowering {
                 self.pool.widen(expr.ty, a)
             }
         }
+    }
+
+    /// Whether a formula reads what stored actions write: it must not be read again once the first of them is done.
+    pub(crate) fn reads_written(&self, formula: FormulaId) -> bool {
+        self.pool.below(formula).into_iter().any(|f| match self.pool.get(f) {
+            Formula::Variable(v) => matches!(self.symbols.table[*v].role, Role::Output | Role::Internal),
+            _ => false,
+        })
     }
 
     /// The activity of a step.

@@ -93,6 +93,8 @@ pub enum When {
     Clearing,
     /// On activation of its step.
     Activation,
+    /// Each scan, while its step is active.
+    EachScan,
 }
 
 /// A forcing order.
@@ -129,6 +131,7 @@ impl Elements {
                 Event::Deactivation(s) => (Origin::Step(s), When::Deactivation),
                 Event::Clearing(t) => (Origin::Transition(t), When::Clearing),
                 Event::Activation(s) => (Origin::Step(s), When::Activation),
+                Event::EachScan(s, _) => (Origin::Step(s), When::EachScan),
             };
             Action { of, when, target: a.target, span: a.span }
         });
@@ -333,6 +336,7 @@ impl Program {
             When::Deactivation => format!("deactivation of {of}"),
             When::Clearing => format!("clearing of {of}"),
             When::Activation => format!("activation of {of}"),
+            When::EachScan => format!("each scan in {of}"),
         }
     }
 

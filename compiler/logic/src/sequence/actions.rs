@@ -100,6 +100,10 @@ fn stored(net: &Net, steps: &mut IndexVec<StepId, SequenceStep>, expressions: &m
                 reasons.add(action.span, "an action on a clearing");
                 continue;
             }
+            Event::EachScan(..) => {
+                reasons.add(action.span, "an action each scan");
+                continue;
+            }
         };
         if activation && net.places[step].initial {
             reasons.add(

@@ -121,6 +121,7 @@ pub struct Wire {
 /// The chart as a sequential function chart, or all reasons why it is none.
 pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagnostics> {
     let net = analysis.net();
+    let profile = net.options.over(profile);
     let mut reasons = Reasons::default();
     fit::check(analysis, profile, &mut reasons);
 

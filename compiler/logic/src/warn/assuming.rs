@@ -43,9 +43,14 @@ pub(super) fn analysis(analysis: &Analysis) -> Option<Analysis> {
         net.transitions[t].condition = with(&mut net, &reads, &assumed, condition);
     }
     for place in 0..net.stored.len() {
-        if let Event::Event(s, e) = net.stored[place].event {
-            let event = Event::Event(s, with(&mut net, &reads, &assumed, e));
-            net.stored[place].event = event;
+        match net.stored[place].event {
+            Event::Event(s, e) => {
+                net.stored[place].event = Event::Event(s, with(&mut net, &reads, &assumed, e));
+            }
+            Event::EachScan(s, Some(e)) => {
+                net.stored[place].event = Event::EachScan(s, Some(with(&mut net, &reads, &assumed, e)));
+            }
+            Event::EachScan(_, None) | Event::Activation(_) | Event::Deactivation(_) | Event::Clearing(_) => {}
         }
     }
     Some(Analysis::new(net))

@@ -69,7 +69,7 @@ fn endless(analysis: &Analysis, options: &Options) -> Option<(Span, String)> {
 fn seen(analysis: &Analysis, options: &Options) -> Option<(Span, String)> {
     let net = analysis.net();
     let start = net.places.first().map(|p| p.span)?;
-    if options.profile.evolution == Evolution::Scan {
+    if analysis.net().options.over(options.profile).evolution == Evolution::Scan {
         return Some((start, "with `--evolution scan` it is there at the end of a call".to_owned()));
     }
     if let Some(grafcet) = net.grafcets.iter().find(|g| g.steps.iter().any(|s| net.places[*s].within.is_some())) {
@@ -80,6 +80,9 @@ fn seen(analysis: &Analysis, options: &Options) -> Option<(Span, String)> {
     }
     for action in &net.stored {
         match action.event {
+            Event::EachScan(..) => {
+                return Some((action.span, "an action each scan is done while both are active".to_owned()));
+            }
             Event::Deactivation(_) | Event::Clearing(_) => {
                 let why = "an action on deactivation or on clearing is done later or more than once";
                 return Some((action.span, why.to_owned()));

@@ -13,6 +13,7 @@ mod expression;
 mod note;
 mod scenario;
 
+pub use crate::profile::ChartOptions;
 pub use claims::{Claim, ClaimBody, ClaimKind, Claims};
 pub use controls::{ControlNames, Controls};
 use ecow::EcoString;
@@ -135,6 +136,8 @@ pub struct Tables {
     pub name: EcoString,
     /// The attached comment.
     pub comment: Option<Note>,
+    /// What its heading chooses of its meaning.
+    pub options: ChartOptions,
     /// Inputs, outputs, internal variables and constants, in order of declaration.
     pub variables: IndexVec<VariableId, Variable>,
     /// Steps, those of expansions included.
@@ -369,6 +372,8 @@ pub enum Event {
     Clearing(TransitionId),
     /// Kind A: the step is activated.
     Activation(StepId),
+    /// Kind S: once a scan, while the step is active after it and the expression is true (R15).
+    EachScan(StepId, Option<ExprId>),
 }
 
 /// A forcing order, in force while its step is active (R2).

@@ -15,7 +15,7 @@ use rustc_hash::FxHashMap;
 /// At most one warning a name.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let (chart, parts) = (&resolved.chart, &resolved.parts);
-    names(parts.name.iter().map(|name| (name.text.as_str(), name.span)), diagnostics);
+    names(parts.heading.iter().map(|heading| (heading.name.text.as_str(), heading.name.span)), diagnostics);
     let steps = chart.steps.iter().map(|step| (step.label.as_str(), step.span));
     let macro_steps = chart.macro_steps.iter().map(|step| (step.label.as_str(), step.span));
     names(chart.variables.iter().map(|variable| (variable.name.as_str(), variable.span)), diagnostics);

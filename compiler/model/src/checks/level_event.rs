@@ -22,7 +22,11 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                     .note("IEC 60848, symbol 29: the expression of an event should have one or more edges")
                     .help("write the edge that is meant, with `↑` or `↓`"),
             ),
-            Event::Event(..) | Event::Deactivation(_) | Event::Clearing(_) | Event::Activation(_) => {}
+            Event::Event(..)
+            | Event::Deactivation(_)
+            | Event::Clearing(_)
+            | Event::Activation(_)
+            | Event::EachScan(..) => {}
         }
     }
 }

@@ -10,12 +10,14 @@ mod arc_crosses_frame;
 mod arcs;
 mod assigned_and_allocated;
 mod assumption_beyond_inputs;
+mod bound_under_scan;
 mod chart_without_steps;
 mod constant_out_of_range;
 mod cyclic_continuous_actions;
 mod cyclic_hierarchy;
 #[cfg(feature = "names")]
 mod deceptive_name;
+mod each_scan_under_stable;
 mod edge_in_continuous_action;
 mod edge_in_delay;
 mod edge_inside_edge;
@@ -65,6 +67,7 @@ pub type Rule = fn(&Resolved, &mut Diagnostics);
 /// reported where they are resolved, cyclic hierarchies (E0313) by [`set_levels`].
 pub const ERRORS: &[Rule] = &[
     nothing_to_retain::check,
+    bound_under_scan::check,
     constant_out_of_range::check,
     step_named_twice::check,
     transition_without_steps::check,
@@ -91,6 +94,7 @@ pub const ERRORS: &[Rule] = &[
     edge_in_delay::check,
     edge_or_delay_in_claim::check,
     assumption_beyond_inputs::check,
+    each_scan_under_stable::check,
 ];
 
 /// The rules that an author may break knowingly. They expect a chart that breaks none of the others.

@@ -34,7 +34,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         }
     }
     for action in &chart.stored {
-        if let Event::Event(step, event) = action.event {
+        if let Event::Event(step, event) | Event::EachScan(step, Some(event)) = action.event {
             look(chart, event, &own(step), diagnostics);
         }
     }

@@ -46,7 +46,7 @@ fn sensitive(chart: &Tables) -> IndexVec<StepId, Option<(&'static str, Span)>> {
         match action.event {
             Event::Activation(step) => _ = sensitive[step].get_or_insert(("activate it again", action.span)),
             Event::Deactivation(step) => _ = sensitive[step].get_or_insert(("deactivate it", action.span)),
-            Event::Event(..) | Event::Clearing(_) => {}
+            Event::Event(..) | Event::Clearing(_) | Event::EachScan(..) => {}
         }
     }
     for expr in &chart.exprs {

@@ -7,7 +7,7 @@
 //! Not warned of: `step 2 { V }`, `transition 2, 5 -> 3 : 1`, which waits for step 5
 //!
 //! Nor of a step that may last all the same: because an order may freeze the transition (R2, closure included), or
-//! because a source transition may activate the step again as often as it is left (6.3.3).
+//! because each call is one micro-step (`evolution scan`), or because a source transition may activate the step again as often as it is left (6.3.3).
 
 use super::arcs;
 use super::truth::{Edges, Truth, truths};
@@ -19,6 +19,9 @@ use index_vec::{IndexVec, index_vec};
 /// One warning per step.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
+    if chart.options.is_scan() {
+        return;
+    }
     let truths = truths(chart, Edges::Sometimes);
     let freezable = freezable(chart);
     let mut left_by: IndexVec<StepId, Option<TransitionId>> = index_vec![None; chart.steps.len()];

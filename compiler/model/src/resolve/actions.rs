@@ -103,6 +103,10 @@ impl<'a> Interpretation<'_, 'a> {
                     ast::Event::Activation => Event::Activation(step),
                     ast::Event::Deactivation => Event::Deactivation(step),
                     ast::Event::Event(condition) => Event::Event(step, self.expression(condition, Need::Condition)),
+                    ast::Event::EachScan(condition) => {
+                        let condition = condition.map(|condition| self.expression(condition, Need::Condition));
+                        Event::EachScan(step, condition)
+                    }
                 };
                 self.assignment(assignment, event, action.span);
             }

@@ -22,7 +22,8 @@ pub mod types;
 
 pub use definitions::definitions;
 
-use crate::chart::{MacroId, Note, Scenario, Tables};
+use crate::chart::{ChartOptions, MacroId, Note, Scenario, Tables};
+use crate::reaction::Evolution;
 use crate::symbols::Symbols;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use grafc_syntax::ast;
@@ -62,6 +63,7 @@ pub fn resolve<'a>(
     let mut chart = Tables {
         name: tree.heading.as_ref().map_or_else(|| default_name.into(), |heading| heading.name.text.clone()),
         comment: tree.heading.as_ref().and_then(|heading| comment(&heading.comment)),
+        options: tree.heading.as_ref().map(|heading| options(&heading.options)).unwrap_or_default(),
         variables,
         ..Tables::default()
     };
@@ -117,6 +119,22 @@ pub fn resolve_beside(tree: &ast::Chart, beside: &ast::Chart, diagnostics: &mut 
     let against =
         scenarios::Against { tree: &beside.exprs, scope: &scope, variables: &variables, constants: &values.constants };
     scenarios::read(&written, against, &mut symbols, diagnostics)
+}
+
+/// What the heading chooses.
+fn options(chosen: &[ast::ChartOption]) -> ChartOptions {
+    let mut options = ChartOptions::default();
+    for option in chosen {
+        match option.kind {
+            ast::ChartOptionKind::Evolution { scan } => {
+                let evolution = if scan { Evolution::Scan } else { Evolution::Stable };
+                options.evolution = Some((evolution, option.span));
+            }
+            ast::ChartOptionKind::InitialActions(on) => options.initial_actions = Some((on, option.span)),
+            ast::ChartOptionKind::Bound(bound) => options.bound = Some((bound, option.span)),
+        }
+    }
+    options
 }
 
 fn comment(text: &Option<Box<ast::Text>>) -> Option<Note> {

@@ -24,9 +24,8 @@ pub enum Frame {
 
 /// All items of a file.
 pub struct Parts<'a> {
-    /// The name that the file gives the chart.
-    #[cfg(feature = "names")]
-    pub name: Option<&'a ast::Name>,
+    /// The heading, if there is one.
+    pub heading: Option<&'a ast::Heading>,
     /// Declarations.
     pub declarations: Vec<&'a ast::Declaration>,
     /// Partial grafcets.
@@ -109,8 +108,7 @@ impl<'a> Parts<'a> {
     pub fn collect(chart: &'a ast::Chart) -> Self {
         let start = Span::new(chart.span.file, chart.span.start as usize, chart.span.start as usize);
         let mut parts = Parts {
-            #[cfg(feature = "names")]
-            name: chart.heading.as_ref().map(|heading| &heading.name),
+            heading: chart.heading.as_ref(),
             declarations: Vec::new(),
             grafcets: IndexVec::new(),
             expansions: IndexVec::new(),

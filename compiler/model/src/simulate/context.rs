@@ -199,7 +199,7 @@ impl Context<'_> {
 pub(super) fn levels(chart: &Chart, values: &Values) -> Vec<bool> {
     let level = |event| match event {
         Event::Event(_, expression) => values.holds(expression),
-        Event::Deactivation(_) | Event::Clearing(_) | Event::Activation(_) => false,
+        Event::Deactivation(_) | Event::Clearing(_) | Event::Activation(_) | Event::EachScan(..) => false,
     };
     chart.stored.iter().map(|stored| level(stored.event)).collect()
 }

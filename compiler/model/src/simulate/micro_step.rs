@@ -48,6 +48,7 @@ impl Simulator<'_> {
         let (after, cleared) = (&next, &self.cleared);
         let happened = Happened { before: &before, after, cleared, levels: &levels, input_event };
         let triggered = happened.triggered(self.chart, &self.values);
+        let each_scan = happened.each_scan(self.chart, &self.values);
         if let Some(enabled) = enabled {
             let seen = Seen::new(self.chart, enabled, &happened, &self.values);
             self.see(seen);
@@ -59,6 +60,23 @@ impl Simulator<'_> {
             let allocated = allocate(&triggered, &self.values, &mut self.state);
             self.flags.alloc_conflict |= allocated.conflict;
             changed = allocated.changed;
+        }
+
+        // R15: what is done each scan sees what the others have left, and has no conflict with them.
+        // Whether a continuously assigned name is read there does not hang on whether the action is done (X6).
+        let context = (!each_scan.is_empty() || !self.plan.read_each_scan.is_empty()).then(|| self.values.clone());
+        let wires = std::mem::take(&mut self.plan.read_each_scan);
+        self.evaluate(&wires, Memory::Hold, t);
+        self.plan.read_each_scan = wires;
+        if !each_scan.is_empty() {
+            let right_sides = self.plan.after_actions(self.chart, each_scan.iter().map(|stored| stored.value));
+            self.evaluate(&right_sides, Memory::Hold, t);
+            let allocated = allocate(&each_scan, &self.values, &mut self.state);
+            self.flags.alloc_conflict |= allocated.conflict;
+            changed |= allocated.changed;
+        }
+        if let Some(context) = context {
+            self.values = context;
         }
 
         // R8

@@ -119,10 +119,12 @@ impl State {
 
 impl<'a> Simulator<'a> {
     /// A chart before its initial reaction.
+    ///
+    /// What its heading chooses goes before what the profile says.
     pub fn new(chart: &'a Chart, profile: Profile) -> Self {
         let mut simulator = Simulator {
             chart,
-            profile,
+            profile: chart.options.over(profile),
             flat: Flat::new(chart),
             orders: Orders::new(chart),
             plan: Plan::new(chart),

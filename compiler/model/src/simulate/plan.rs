@@ -49,6 +49,8 @@ pub(super) struct Plan {
     pub context: Vec<Valued>,
     /// Those of them that may change from one context of a reaction to the next.
     pub moving: Vec<Valued>,
+    /// What actions that are done each scan read of continuously assigned names, once other actions have been done (R15).
+    pub read_each_scan: Vec<Valued>,
     /// Event expressions with their edges replaced by 0 (R7).
     pub levels: Vec<Valued>,
     /// Continuously assigned outputs (R11).
@@ -78,6 +80,7 @@ impl Plan {
         let conditions = chart.transitions.iter().map(|t| Valued::Expr(t.condition));
         let events: Vec<Valued> =
             chart.stored.iter().filter_map(|s| event_expression(s.event)).map(Valued::Expr).collect();
+        let each_scan = chart.stored.iter().filter_map(|s| condition_each_scan(s.event)).map(Valued::Expr);
         let outputs: Vec<Valued> = chart
             .variables
             .iter_enumerated()
@@ -85,7 +88,7 @@ impl Plan {
             .map(|(id, _)| Valued::Wire(id))
             .collect();
 
-        let mut context: Vec<Valued> = conditions.chain(events.iter().copied()).collect();
+        let mut context: Vec<Valued> = conditions.chain(events.iter().copied()).chain(each_scan).collect();
         let mut roots = context.clone();
         roots.extend(chart.continuous.iter().filter_map(|action| action.condition).map(Valued::Expr));
         roots.extend(chart.stored.iter().map(|stored| Valued::Expr(stored.value)));
@@ -150,6 +153,11 @@ impl Plan {
         let sides = clocks.iter().flat_map(|&(a, b)| [Valued::Expr(a), Valued::Expr(b)]).collect();
         let clock_nodes = reach(chart, &actions, sides, Memory::Hold);
 
+        let values = chart.stored.iter().filter(|stored| matches!(stored.event, Event::EachScan(..)));
+        let read = reach(chart, &actions, values.map(|stored| Valued::Expr(stored.value)).collect(), Memory::Hold);
+        let wires = all.iter().copied().filter(|&node| matches!(node, Valued::Wire(_)) && read.has(node)).collect();
+        let read_each_scan = reach(chart, &actions, wires, Memory::Hold).select(&all);
+
         let in_context = reach(chart, &actions, context, Memory::Update);
         let levels = reach(chart, &actions, events, Memory::Hold);
         let outputs = reach(chart, &actions, outputs, Memory::Hold);
@@ -158,6 +166,7 @@ impl Plan {
         Plan {
             context,
             moving,
+            read_each_scan,
             reads,
             levels: levels.select(&all),
             outputs: outputs.select(&all),
@@ -177,6 +186,18 @@ impl Plan {
         let mut entered = FxHashSet::default();
         let enter = |node| !self.in_context.has(node) && entered.insert(node);
         operands_first(chart, &self.actions, &roots, Memory::Hold, enter)
+    }
+
+    /// What the right sides of actions that are done each scan need anew, once other actions have been done (R15): all but
+    /// edges and delays, which stay as the context has them.
+    pub fn after_actions(&self, chart: &Chart, values: impl Iterator<Item = ExprId>) -> Vec<Valued> {
+        let mut needed =
+            reach(chart, &self.actions, values.map(Valued::Expr).collect(), Memory::Hold).select(&self.all);
+        needed.retain(|node| match *node {
+            Valued::Wire(_) => true,
+            Valued::Expr(id) => !matches!(chart.exprs[id].kind, ExprKind::Rise(_) | ExprKind::Fall(_)),
+        });
+        needed
     }
 
     /// What continuously assigned names need, and these.
@@ -199,7 +220,15 @@ impl Plan {
 fn event_expression(event: Event) -> Option<ExprId> {
     match event {
         Event::Event(_, expression) => Some(expression),
-        Event::Deactivation(_) | Event::Clearing(_) | Event::Activation(_) => None,
+        Event::Deactivation(_) | Event::Clearing(_) | Event::Activation(_) | Event::EachScan(..) => None,
+    }
+}
+
+/// The condition of an action that is done each scan.
+fn condition_each_scan(event: Event) -> Option<ExprId> {
+    match event {
+        Event::EachScan(_, condition) => condition,
+        Event::Event(..) | Event::Deactivation(_) | Event::Clearing(_) | Event::Activation(_) => None,
     }
 }
 

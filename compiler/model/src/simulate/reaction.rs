@@ -149,7 +149,7 @@ impl<'a> Simulator<'a> {
         if self.profile.initial_actions {
             let on_activation = |stored: &&Stored| match stored.event {
                 Event::Activation(step) => self.state.active[step],
-                Event::Event(..) | Event::Deactivation(_) | Event::Clearing(_) => false,
+                Event::Event(..) | Event::Deactivation(_) | Event::Clearing(_) | Event::EachScan(..) => false,
             };
             let triggered: Vec<&Stored> = self.chart.stored.iter().filter(on_activation).collect();
             if let Some(seen) = &mut self.seen {

@@ -6,6 +6,9 @@ use crate::chart::{Chart, Event, Stored, TransitionId, Value, VariableId};
 use index_vec::IndexVec;
 use std::collections::BTreeMap;
 
+/// The class of what is done each scan: the last of R7's.
+const EACH_SCAN: usize = 4;
+
 /// What happened in a micro-step, as far as stored actions ask.
 pub(super) struct Happened<'a> {
     /// The situation that the events occur in.
@@ -23,13 +26,19 @@ pub(super) struct Happened<'a> {
 impl Happened<'_> {
     /// The actions that were triggered: on event, deactivation, clearing, activation, each in order of declaration.
     pub fn triggered<'c>(&self, chart: &'c Chart, values: &Values) -> Vec<&'c Stored> {
-        let mut classes: [Vec<&Stored>; 4] = Default::default();
+        let mut classes: [Vec<&Stored>; EACH_SCAN] = Default::default();
         for (stored, &level) in chart.stored.iter().zip(self.levels) {
-            if let Some(class) = self.class(stored, level, values) {
+            if let Some(class) = self.class(stored, level, values).filter(|class| *class < EACH_SCAN) {
                 classes[class].push(stored);
             }
         }
         classes.into_iter().flatten().collect()
+    }
+
+    /// The actions that are done each scan, of those whose step is active and whose condition holds (R15).
+    pub fn each_scan<'c>(&self, chart: &'c Chart, values: &Values) -> Vec<&'c Stored> {
+        let is_done = |stored: &&Stored| self.class(stored, false, values) == Some(EACH_SCAN);
+        chart.stored.iter().filter(is_done).collect()
     }
 
     /// The class of an action, if it was triggered.
@@ -42,6 +51,9 @@ impl Happened<'_> {
             Event::Deactivation(step) => (1, self.before[step] && !self.after[step]),
             Event::Clearing(transition) => (2, self.cleared[transition]),
             Event::Activation(step) => (3, self.after[step] && !self.before[step]),
+            Event::EachScan(step, condition) => {
+                (EACH_SCAN, self.after[step] && condition.is_none_or(|condition| values.holds(condition)))
+            }
         };
         happened.then_some(class)
     }

@@ -147,6 +147,10 @@ fn actions(net: &Net) -> Result<(), String> {
                 in_table("expression", e, &net.exprs)?;
             }
             Event::Activation(s) | Event::Deactivation(s) => in_table("place", s, &net.places)?,
+            Event::EachScan(s, condition) => {
+                in_table("place", s, &net.places)?;
+                condition.iter().try_for_each(|e| in_table("expression", *e, &net.exprs))?;
+            }
             Event::Clearing(t) => in_table("transition", t, &net.transitions)?,
         }
     }

@@ -13,7 +13,7 @@ use crate::stages::flatten;
 use grafc_diagnostics::{Diagnostics, FileId};
 use grafc_logic::Analysis;
 use grafc_model::chart::{Chart, ControlNames};
-use grafc_model::reaction::Profile;
+use grafc_model::reaction::{Asked, Profile};
 use grafc_model::simulate::{Calls, Probe};
 use grafc_model::trace::Shown;
 
@@ -24,8 +24,10 @@ pub use shown::NotShown;
 /// How a chart is run over a trace.
 #[derive(Clone, Copy, Default)]
 pub struct Run<'a> {
-    /// How it evolves.
+    /// How it evolves, where its heading does not choose.
     pub profile: Profile,
+    /// What was asked for of that; what the heading chooses otherwise is refused (E0217).
+    pub asked: Asked,
     /// Whether the bound on micro-steps is the one that is known to be enough, where one is.
     pub bound_as_known: bool,
     /// Inputs that act on it as a whole, if there are any.
@@ -70,6 +72,11 @@ impl Simulation {
         let Some(mut chart) = chart else { return (Ok(None), diagnostics) };
         if let Some(Err(found)) = how.controls.map(|names| chart.control(names)) {
             diagnostics.append(found);
+            return (Ok(None), diagnostics);
+        }
+        let against = chart.options.against(&how.asked);
+        if against.has_errors() {
+            diagnostics.append(against);
             return (Ok(None), diagnostics);
         }
         let (probes, before) = match shown::probes(&chart, how.show) {

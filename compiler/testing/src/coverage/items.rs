@@ -91,7 +91,10 @@ impl Coverage<'_> {
         }
         for (place, action) in chart.stored.iter().enumerate() {
             let owner = match action.event {
-                Event::Event(step, _) | Event::Activation(step) | Event::Deactivation(step) => of_step(step),
+                Event::Event(step, _)
+                | Event::Activation(step)
+                | Event::Deactivation(step)
+                | Event::EachScan(step, _) => of_step(step),
                 Event::Clearing(transition) => self.transition_name(transition),
             };
             let name = format!("action `{}` of {owner}", chart.variables[action.target].name);

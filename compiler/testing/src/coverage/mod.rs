@@ -44,8 +44,8 @@ impl<'a> Coverage<'a> {
         let classes = Classes::new(chart);
         let condition = |root| Condition::new(chart, root, &classes);
         let event = |event: Event| match event {
-            Event::Event(_, event) => Some(condition(event)),
-            Event::Activation(_) | Event::Deactivation(_) | Event::Clearing(_) => None,
+            Event::Event(_, event) | Event::EachScan(_, Some(event)) => Some(condition(event)),
+            Event::EachScan(_, None) | Event::Activation(_) | Event::Deactivation(_) | Event::Clearing(_) => None,
         };
         Coverage {
             chart,
@@ -114,10 +114,12 @@ impl Observer for Coverage<'_> {
             }
             for (place, done) in seen.done.iter().enumerate() {
                 self.stored[place] += u64::from(*done);
-                if let (Some(condition), Event::Event(step, _)) =
-                    (&mut self.of_stored[place], self.chart.stored[place].event)
-                    && self.before[step]
-                {
+                let is_asked = match self.chart.stored[place].event {
+                    Event::Event(step, _) => self.before[step],
+                    Event::EachScan(step, _) => active[step],
+                    Event::Deactivation(_) | Event::Clearing(_) | Event::Activation(_) => false,
+                };
+                if let Some(condition) = self.of_stored[place].as_mut().filter(|_| is_asked) {
                     condition.ask(simulator);
                 }
             }

@@ -94,6 +94,7 @@ impl Coverage {
             Event::Deactivation(_) => "action on deactivation",
             Event::Clearing(_) => "action on clearing",
             Event::Activation(_) => "action on activation",
+            Event::EachScan(..) => "action each scan",
         }));
         seen.extend(chart.orders.iter().map(|order| match order.situation {
             Situation::Steps(_) => "forcing of steps",
@@ -109,7 +110,7 @@ impl Coverage {
         if chart.steps.iter().filter(|s| s.initial).count() > 1 {
             seen.push("several initial steps");
         }
-        if profile.evolution == Evolution::Scan {
+        if chart.options.over(profile).evolution == Evolution::Scan {
             seen.push("(evolution by scans)");
         }
         if let Some(last) = run.last() {

@@ -21,6 +21,9 @@ pub const ALL: &[&str] = &[
     "allow in a step",
     "allow in a transition",
     "heading with comment",
+    "evolution",
+    "initial_actions",
+    "bound",
     "input",
     "output",
     "var",
@@ -65,6 +68,8 @@ pub const ALL: &[&str] = &[
     "V if c",
     "on activation",
     "on deactivation",
+    "each scan",
+    "each scan if c",
     "on event",
     "force G{n}",
     "force G{n, m}",
@@ -171,7 +176,10 @@ impl FoundProductions<'_> {
         }
         match &self.chart.heading {
             None => self.see(true, "no heading"),
-            Some(heading) => self.see(true, if heading.comment.is_some() { "heading with comment" } else { "heading" }),
+            Some(heading) => {
+                self.see(true, if heading.comment.is_some() { "heading with comment" } else { "heading" });
+                heading.options.iter().for_each(|option| self.see(true, option.kind.word()));
+            }
         }
         let mut open: Vec<(&Item, bool)> = self.chart.items.iter().map(|item| (item, false)).collect();
         while let Some((item, in_expansion)) = open.pop() {
@@ -279,6 +287,11 @@ impl FoundProductions<'_> {
                 match event {
                     Event::Activation => self.see(true, "on activation"),
                     Event::Deactivation => self.see(true, "on deactivation"),
+                    Event::EachScan(None) => self.see(true, "each scan"),
+                    Event::EachScan(Some(condition)) => {
+                        self.see(true, "each scan if c");
+                        self.expression(*condition, false);
+                    }
                     Event::Event(condition) => {
                         self.see(true, "on event");
                         self.expression(*condition, false);

@@ -60,6 +60,7 @@ pub const ALL: &[&str] = &[
     "R13 a delay ends to the millisecond",
     "R13 a delay ends as inputs change",
     "R14 one micro-step a call",
+    "R15 action each scan",
     "R14 the next call goes on",
 ];
 
@@ -107,7 +108,7 @@ impl<'a> Watch<'a> {
         };
         Watch {
             chart,
-            profile,
+            profile: chart.options.over(profile),
             pre: chart.transitions.iter().map(|t| steps(&t.pre, Chart::exit)).collect(),
             post: chart.transitions.iter().map(|t| steps(&t.post, Chart::entry)).collect(),
             seen: BTreeSet::new(),
@@ -300,6 +301,9 @@ impl<'a> Watch<'a> {
                 Event::Deactivation(s) => (before[s] && !after[s], "R7 action on deactivation"),
                 Event::Clearing(t) => (cleared[t], "R7 action on clearing"),
                 Event::Activation(s) => (!before[s] && after[s], "R7 action on activation"),
+                // With a condition it is one that nothing else explains.
+                Event::EachScan(_, Some(_)) => continue,
+                Event::EachScan(s, None) => (after[s], "R15 action each scan"),
             };
             self.see(done, what);
             explained[action.target] |= done;

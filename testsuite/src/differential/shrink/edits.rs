@@ -35,6 +35,8 @@ pub(super) fn of(text: &str) -> Vec<Edit> {
     }
     let mut list: Vec<(Span, String)> = Vec::new();
     list.extend(chart.heading.iter().map(|heading| (heading.span, String::new())));
+    let options = chart.heading.iter().flat_map(|heading| &heading.options);
+    list.extend(options.map(|option| (option.span, String::new())));
     list.extend(chart.comments.iter().map(|comment| (comment.span, String::new())));
     let mut exprs: Vec<ExprId> = Vec::new();
     let mut open: Vec<&Item> = chart.items.iter().collect();
@@ -87,7 +89,8 @@ pub(super) fn of(text: &str) -> Vec<Edit> {
                             exprs.push(assignment.value);
                             list.push((chart.exprs[assignment.value].span, "1".into()));
                             match event {
-                                Event::Activation | Event::Deactivation => {}
+                                Event::Activation | Event::Deactivation | Event::EachScan(None) => {}
+                                Event::EachScan(Some(condition)) => exprs.push(*condition),
                                 Event::Event(condition) => exprs.push(*condition),
                             }
                         }

@@ -118,7 +118,11 @@ impl Arguments {
             Optimization::Plain => false,
             Optimization::Short => true,
         };
-        Ok(grafc_logic::Options { profile: self.profile.profile()?, encoding: self.encoding.encoding(), simplify })
+        Ok(grafc_logic::Options {
+            profile: self.profile.asked()?.profile(),
+            encoding: self.encoding.encoding(),
+            simplify,
+        })
     }
 }
 
@@ -126,11 +130,12 @@ impl Arguments {
 pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let lowering = args.lowering()?;
     refuse_pass_not_run(&args)?;
-    let jobs = plan::jobs(&args, &lowering)?;
+    let jobs = plan::jobs(&args)?;
     let messages = args.messages.messages();
     let product = Product::Program;
     let (bound_as_known, controls) = (args.profile.bound_as_known(), args.controls.names());
-    let options = Options { lowering, bound_as_known, controls, product, policy: args.messages.policy()? };
+    let (asked, policy) = (args.profile.asked()?, args.messages.policy()?);
+    let options = Options { lowering, asked, source: None, bound_as_known, controls, product, policy };
     if args.watch {
         watch::run(&args.charts, messages, || Ok(compile(&jobs, &options, messages)))
     } else {
@@ -147,7 +152,8 @@ fn compile(jobs: &[Job], asked: &Options, messages: Messages) -> Exit {
     for job in jobs {
         match report.load(job.chart) {
             Ok(Some(file)) => {
-                let options = Options { product: job.product.clone(), ..asked.clone() };
+                let source = Some(job.chart.file_name());
+                let options = Options { product: job.product.clone(), source, ..asked.clone() };
                 let text = &report.sources.file(file).text;
                 let (output, diagnostics) = grafc::compile(file, text, &job.chart.chart_name(), &options);
                 report.diagnostics.append(diagnostics);

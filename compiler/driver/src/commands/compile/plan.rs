@@ -8,8 +8,8 @@ use crate::commands::refuse_second_standard_input;
 use crate::report::Failure;
 use crate::stream::Stream;
 use clap::ValueEnum;
+use grafc::Product;
 use grafc::files::{FileIdentity, identity};
-use grafc::{Product, header};
 use grafc_backends::{About, Target};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -22,7 +22,7 @@ enum Asked<'a> {
 }
 
 /// A job for each chart, in the order of the command line.
-pub fn jobs<'a>(args: &'a Arguments, lowering: &grafc_logic::Options) -> Result<Vec<Job<'a>>, Failure> {
+pub fn jobs(args: &Arguments) -> Result<Vec<Job<'_>>, Failure> {
     refuse_second_standard_input(&args.charts)?;
     refuse_one_place(args)?;
     let asked = asked(args)?;
@@ -44,7 +44,7 @@ pub fn jobs<'a>(args: &'a Arguments, lowering: &grafc_logic::Options) -> Result<
         let output = place(args.output.as_ref(), &asked.ending())?.unwrap_or(Stream::Standard);
         let map = place(args.map.as_ref(), "map.json")?;
         let beside = beside(&asked, &output);
-        jobs.push(Job { chart, product: product(args, &asked, chart, lowering)?, output, beside, map, folders });
+        jobs.push(Job { chart, product: product(args, &asked)?, output, beside, map, folders });
     }
     refuse_collisions(&jobs)?;
     Ok(jobs)
@@ -150,12 +150,7 @@ impl Asked<'_> {
     }
 }
 
-fn product(
-    args: &Arguments,
-    asked: &Asked,
-    chart: &Stream,
-    lowering: &grafc_logic::Options,
-) -> Result<Product, Failure> {
+fn product(args: &Arguments, asked: &Asked) -> Result<Product, Failure> {
     Ok(match asked {
         Asked::Pass(pass) => Product::NetAfter((*pass).to_string()),
         Asked::Stage(Stage::Ast) => Product::Tree,
@@ -164,14 +159,7 @@ fn product(
         Asked::Stage(Stage::Logic) => Product::Equations,
         Asked::Stage(Stage::Scan) => Product::Program,
         Asked::Target(about) => {
-            let mut target = args.choices.target(about)?;
-            target.set_header(header(
-                &chart.file_name(),
-                lowering,
-                args.profile.bound_as_known(),
-                &args.controls.names(),
-                &target,
-            ));
+            let target = args.choices.target(about)?;
             if args.map.is_some() { Product::Mapped(target) } else { Product::Code(target) }
         }
     })

@@ -5,7 +5,7 @@ mod json;
 mod picture;
 mod text;
 
-use super::refuse_output_over_input;
+use super::{against, refuse_output_over_input};
 use crate::Exit;
 use crate::arguments::{ProfileArguments, QuietArgument};
 use crate::report::{Failure, Format, Report};
@@ -15,7 +15,7 @@ use grafc::Document;
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::scan::{ClaimKind, Claimed, Observed};
 use grafc_logic::{Extras, Options, compile_with};
-use grafc_model::reaction::Profile;
+use grafc_model::reaction::Asked;
 use grafc_verify::{Beyond, Graph, Of, graph};
 
 const AFTER_HELP: &str = "\
@@ -90,7 +90,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let mut found = None;
     if let Some(document) = report.document(&args.chart)? {
         let diagnostics;
-        (found, diagnostics) = explored(&document, args.profile.profile()?, args.of.of(), args.max);
+        (found, diagnostics) = explored(&document, &args.profile.asked()?, args.of.of(), args.max);
         report.diagnostics.append(diagnostics);
     }
     let exit = report.tell(args.quiet.messages(Format::Human));
@@ -116,10 +116,11 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
 type Explored = Option<Result<Graph, Beyond>>;
 
 /// The graph, if the chart has no errors.
-fn explored(document: &Document, profile: Profile, of: Of, most: usize) -> (Explored, Diagnostics) {
-    let diagnostics = document.diagnostics().clone();
-    let Some(analysis) = document.analysis() else { return (None, diagnostics) };
-    let options = Options { profile, ..Options::default() };
+fn explored(document: &Document, asked: &Asked, of: Of, most: usize) -> (Explored, Diagnostics) {
+    let mut diagnostics = document.diagnostics().clone();
+    diagnostics.append(against(document, asked));
+    let Some(analysis) = document.analysis().filter(|_| !diagnostics.has_errors()) else { return (None, diagnostics) };
+    let options = Options { profile: asked.profile(), ..Options::default() };
     let extras = Extras { saved: true, observed: Observed::Transitions, claims: Claimed::All };
     let (mut program, _) = compile_with(analysis.clone(), &options, extras);
     // What is claimed of states changes nothing of what leads to what.

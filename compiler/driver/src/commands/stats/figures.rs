@@ -1,12 +1,13 @@
 //! What is counted of a chart.
 
+use crate::commands::against;
 use grafc::Document;
 use grafc_backends::{awl, il, rust};
 use grafc_diagnostics::{Diagnostics, Severity};
 use grafc_logic::scan::{Measure, Program, State, measure};
 use grafc_logic::{Analysis, Encoding, Method, Options, arrow, bits, exclusion};
 use grafc_model::chart::{StepId, TransitionId};
-use grafc_model::reaction::{Evolution, Profile};
+use grafc_model::reaction::Asked;
 use serde::Serialize;
 
 /// The figures of a chart. The names of the fields are those of the JSON object.
@@ -107,18 +108,21 @@ pub struct Bit {
 
 /// The figures of a chart. There are some exactly if no message is an error. What an encoding warns of is said when the
 /// chart is compiled with it.
-pub fn figures(document: &mut Document, profile: Profile, bound_as_known: bool) -> (Option<Figures>, Diagnostics) {
+pub fn figures(document: &mut Document, asked: &Asked) -> (Option<Figures>, Diagnostics) {
     let mut diagnostics = document.diagnostics().clone();
     diagnostics.append(document.warnings().clone());
+    let against = against(document, asked);
+    if against.has_errors() {
+        diagnostics.append(against);
+        return (None, diagnostics);
+    }
     let (Some(chart), Some(analysis)) = (document.chart(), document.analysis()) else { return (None, diagnostics) };
+    let profile = chart.options.over(asked.profile());
     let mut figures = Figures {
         chart: chart.name.to_string(),
         steps: chart.steps.len(),
         transitions: chart.transitions.len(),
-        evolution: match profile.evolution {
-            Evolution::Stable => "stable",
-            Evolution::Scan => "scan",
-        },
+        evolution: profile.evolution.word(),
         transients: Transients::new(analysis),
         encodings: Vec::new(),
         exclusion: exclusion(analysis).filter(|(_, steps)| *steps > 0).map(Exclusion::new).collect(),
@@ -126,7 +130,7 @@ pub fn figures(document: &mut Document, profile: Profile, bound_as_known: bool) 
     };
     for encoding in Encoding::ALL {
         document.set_options(Options { profile, encoding, ..Options::default() });
-        document.bound_as_known(bound_as_known);
+        document.bound_as_known(asked.bound_as_known);
         match row(document, encoding) {
             Ok(row) => figures.encodings.push(row),
             Err(mut found) => {

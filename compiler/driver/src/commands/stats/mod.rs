@@ -67,8 +67,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         (found, diagnostics) = if args.outputs {
             outputs(&document, args.format)
         } else {
-            let (profile, bound_as_known) = (args.profile.profile()?, args.profile.bound_as_known());
-            let (figures, diagnostics) = figures::figures(&mut document, profile, bound_as_known);
+            let asked = args.profile.asked()?;
+            let (figures, diagnostics) = figures::figures(&mut document, &asked);
             (figures.map(|figures| args.format.choose(&figures, Figures::table, Figures::json)), diagnostics)
         };
         report.diagnostics.append(diagnostics);

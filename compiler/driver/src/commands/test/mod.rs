@@ -102,9 +102,10 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         let error = Diagnostic::new(Code::E0608, Span::new(file, 0, 0), "the test belongs to no chart");
         report.diagnostics.push(error.help("there is no chart beside it whose name its own begins with"));
     }
+    let asked = args.profile.asked()?;
     let mut charts = Vec::new();
     for (path, tested) in &found.charts {
-        charts.push(Loaded::new(path, tested, &args.controls.names(), &mut report)?);
+        charts.push(Loaded::new(path, tested, &args.controls.names(), &asked, &mut report)?);
     }
     let names = charts.iter().flat_map(|chart| &chart.tests).map(|test| test.name.as_str());
     let (chosen, others): (Vec<&str>, Vec<&str>) = names.partition(|name| args.choice.takes(name));
@@ -116,8 +117,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     }
     let faulty = charts.iter().map(|chart| chart.faulty).sum();
     let measured = args.coverage || args.lcov.is_some() || args.coverage_drawing.is_some();
-    let how =
-        run::How { profile: args.profile.profile()?, bound_as_known: args.profile.bound_as_known(), scan: args.scan.0 };
+    let how = run::How { profile: asked.profile(), bound_as_known: asked.bound_as_known, scan: args.scan.0 };
     let told = told::Told::new(count, messages);
     told.begin()?;
     // What is known when somebody interrupts it is told and written all the same.

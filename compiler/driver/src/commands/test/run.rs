@@ -6,7 +6,7 @@ use crate::signals::Interrupt;
 use grafc::files;
 use grafc_diagnostics::{Diagnostics, FileId};
 use grafc_model::chart::{Chart, ControlNames, Scenario};
-use grafc_model::reaction::Profile;
+use grafc_model::reaction::{Asked, Profile};
 use grafc_testing::coverage::Coverage;
 use std::path::{Path, PathBuf};
 
@@ -74,7 +74,13 @@ pub enum Ending {
 
 impl Loaded {
     /// Reads a chart, and finds its tests. What is wrong with the chart is reported.
-    pub fn new(path: &Path, tested: &Tested, controls: &ControlNames, report: &mut Report) -> Result<Loaded, Failure> {
+    pub fn new(
+        path: &Path,
+        tested: &Tested,
+        controls: &ControlNames,
+        asked: &Asked,
+        report: &mut Report,
+    ) -> Result<Loaded, Failure> {
         let (name, shown) = (called(path), shown(path));
         let mut chart = None;
         let file = match grafc::add(&mut report.sources, shown, files::read(path)?) {
@@ -93,6 +99,11 @@ impl Loaded {
         };
         if let Some(Err(found)) = chart.as_mut().map(|chart| chart.control(controls)) {
             report.diagnostics.append(found);
+            chart = None;
+        }
+        let against = chart.as_ref().map(|chart| chart.options.against(asked)).unwrap_or_default();
+        if against.has_errors() {
+            report.diagnostics.append(against);
             chart = None;
         }
         let tables = tested.tables.iter().map(|table| Test {

@@ -72,7 +72,10 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let mut found = None;
     if let Some(document) = report.document(&args.chart)? {
         report.diagnostics.append(document.diagnostics().clone());
-        found = verified(&document, args.profile.profile()?, begun + Duration::from_secs(args.time));
+        let asked = args.profile.asked()?;
+        report.diagnostics.append(super::against(&document, &asked));
+        let asked = Some(asked.profile()).filter(|_| !report.has_errors());
+        found = asked.and_then(|profile| verified(&document, profile, begun + Duration::from_secs(args.time)));
     }
     let exit = report.tell(args.quiet.messages(Format::Human));
     let Some((name, verified)) = found else { return Ok(exit) };

@@ -24,8 +24,8 @@ pub(super) fn find(asked: &mut Questions) -> Vec<Constant> {
     let transitions = net.transitions.iter_enumerated().map(|(t, transition)| (transition.condition, Some(t)));
     let assigned = net.continuous.iter().filter_map(|action| Some((action.condition?, None)));
     let events = net.stored.iter().filter_map(|action| match action.event {
-        Event::Event(_, event) => Some((event, None)),
-        Event::Activation(_) | Event::Deactivation(_) | Event::Clearing(_) => None,
+        Event::Event(_, event) | Event::EachScan(_, Some(event)) => Some((event, None)),
+        Event::EachScan(_, None) | Event::Activation(_) | Event::Deactivation(_) | Event::Clearing(_) => None,
     });
     let all: Vec<(ExprId, Option<TransitionId>)> = transitions.chain(assigned).chain(events).collect();
     let suspicious = all.into_iter().filter(|(condition, _)| is_suspicious(asked.analysis.net(), *condition));

@@ -38,6 +38,7 @@ pub(super) fn find(analysis: &Analysis) -> Liveness {
     let constant = constant::find(&mut asked);
     let mut never = possible::find(&mut asked, &constant);
     let situations = situations::find(&mut asked, &mut never);
-    let rings = rings::find(&mut asked, &never);
+    // Where each call is one micro-step, going round is no livelock.
+    let rings = if analysis.net().options.is_scan() { Vec::new() } else { rings::find(&mut asked, &never) };
     Liveness { constant, never, situations, rings }
 }

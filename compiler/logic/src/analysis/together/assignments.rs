@@ -4,7 +4,7 @@ use super::neighbours;
 use super::questions::Questions;
 use super::triggers::{meet, ways};
 use crate::analysis::Analysis;
-use grafc_model::chart::{ExprKind, Stored, VariableId, below};
+use grafc_model::chart::{Event, ExprKind, Stored, VariableId, below};
 use grafc_net::Net;
 use std::collections::BTreeMap;
 
@@ -25,6 +25,12 @@ fn writers(net: &Net) -> BTreeMap<VariableId, Vec<usize>> {
     writers
 }
 
+/// Whether two actions could stand against each other: what is done each scan is done after all others, and sees them.
+fn are_of_one_class(net: &Net, a: usize, b: usize) -> bool {
+    let is_each_scan = |action: usize| matches!(net.stored[action].event, Event::EachScan(..));
+    is_each_scan(a) == is_each_scan(b)
+}
+
 /// Two that compute the variable from itself: one of them is lost.
 pub(super) fn races(analysis: &Analysis) -> Vec<Meeting> {
     let net = &analysis.net;
@@ -32,7 +38,9 @@ pub(super) fn races(analysis: &Analysis) -> Vec<Meeting> {
     for (variable, actions) in writers(net) {
         let counting: Vec<usize> = actions.into_iter().filter(|a| counts(net, &net.stored[*a])).collect();
         let ways: Vec<_> = counting.iter().map(|action| ways(analysis, *action)).collect();
-        let pair = neighbours::first(counting.len(), |a, b| meet(analysis, &ways[a], &ways[b]));
+        let pair = neighbours::first(counting.len(), |a, b| {
+            are_of_one_class(net, counting[a], counting[b]) && meet(analysis, &ways[a], &ways[b])
+        });
         found.extend(pair.map(|(a, b)| Meeting { variable, first: counting[a], second: counting[b] }));
     }
     found
@@ -51,7 +59,10 @@ pub(super) fn conflicts(asked: &mut Questions) -> Vec<Meeting> {
         let counting: Vec<bool> = actions.iter().map(|a| counts(net, &net.stored[*a])).collect();
         let ways: Vec<_> = actions.iter().map(|a| ways(analysis, *a)).collect();
         let pair = neighbours::first(actions.len(), |a, b| {
-            values[a] != values[b] && !(counting[a] && counting[b]) && meet(analysis, &ways[a], &ways[b])
+            values[a] != values[b]
+                && !(counting[a] && counting[b])
+                && are_of_one_class(net, actions[a], actions[b])
+                && meet(analysis, &ways[a], &ways[b])
         });
         found.extend(pair.map(|(a, b)| Meeting { variable, first: actions[a], second: actions[b] }));
     }

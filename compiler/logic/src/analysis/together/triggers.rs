@@ -32,6 +32,11 @@ pub(super) fn ways(analysis: &Analysis, action: usize) -> Vec<Way> {
         Event::Event(step, _) => {
             vec![Way { before: vec![step], condition: Some(analysis.conditions.of_event[&action]), ..Way::default() }]
         }
+        // Of two of them, both steps are active after the micro-step, as if both had been activated in it.
+        Event::EachScan(step, _) => {
+            let condition = analysis.conditions.of_event.get(&action).copied();
+            vec![Way { activated: Some(step), condition, ..Way::default() }]
+        }
         Event::Clearing(t) => vec![clearing(analysis, t)],
         Event::Deactivation(step) => {
             let out_of = analysis.arcs.out_of_step(step);

@@ -118,7 +118,7 @@ impl Causes {
         }
         match net.stored[within(self.numbers.differs, net.stored.len())?].event {
             Event::Clearing(t) => Some(t),
-            Event::Event(..) | Event::Deactivation(_) | Event::Activation(_) => None,
+            Event::Event(..) | Event::Deactivation(_) | Event::Activation(_) | Event::EachScan(..) => None,
         }
     }
 

@@ -18,7 +18,7 @@ use index_vec::IndexVec;
 pub(super) fn add(net: &Net, ways: &Ways, occasions: &IndexVec<ExprId, Occasion>, causes: &mut Causes) {
     let goes_on = |event: &Event| match event {
         Event::Clearing(t) => ways.goes_on(*t),
-        Event::Event(..) | Event::Deactivation(_) | Event::Activation(_) => false,
+        Event::Event(..) | Event::Deactivation(_) | Event::Activation(_) | Event::EachScan(..) => false,
     };
     let mut lasting: IndexVec<VariableId, bool> = net.variables.iter().map(|_| false).collect();
     for action in net.stored.iter().filter(|a| goes_on(&a.event)) {
@@ -29,6 +29,8 @@ pub(super) fn add(net: &Net, ways: &Ways, occasions: &IndexVec<ExprId, Occasion>
             Event::Activation(s) => Change::Activated(s),
             Event::Deactivation(s) => Change::Deactivated(s),
             Event::Clearing(t) => Change::Clears(t),
+            // There a call is one micro-step, and how many it could be nobody asks (E0419).
+            Event::EachScan(..) => continue,
             Event::Event(_, e) => {
                 causes.start(Change::Occurs(index));
                 occurs(net, occasions, e, Change::Occurs(index), causes);
@@ -48,7 +50,7 @@ pub(super) fn add(net: &Net, ways: &Ways, occasions: &IndexVec<ExprId, Occasion>
                 Event::Clearing(t) => stops(net, t, Change::Subsides(action.target), causes),
                 Event::Activation(_) => causes.next(done, Change::Subsides(action.target)),
                 // These come before clearings in the order of R7.
-                Event::Deactivation(_) | Event::Event(..) => {}
+                Event::Deactivation(_) | Event::Event(..) | Event::EachScan(..) => {}
             }
         }
     }

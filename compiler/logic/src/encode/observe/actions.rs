@@ -69,6 +69,13 @@ impl Done {
                     let cleared = observing.transitions[t.index()].cleared;
                     Some(lowering.symbols.read(&mut lowering.pool, cleared))
                 }
+                Event::EachScan(_, None) => None,
+                Event::EachScan(s, Some(_)) => {
+                    let name = eco_format!("scan_of_{}", net.places[s].label);
+                    let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
+                    out.push(Statement::assign(origin, target, task.events[&index]));
+                    Some(lowering.symbols.read(&mut lowering.pool, target))
+                }
                 Event::Deactivation(s) | Event::Activation(s) => {
                     self.was.entry(s).or_insert_with(|| {
                         let name = eco_format!("was_{}", net.places[s].label);
@@ -96,6 +103,10 @@ impl Done {
             };
             let value = match (action.event, self.early[index]) {
                 (Event::Event(..) | Event::Clearing(_), early) => early.unwrap_or_else(|| lowering.pool.truth(false)),
+                (Event::EachScan(s, _), early) => {
+                    let active = lowering.active(s);
+                    lowering.pool.and([Some(active), early].into_iter().flatten())
+                }
                 (Event::Deactivation(s), _) => {
                     let (now, was) = now_and_before(s);
                     let gone = lowering.pool.not(now);

@@ -75,7 +75,7 @@ fn transitions<'a>(
     let net = &*lowering.net.clone();
     let clearing = |event: Event| match event {
         Event::Clearing(t) => Some(t),
-        Event::Event(..) | Event::Deactivation(_) | Event::Activation(_) => None,
+        Event::Event(..) | Event::Deactivation(_) | Event::Activation(_) | Event::EachScan(..) => None,
     };
     let awaited: FxHashSet<TransitionId> = net.stored.iter().filter_map(|action| clearing(action.event)).collect();
     let (mut latched, mut moves, mut of_short) = (Vec::new(), Vec::new(), Moves::new());

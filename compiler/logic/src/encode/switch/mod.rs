@@ -28,6 +28,7 @@ use super::bits;
 use super::task::Task;
 use crate::encode::by_grafcet::headed;
 use crate::encode::clearings::{Clearings, StepEvents};
+use crate::encode::each_scan;
 use crate::encode::heading::heading;
 use crate::encode::input_event::InputEvent;
 use crate::encode::outputs::Followers;
@@ -119,7 +120,8 @@ pub(super) fn micro_step(
     heading(&mut out, Heading::FrozenGrafcets, freezing);
     headed(&mut out, lowering, Part::Transitions, transitions);
 
-    // What follows happens only where something clears, unless an action on an event has to be done in any case.
+    // What follows happens only where something clears, unless an action on an event or each scan has to be done in any
+    // case.
     let mut inner = Vec::new();
     let mut clearings = Clearings::with(task.arcs, net, std::mem::take(&mut switch.cleared));
     heading(&mut inner, Heading::EnclosuresAndOrders, switch.settle(lowering, &mut clearings));
@@ -131,7 +133,7 @@ pub(super) fn micro_step(
     heading(&mut inner, Heading::Situation, switch.commit(lowering, &clearings));
     // Orders that disagree raise a flag, and raise it again where an input has lowered it.
     let conflicts = net.controls.clear_flags.is_some() && net.grafcets.iter().any(|grafcet| grafcet.orders.len() > 1);
-    if !task.events.is_empty() || conflicts {
+    if !task.events.is_empty() || conflicts || each_scan::any(net) {
         out.extend(inner);
     } else if !inner.is_empty() {
         let when = lowering.symbols.read(&mut lowering.pool, switch.moved.variable);
