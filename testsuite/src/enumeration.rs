@@ -53,7 +53,7 @@ pub fn enumerate(chart: &Chart, profile: Profile, most: usize) -> Option<(Enumer
     let mut everywhere = Everywhere::default();
     // Time stands still, so that states which differ in nothing but it are one.
     let mut states: Vec<Simulator> = Vec::new();
-    let mut known: HashMap<String, usize> = HashMap::new();
+    let mut known: HashMap<(Situation, u32), Vec<usize>> = HashMap::new();
     let mut successors: Vec<BTreeSet<usize>> = Vec::new();
     let mut at: Option<usize> = None;
     loop {
@@ -63,21 +63,27 @@ pub fn enumerate(chart: &Chart, profile: Profile, most: usize) -> Option<(Enumer
             let given = (0..inputs).map(|bit| Value::Bool(vector >> bit & 1 == 1)).collect();
             let mut seen: Vec<(State, Vec<usize>)> = Vec::new();
             let stimulus = Stimulus { t_ms: 0, restart: false, inputs: given };
-            everywhere.sights.react(chart, &mut simulator.clone(), &stimulus, at.is_none());
-            simulator.react_observed(&stimulus, &mut |simulator| {
+            let mut look = |simulator: &Simulator| {
                 let cleared = simulator.cleared().iter_enumerated().filter(|(_, cleared)| **cleared);
                 seen.push((simulator.state().clone(), cleared.map(|(t, _)| t.index()).collect()));
-            });
+            };
+            everywhere.sights.react_observed(chart, &mut simulator, &stimulus, at.is_none(), &mut look);
             if simulator.flags().livelock {
                 found.livelocks.entry((from.clone(), ring(&seen))).or_default().insert(vector);
                 continue;
             }
-            let next = *known.entry(format!("{:?}", simulator.state())).or_insert_with(|| {
-                states.push(simulator.clone());
-                successors.push(BTreeSet::new());
-                states.len() - 1
-            });
             let to = situation(simulator.state().situation());
+            // States differ in what is stored as well.
+            let alike = known.entry((to.clone(), vector)).or_default();
+            let next = match alike.iter().find(|state| states[**state].state() == simulator.state()) {
+                Some(state) => *state,
+                None => {
+                    alike.push(states.len());
+                    states.push(simulator);
+                    successors.push(BTreeSet::new());
+                    states.len() - 1
+                }
+            };
             found.situations.insert(to.clone());
             match (&from, at) {
                 (Some(from), Some(at)) => {

@@ -40,9 +40,22 @@ pub fn arcs(chart: &Chart, t: TransitionId) -> (BTreeSet<StepId>, BTreeSet<StepI
 impl Sights {
     /// A reaction, looked at from within; it is the initial one if the simulator has not reacted yet.
     pub fn react(&mut self, chart: &Chart, simulator: &mut Simulator, stimulus: &Stimulus, is_initial: bool) {
+        self.react_observed(chart, simulator, stimulus, is_initial, &mut |_| {});
+    }
+
+    /// The same, and somebody else looks on as well.
+    pub fn react_observed(
+        &mut self,
+        chart: &Chart,
+        simulator: &mut Simulator,
+        stimulus: &Stimulus,
+        is_initial: bool,
+        look: &mut dyn FnMut(&Simulator),
+    ) {
         let Flags { livelock, alloc_conflict, force_conflict, div0: _ } = simulator.flags();
         let mut before = (!is_initial).then(|| simulator.state().situation().clone());
         simulator.react_observed(stimulus, &mut |simulator| {
+            look(simulator);
             let after = simulator.state().situation().clone();
             self.active.extend(after.iter_enumerated().filter(|(_, active)| **active).map(|(s, _)| s.index()));
             if let Some(before) = before.replace(after.clone()) {
@@ -58,9 +71,10 @@ impl Sights {
 
     fn micro_step(&mut self, chart: &Chart, before: &Activity, cleared: &[TransitionId], after: &Activity) {
         self.cleared.extend(cleared.iter().map(|t| t.index()));
+        let arcs: Vec<_> = cleared.iter().map(|t| arcs(chart, *t)).collect();
         for s in chart.steps.indices() {
-            let left = cleared.iter().filter(|t| arcs(chart, **t).0.contains(&s)).count();
-            let is_entered = cleared.iter().any(|t| arcs(chart, *t).1.contains(&s));
+            let left = arcs.iter().filter(|(before, _)| before.contains(&s)).count();
+            let is_entered = arcs.iter().any(|(_, after)| after.contains(&s));
             if left > 1 {
                 self.selection.insert(s.index());
             }

@@ -8,50 +8,57 @@ use grafc_model::chart::Chart;
 use grafc_model::reaction::{Profile, Stimulus};
 use grafc_testing::coverage::Coverage;
 use grafc_testing::{Certified, Cover, certify, table};
-use grafc_testsuite::charts::{cases, charts_folder, check, field_cases, vectors_folder};
+use grafc_testsuite::charts::{Case, cases, charts_folder, check, field_cases, vectors_folder};
 use grafc_testsuite::executors::{Outcome, Task, find_or_skip};
 use grafc_testsuite::runs::simulate;
-use grafc_verify::{Times, moves};
+use grafc_verify::{Moves, Times, moves};
 use std::sync::LazyLock;
 
 const PERIOD: i64 = 10;
 const MOST: usize = 300;
 
-/// A chart and its tests.
-struct Certification {
+/// A chart that can be followed, and how it moves: in calls that are this far apart, and at any times.
+struct Followed {
     name: String,
     chart: Chart,
     profile: Profile,
-    made: Certified,
+    real: Moves,
+    free: Moves,
 }
 
-/// The tests of a chart, unless something in it cannot be followed.
-fn certified(chart: &Chart, profile: Profile, cover: Cover) -> Option<Certified> {
-    let mut net = grafc_net::build(chart);
-    grafc_net::passes::run(&mut net, false, &mut grafc_diagnostics::Diagnostics::new());
-    let options = Options { profile, ..Options::default() };
-    let (program, _) = compile_observed(Analysis::new(net), &options, Observed::Transitions);
-    let real = moves(&program, Times::Real(PERIOD), MOST).ok()?;
-    let free = moves(&program, Times::Free, MOST).ok()?;
-    Some(certify(chart, profile, cover, PERIOD, (&real, &free)))
+impl Followed {
+    fn new(Case { name, text, profile, .. }: Case) -> Option<Self> {
+        let chart = check(&name, &text).expect("a chart without errors");
+        let mut net = grafc_net::build(&chart);
+        grafc_net::passes::run(&mut net, false, &mut grafc_diagnostics::Diagnostics::new());
+        let options = Options { profile, ..Options::default() };
+        let (program, _) = compile_observed(Analysis::new(net), &options, Observed::Transitions);
+        let real = moves(&program, Times::Real(PERIOD), MOST).ok()?;
+        let free = moves(&program, Times::Free, MOST).ok()?;
+        Some(Followed { name, chart, profile, real, free })
+    }
+
+    fn certified(&self, cover: Cover) -> Certified {
+        certify(&self.chart, self.profile, cover, PERIOD, (&self.real, &self.free))
+    }
 }
 
-/// The tests that clear transitions, made once for all who ask.
-fn of_transitions() -> &'static [Certification] {
-    static ALL: LazyLock<Vec<Certification>> = LazyLock::new(|| all(Cover::Transitions));
+/// All charts that can be followed, which is done once for all who ask.
+fn followed() -> &'static [Followed] {
+    static ALL: LazyLock<Vec<Followed>> = LazyLock::new(|| {
+        let mut charts = cases(&charts_folder());
+        charts.extend(cases(&vectors_folder()));
+        charts.extend(field_cases());
+        charts.into_iter().filter_map(Followed::new).collect()
+    });
     &ALL
 }
 
-fn all(cover: Cover) -> Vec<Certification> {
-    let mut charts = cases(&charts_folder());
-    charts.extend(cases(&vectors_folder()));
-    charts.extend(field_cases());
-    let certification = |case: grafc_testsuite::charts::Case| {
-        let chart = check(&case.name, &case.text).expect("a chart without errors");
-        let made = certified(&chart, case.profile, cover)?;
-        Some(Certification { name: case.name, chart, profile: case.profile, made })
-    };
-    charts.into_iter().filter_map(certification).collect()
+/// The charts with the tests that clear transitions, made once for all who ask.
+fn of_transitions() -> impl Iterator<Item = (&'static Followed, &'static Certified)> {
+    static ALL: LazyLock<Vec<Certified>> =
+        LazyLock::new(|| followed().iter().map(|chart| chart.certified(Cover::Transitions)).collect());
+    followed().iter().zip(ALL.iter())
 }
 
 /// Restarts and flags apart, all that a test expects holds, and together the tests clear what can be cleared.
@@ -59,7 +66,7 @@ fn all(cover: Cover) -> Vec<Certification> {
 fn each_transition_that_can_be_cleared_is() {
     let (mut complete, mut open, mut tests, mut rows, mut fewest) = (0, 0, 0, 0, 0);
     let mut lacking = Vec::new();
-    for Certification { name, chart, profile, made } in of_transitions() {
+    for (Followed { name, chart, profile, .. }, made) in of_transitions() {
         let mut coverage = Coverage::new(chart);
         for test in &made.tests {
             let said = table(chart, *profile, (FileId(0), &test.text), Some(&mut coverage));
@@ -90,9 +97,10 @@ fn each_transition_that_can_be_cleared_is() {
 fn situations_and_edges_are_covered_too() {
     for cover in [Cover::Situations, Cover::Edges] {
         let mut covered = 0;
-        for Certification { name, chart, profile, made } in all(cover) {
+        for of in followed() {
+            let (Followed { name, chart, profile, .. }, made) = (of, of.certified(cover));
             for test in &made.tests {
-                let said = table(&chart, profile, (FileId(0), &test.text), None);
+                let said = table(chart, *profile, (FileId(0), &test.text), None);
                 assert!(said.is_empty(), "{name}: {said:?}\n{}", test.text);
             }
             covered += usize::from(made.complete && made.open.is_empty());
@@ -105,10 +113,9 @@ fn situations_and_edges_are_covered_too() {
 /// What a controller does with the rows of a test is what the test expects: by the reference, which made it.
 fn agrees(executor: &str) {
     let Some(executor) = find_or_skip(executor) else { return };
-    let all = of_transitions();
     let mut tasks: Vec<(&str, Task)> = Vec::new();
-    for of in all {
-        for (turn, test) in of.made.tests.iter().enumerate() {
+    for (of, made) in of_transitions() {
+        for (turn, test) in made.tests.iter().enumerate() {
             let stimuli: &[Stimulus] = &test.stimuli;
             tasks.push((&of.name, Task { chart: &of.chart, profile: of.profile, stimuli, turn }));
         }
