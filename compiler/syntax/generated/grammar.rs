@@ -1,5 +1,5 @@
 // auto-generated: "lalrpop 0.23.2"
-// sha3: dcd55cdc7d489ca5cc4996fab2ad6fbf72dd374e1853018f42fcc26489556768
+// sha3: 4ffb0c6df75e658c8567d4c475e0783066acb7aa17edd1cfbef85bc84ec6128c
 // features: 
 use crate::ast::*;
 use crate::builder::{Builder, Parsed, add_action};
@@ -12905,18 +12905,9 @@ fn __action9<
 )
 {
     {
-        let (actions, allows) = clearing;
-        let transition = Transition {
-            designation,
-            comment,
-            from: from.unwrap_or_default(),
-            to: to.unwrap_or_default(),
-            condition,
-            actions: actions.into(),
-            allows: allows.into(),
-            span: b.span(l, r),
-        };
-        b.item(Parsed::Item(Item::Transition(transition)))
+        let transition =
+            Transition::new(from.unwrap_or_default(), to.unwrap_or_default(), condition, b.span(l, r));
+        b.item(Parsed::Item(Item::Transition(transition.with(designation, comment, clearing))))
     }
 }
 

@@ -134,6 +134,9 @@ pub enum Item {
     Scenario(Box<Scenario>),
 }
 
+// There are as many as the text has items, and the tree is what takes most room while a text is read.
+const _: () = assert!(size_of::<Item>() <= 112);
+
 impl Item {
     /// The whole item.
     pub fn span(&self) -> Span {
@@ -463,22 +466,63 @@ pub enum StepKind {
 /// `transition (5) "comment" 1, 2 -> 3 : condition { C := C + 1 }`.
 #[derive(Clone, Debug)]
 pub struct Transition {
-    /// What is in the parentheses (symbol 8).
-    pub designation: Option<Box<Name>>,
-    /// The attached comment.
-    pub comment: Option<Box<Text>>,
     /// The immediately preceding steps; none for a source transition.
     pub from: Names,
     /// The immediately succeeding steps; none for a sink transition.
     pub to: Names,
     /// The transition-condition.
     pub condition: ExprId,
-    /// Assignments on clearing.
-    pub actions: Box<[Assignment]>,
-    /// The warnings that are allowed in its braces.
-    pub allows: Box<[Allow]>,
+    /// What it has beside them, if anything.
+    more: Option<Box<More>>,
     /// The whole item.
     pub span: Span,
+}
+
+/// What many transitions lack.
+#[derive(Clone, Debug)]
+struct More {
+    designation: Option<Box<Name>>,
+    comment: Option<Box<Text>>,
+    actions: Vec<Assignment>,
+    allows: Vec<Allow>,
+}
+
+impl Transition {
+    /// With nothing but what every transition has.
+    pub(crate) fn new(from: Names, to: Names, condition: ExprId, span: Span) -> Self {
+        Transition { from, to, condition, more: None, span }
+    }
+
+    /// And what stands before its arcs and behind its condition.
+    pub(crate) fn with(
+        self,
+        designation: Option<Box<Name>>,
+        comment: Option<Box<Text>>,
+        (actions, allows): (Vec<Assignment>, Vec<Allow>),
+    ) -> Self {
+        let is_bare = designation.is_none() && comment.is_none() && actions.is_empty() && allows.is_empty();
+        Transition { more: (!is_bare).then(|| Box::new(More { designation, comment, actions, allows })), ..self }
+    }
+
+    /// What is in the parentheses (symbol 8).
+    pub fn designation(&self) -> Option<&Name> {
+        self.more.as_ref()?.designation.as_deref()
+    }
+
+    /// The attached comment.
+    pub fn comment(&self) -> &Option<Box<Text>> {
+        self.more.as_ref().map_or(&None, |more| &more.comment)
+    }
+
+    /// Assignments on clearing.
+    pub fn actions(&self) -> &[Assignment] {
+        self.more.as_ref().map_or(&[], |more| &more.actions)
+    }
+
+    /// The warnings that are allowed in its braces.
+    pub fn allows(&self) -> &[Allow] {
+        self.more.as_ref().map_or(&[], |more| &more.allows)
+    }
 }
 
 /// `C := C + 1`.

@@ -55,8 +55,11 @@ pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
                 _ => {}
             }
         }
-        scenario.pass(lexemes[at].token);
-        braces.pass(lexemes[at].token);
+        // A name that stays one changes nothing.
+        if lexemes[at].token != Token::Name {
+            scenario.pass(lexemes[at].token);
+            braces.pass(lexemes[at].token);
+        }
     }
 }
 

@@ -196,16 +196,16 @@ impl Dump<'_> {
     }
 
     fn transition(&mut self, transition: &Transition) {
-        let designation = transition.designation.as_ref().map(|name_| format!(" ({})", name(name_)));
-        self.line(&format!("transition{}{}", designation.unwrap_or_default(), comment(&transition.comment)));
+        let designation = transition.designation().map(|name_| format!(" ({})", name(name_)));
+        self.line(&format!("transition{}{}", designation.unwrap_or_default(), comment(transition.comment())));
         self.level += 1;
         self.line(format!("from {}", names(&transition.from)).trim_end());
         self.line(format!("to {}", names(&transition.to)).trim_end());
         self.labelled("when", transition.condition);
-        for assignment in &transition.actions {
+        for assignment in transition.actions() {
             self.assignment(assignment);
         }
-        transition.allows.iter().for_each(|allow| self.allow(allow));
+        transition.allows().iter().for_each(|allow| self.allow(allow));
         self.level -= 1;
     }
 

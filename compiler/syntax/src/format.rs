@@ -124,8 +124,8 @@ fn action_starts(chart: &Chart) -> HashSet<u32> {
                     starts.extend(step.allows.iter().map(|a| a.span.start));
                 }
                 Item::Transition(transition) => {
-                    starts.extend(transition.actions.iter().map(|a| a.span.start));
-                    starts.extend(transition.allows.iter().map(|a| a.span.start));
+                    starts.extend(transition.actions().iter().map(|a| a.span.start));
+                    starts.extend(transition.allows().iter().map(|a| a.span.start));
                 }
             }
         }

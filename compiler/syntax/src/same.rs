@@ -66,13 +66,13 @@ fn items(a: &[Item], b: &[Item]) -> bool {
                 && all(&a.allows, &b.allows, allow)
         }
         (Item::Transition(a), Item::Transition(b)) => {
-            a.designation.as_ref().map(|n| (&n.text, n.quoted)) == b.designation.as_ref().map(|n| (&n.text, n.quoted))
-                && text(&a.comment, &b.comment)
+            a.designation().map(|n| (&n.text, n.quoted)) == b.designation().map(|n| (&n.text, n.quoted))
+                && text(a.comment(), b.comment())
                 && names(&a.from, &b.from)
                 && names(&a.to, &b.to)
                 && a.condition == b.condition
-                && all(&a.actions, &b.actions, assignment)
-                && all(&a.allows, &b.allows, allow)
+                && all(a.actions(), b.actions(), assignment)
+                && all(a.allows(), b.allows(), allow)
         }
         (Item::Allow(a), Item::Allow(b)) => allow(a, b),
         (Item::Claim(a), Item::Claim(b)) => {

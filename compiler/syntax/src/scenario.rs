@@ -38,8 +38,9 @@ impl Scenario {
     pub(crate) fn pass(&mut self, token: Token) {
         match token {
             Token::Scenario => *self = Scenario { is_begun: true, ..Scenario::default() },
-            Token::OpenBrace if self.is_begun => self.braces += 1,
-            Token::CloseBrace if self.is_begun => {
+            _ if !self.is_begun => {}
+            Token::OpenBrace => self.braces += 1,
+            Token::CloseBrace => {
                 self.braces = self.braces.saturating_sub(1);
                 if self.braces == 0 {
                     *self = Scenario::default();

@@ -34,6 +34,24 @@ pub(crate) enum Token {
     Enclosing,
     #[token("macro")]
     Macro,
+
+    // Words only where they begin an item; elsewhere they are names. They stand here since of many tokens is asked whether
+    // an item begins with them, which is one comparison if all that do are neighbours.
+    /// `retain` before the keyword of a declaration
+    Retain,
+    /// `allow`, as an item
+    Allow,
+    /// `assume`, as an item
+    Assume,
+    /// `assert`, as an item
+    Assert,
+    /// `reach`, as an item
+    Reach,
+    /// `final`, as an item
+    Final,
+    /// `scenario`, as an item
+    Scenario,
+
     #[token("if")]
     If,
     #[token("on")]
@@ -161,20 +179,8 @@ pub(crate) enum Token {
     Event,
     /// `at` before an address
     At,
-    /// `retain` before the keyword of a declaration
-    Retain,
-    /// `allow`, as an item
-    Allow,
     /// `allow` in the braces of a step or transition
     AllowInside,
-    /// `assume`, as an item
-    Assume,
-    /// `assert`, as an item
-    Assert,
-    /// `reach`, as an item
-    Reach,
-    /// `final`, as an item
-    Final,
     /// `at` of `at most one of`, in a claim
     AtMost,
     /// `most` of `at most one of`
@@ -189,8 +195,6 @@ pub(crate) enum Token {
     Leads,
     /// `to` of `leads to`
     LeadsTo,
-    /// `scenario`, as an item
-    Scenario,
     /// `until` in a scenario
     Until,
     /// `within` before the time of `until`

@@ -222,13 +222,14 @@ fn transitions_of_all_forms() {
         ("transition 1 → 2 : c {}", None, None, vec!["1"], vec!["2"]),
     ] {
         let (_, transition) = transition(text);
-        assert_eq!(transition.designation.as_ref().map(|d| d.text.as_str()), designation, "{text}");
-        assert_eq!(transition.comment.as_ref().map(|c| c.text.as_str()), comment, "{text}");
+        assert_eq!(transition.designation().map(|d| d.text.as_str()), designation, "{text}");
+        assert_eq!(transition.comment().as_ref().map(|c| c.text.as_str()), comment, "{text}");
         assert_eq!((texts(&transition.from), texts(&transition.to)), (from, to), "{text}");
         assert_eq!(transition.span.range(), 0..text.len(), "{text}");
     }
     let (chart, transition) = transition("transition 3 -> 4 : b { C := C + 1 D := -C E := (1) }");
-    let actions: Vec<_> = transition.actions.iter().map(|a| (a.target.text.as_str(), show(&chart, a.value))).collect();
+    let actions: Vec<_> =
+        transition.actions().iter().map(|a| (a.target.text.as_str(), show(&chart, a.value))).collect();
     assert_eq!(actions, [("C", "(+ C 1)".into()), ("D", "(negate C)".into()), ("E", "(paren 1)".into())]);
 }
 
@@ -334,7 +335,7 @@ fn allowances() {
     let (_, step) = step("step 1 { V allow W0409 \"r\" W if a allow W0410 \"s\" }");
     assert_eq!((step.actions.len(), step.allows.len()), (2, 2));
     let (_, transition) = transition("transition 1 -> 2 : a { C := C + 1 allow W0409 \"r\" }");
-    assert_eq!((transition.actions.len(), transition.allows.len()), (1, 1));
+    assert_eq!((transition.actions().len(), transition.allows().len()), (1, 1));
     let beside = chart("input a : bool allow W0401 a \"r\" transition 1 -> 2 : a allow W0409 \"r\" step 1");
     assert_eq!(beside.items.len(), 5);
 }

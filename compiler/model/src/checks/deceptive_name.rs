@@ -20,7 +20,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let macro_steps = chart.macro_steps.iter().map(|step| (step.label.as_str(), step.span));
     names(chart.variables.iter().map(|variable| (variable.name.as_str(), variable.span)), diagnostics);
     names(steps.chain(macro_steps), diagnostics);
-    let designations = parts.transitions.iter().filter_map(|part| part.ast.designation.as_ref());
+    let designations = parts.transitions.iter().filter_map(|part| part.ast.designation());
     names(designations.map(|name| (name.text.as_str(), name.span)), diagnostics);
     names(chart.grafcets.iter().map(|grafcet| (grafcet.name.as_str(), grafcet.span)), diagnostics);
 }

@@ -84,7 +84,7 @@ impl<'a> Interpretation<'_, 'a> {
         };
         let condition = self.expression(transition.condition, Need::Condition);
         self.chart.transitions[id].condition = condition;
-        for assignment in &transition.actions {
+        for assignment in transition.actions() {
             self.assignment(assignment, Event::Clearing(id), assignment.span);
         }
     }

@@ -25,7 +25,7 @@ pub fn definitions(tree: &ast::Chart, parts: &Parts) -> Vec<Definition> {
         define(node.into(), Some(step.label.span), step.span);
     }
     for (id, part) in parts.transitions.iter_enumerated() {
-        let designation = part.ast.designation.as_ref();
+        let designation = part.ast.designation();
         define(Entity::Transition(id), designation.map(|name| name.span), part.ast.span);
     }
     definitions

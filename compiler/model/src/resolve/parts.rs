@@ -161,7 +161,7 @@ impl<'a> Parts<'a> {
                     let frame = frame.unwrap_or_else(|| parts.bare_item(transition.span));
                     let id = parts.transitions.push(TransitionPart { ast: transition, frame });
                     parts.holders.push(Holder::Transition(id));
-                    parts.allows.extend(transition.allows.iter().map(|allow| (allow, Scope::Item(transition.span))));
+                    parts.allows.extend(transition.allows().iter().map(|allow| (allow, Scope::Item(transition.span))));
                 }
                 ast::Item::Allow(allow) => parts.allows.push((allow, Scope::Block(block))),
                 ast::Item::Claim(claim) => parts.claims.push(claim),

@@ -36,6 +36,9 @@ pub fn read(
     symbols: &mut Symbols,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Scenario> {
+    if written.is_empty() {
+        return Vec::new();
+    }
     let usage = symbols.usage.clone();
     let mut reading = Reading { against, symbols, diagnostics, scratch: Scratch::default() };
     let mut known = BTreeMap::new();

@@ -217,8 +217,8 @@ fn transitions(
     for part in &parts.transitions {
         let transition = part.ast;
         chart.transitions.push(Transition {
-            designation: transition.designation.as_ref().map(|name| name.text.clone().into()),
-            comment: comment(&transition.comment),
+            designation: transition.designation().map(|name| name.text.clone().into()),
+            comment: comment(transition.comment()),
             grafcet: match part.frame {
                 Frame::Grafcet(grafcet) => grafcet,
                 Frame::Expansion(expansion) => homes[expansion],

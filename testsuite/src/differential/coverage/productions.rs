@@ -312,19 +312,19 @@ impl FoundProductions<'_> {
     fn transition(&mut self, transition: &Transition) {
         let arrow = self.text[transition.span.range()].contains('→');
         self.see(true, if arrow { "transition with →" } else { "transition" });
-        if let Some(designation) = &transition.designation {
+        if let Some(designation) = transition.designation() {
             self.see(true, if is_digits(designation) { "transition (n)" } else { "transition (name)" });
         }
-        self.see(transition.comment.is_some(), "transition with comment");
+        self.see(transition.comment().is_some(), "transition with comment");
         self.see(transition.from.is_empty(), "source transition");
         self.see(transition.to.is_empty(), "sink transition");
         self.see(transition.from.len() > 1, "n, m -> o");
         self.see(transition.to.len() > 1, "n -> m, o");
         self.expression(transition.condition, false);
-        self.see(!transition.allows.is_empty(), "allow in a transition");
-        self.see(transition.actions.len() == 1, "assignment on clearing");
-        self.see(transition.actions.len() > 1, "assignments on clearing");
-        for assignment in &transition.actions {
+        self.see(!transition.allows().is_empty(), "allow in a transition");
+        self.see(transition.actions().len() == 1, "assignment on clearing");
+        self.see(transition.actions().len() > 1, "assignments on clearing");
+        for assignment in transition.actions() {
             self.expression(assignment.value, true);
         }
     }

@@ -107,8 +107,8 @@ pub(super) fn of(text: &str) -> Vec<Edit> {
                 list.push((rest, String::new()));
                 exprs.push(transition.condition);
                 list.push((condition, "1".into()));
-                exprs.extend(transition.actions.iter().map(|a| a.value));
-                list.extend(transition.actions.iter().map(|a| (chart.exprs[a.value].span, "1".into())));
+                exprs.extend(transition.actions().iter().map(|a| a.value));
+                list.extend(transition.actions().iter().map(|a| (chart.exprs[a.value].span, "1".into())));
                 for names in [&transition.from, &transition.to] {
                     for (index, name) in names.iter().enumerate().skip(1) {
                         let from = names[index - 1].span.end as usize;
