@@ -87,7 +87,7 @@ impl Class<'_, '_> {
         out.comment(told.map_or("lowers all flags", |_| "lowers all flags, and forgets which assertion was false"));
         out.open("clearFlags() {");
         out.line("this.#s.flags = fresh().flags;");
-        for name in told {
+        if let Some(name) = told {
             out.line(&format!("{} = 0;", member("this.#s.outputs", name)));
             out.line(&format!("{} = 0;", member("this.#shown", name)));
         }
