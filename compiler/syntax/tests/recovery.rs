@@ -143,7 +143,7 @@ fn items_in_wrong_places() {
         [
             "E0107 2:1-7 the heading of the chart is not its first item",
             // What follows a heading on the next line belongs to it.
-            "E0107 3:1-3 expected an attached comment or the next item, found `foo`",
+            "E0107 3:1-3 expected an attached comment, `evolution`, `initial_actions`, `bound` or the next item, found `foo`",
         ]
     );
     assert_eq!(
