@@ -12,6 +12,7 @@ use crate::runs::{lowered, run, simulate};
 use crate::ways::exact;
 use grafc_backends::{plcopen, rust, st};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, SourceMap};
+use grafc_import::Dialect;
 use grafc_logic::{Encoding, Options};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::Stimulus;
@@ -28,8 +29,9 @@ pub const TARGETS: [&str; 4] = ["parser", "importer", "trace", "pipeline"];
 
 /// A file of another tool: messages at places of it; a chart in canonical format exactly if none of them is an error.
 pub fn importer(text: &str) {
-    for delays in [false, true] {
-        let (chart, diagnostics) = grafc_import::import(FileId::default(), text, grafc_import::Options { delays });
+    for (delays, dialect) in [(false, None), (true, Some(Dialect::Codesys)), (false, Some(Dialect::Isagraf))] {
+        let options = grafc_import::Options { delays, dialect, unit: None };
+        let (chart, diagnostics) = grafc_import::import(FileId::default(), text, &options);
         places(text, &diagnostics);
         assert_eq!(chart.is_none(), diagnostics.has_errors(), "{diagnostics:?}");
         let Some(chart) = chart else { continue };
@@ -178,12 +180,13 @@ pub fn seeds(target: &str) -> Vec<(String, String)> {
 fn imports() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("imports");
     let mut found = Vec::new();
-    for entry in fs::read_dir(&folder).into_iter().flatten().flatten() {
-        let path = entry.path();
-        if path.extension().is_some_and(|extension| extension == "grafcet")
-            && let (Some(name), Ok(text)) = (path.file_stem(), fs::read_to_string(&path))
-        {
-            found.push((name.to_string_lossy().into_owned(), text));
+    for folder in [folder.join("sfc"), folder] {
+        for entry in fs::read_dir(&folder).into_iter().flatten().flatten() {
+            let path = entry.path();
+            let is_ours = path.is_dir() || path.extension().is_some_and(|ending| ending == "gct" || ending == "report");
+            if let (false, Some(name), Ok(text)) = (is_ours, path.file_stem(), fs::read_to_string(&path)) {
+                found.push((name.to_string_lossy().into_owned(), text));
+            }
         }
     }
     found.sort();

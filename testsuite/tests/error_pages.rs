@@ -58,7 +58,7 @@ fn compared(chart: &Chart, recording: &str) -> Diagnostics {
 fn diagnose(code: Code, chart: &FencedBlock, trace: Option<&FencedBlock>) -> BTreeSet<Code> {
     if chart.language == "xml" {
         let options = grafc_import::Options::default();
-        return codes(&grafc_import::import(FileId(0), &chart.text, options).1);
+        return codes(&grafc_import::import(FileId(0), &chart.text, &options).1);
     }
     let (checked, mut diagnostics) = grafc::check(FileId(0), &chart.text, "example");
     match trace {

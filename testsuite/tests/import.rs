@@ -16,10 +16,10 @@ use grafc_testsuite::ways::exact;
 use grafc_testsuite::{binary, random, xmi};
 use std::time::Instant;
 
-const AS_IT_IS: Options = Options { delays: false };
+const AS_IT_IS: Options = Options { delays: false, dialect: None, unit: None };
 
 fn import(text: &str, options: Options) -> Result<(String, Diagnostics), Diagnostics> {
-    let (chart, diagnostics) = grafc_import::import(FileId::default(), text, options);
+    let (chart, diagnostics) = grafc_import::import(FileId::default(), text, &options);
     assert_eq!(chart.is_none(), diagnostics.has_errors(), "a chart exactly if there is no error: {diagnostics:?}");
     chart.map(|chart| (chart, diagnostics.clone())).ok_or(diagnostics)
 }
@@ -59,7 +59,7 @@ fn charts_and_reports_are_as_written_by_hand() {
     let read = |name: String| std::fs::read_to_string(folder.join(name)).expect("a file beside the chart");
     for name in ["structure", "actions", "delays"] {
         let text = read(format!("{name}.grafcet"));
-        let options = Options { delays: name.starts_with("delays") };
+        let options = Options { delays: name.starts_with("delays"), ..AS_IT_IS };
         let (chart, diagnostics) =
             import(&text, options).unwrap_or_else(|diagnostics| panic!("{name}: {diagnostics:?}"));
         assert_eq!(chart, read(format!("{name}.gct")), "{name}");
@@ -353,7 +353,7 @@ fn damage(runs: u64) {
     for seed in 0..runs {
         let mut rng = fastrand::Rng::with_seed(seed);
         let text = xmi::damaged(&texts[seed as usize % texts.len()], &mut rng);
-        let options = Options { delays: rng.bool() };
+        let options = Options { delays: rng.bool(), ..AS_IT_IS };
         match caught(|| Ok(import(&text, options))).unwrap_or_else(|fault| panic!("seed {seed}: {fault}\n{text}")) {
             Ok((chart, _)) => {
                 charts += 1;
@@ -429,7 +429,7 @@ fn run_collection(rows: usize) {
         }
         is_canonical(&chart);
         runs(name, &chart, rows);
-        let (with_delays, _) = import(text, Options { delays: true }).expect("the same with delays");
+        let (with_delays, _) = import(text, Options { delays: true, ..AS_IT_IS }).expect("the same with delays");
         if with_delays != chart {
             runs(name, &with_delays, rows);
         }

@@ -172,6 +172,7 @@ codes! {
     E0703 "unknown-chart-format" Error;
     E0704 "broken-reference" Error;
     E0705 "malformed-element" Error;
+    E0706 "several-charts" Error;
     W0701 "import-changed" Warning;
     W0702 "import-doubtful" Warning;
     W0703 "import-lost" Warning;

@@ -4,7 +4,6 @@
 //! document type is refused, because only with one can a file declare entities and blow up; so is nesting beyond any
 //! drawing. The first fault ends the reading: what comes behind it cannot be trusted.
 
-use crate::lost;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Span};
 use index_vec::{IndexVec, define_index_type};
 use quick_xml::events::attributes::AttrError;
@@ -26,6 +25,8 @@ pub struct Document {
     pub elements: IndexVec<ElementId, Element>,
     /// All comments, in order.
     pub comments: Vec<Comment>,
+    /// What stands between the tags, in order, white space alone left out.
+    pub texts: Vec<Text>,
 }
 
 /// An element.
@@ -40,6 +41,8 @@ pub struct Element {
     pub children: Vec<ElementId>,
     /// Its start tag.
     pub span: Span,
+    /// Where its end tag begins.
+    pub end: u32,
 }
 
 impl Element {
@@ -59,7 +62,23 @@ pub struct Comment {
     pub start: u32,
 }
 
+/// A piece of text.
+pub struct Text {
+    /// Where it stands: letter by letter, unless it is a reference.
+    pub span: Span,
+    /// The character that a reference such as `&gt;` stands for.
+    pub reference: Option<char>,
+}
+
 impl Document {
+    /// The pieces of text within an element, at any depth.
+    pub fn texts_in(&self, element: ElementId) -> &[Text] {
+        let element = &self.elements[element];
+        let begin = self.texts.partition_point(|text| text.span.start < element.span.end);
+        let end = self.texts.partition_point(|text| text.span.start < element.end);
+        self.texts.get(begin..end).unwrap_or_default()
+    }
+
     /// The start tag of the outermost element.
     pub fn root_span(&self) -> Span {
         self.elements[ElementId::new(0)].span
@@ -77,9 +96,10 @@ pub fn read(file: FileId, text: &str, diagnostics: &mut Diagnostics) -> Option<D
         diagnostics.push(forbidden(file, text, at));
         return None;
     }
-    let mut builder = Builder { file, elements: IndexVec::new(), comments: Vec::new(), open: Vec::new(), diagnostics };
+    let mut builder =
+        Builder { file, elements: IndexVec::new(), comments: Vec::new(), texts: Vec::new(), open: Vec::new() };
     match builder.run(text) {
-        Ok(()) => Some(Document { elements: builder.elements, comments: builder.comments }),
+        Ok(()) => Some(Document { elements: builder.elements, comments: builder.comments, texts: builder.texts }),
         Err(fault) => {
             diagnostics.push(fault);
             None
@@ -87,15 +107,15 @@ pub fn read(file: FileId, text: &str, diagnostics: &mut Diagnostics) -> Option<D
     }
 }
 
-struct Builder<'a> {
+struct Builder {
     file: FileId,
     elements: IndexVec<ElementId, Element>,
     comments: Vec<Comment>,
+    texts: Vec<Text>,
     open: Vec<ElementId>,
-    diagnostics: &'a mut Diagnostics,
 }
 
-impl Builder<'_> {
+impl Builder {
     fn run(&mut self, text: &str) -> Result<(), Diagnostic> {
         // The mark of byte order is no part of the text, but offsets count it.
         let skipped = text.len() - text.trim_start_matches('\u{FEFF}').len();
@@ -116,18 +136,28 @@ impl Builder<'_> {
                 }
                 Ok(Event::Empty(tag)) => {
                     self.element(&tag, span)?;
-                    self.open.pop();
+                    self.close(end);
                 }
-                Ok(Event::End(_)) => {
-                    self.open.pop();
-                }
+                Ok(Event::End(_)) => self.close(start),
                 Ok(Event::Comment(comment)) => self.comments.push(Comment {
                     text: String::from_utf8_lossy(&comment).into_owned(),
                     parent: self.open.last().copied(),
                     start: span.start,
                 }),
-                Ok(Event::Text(found)) if found.iter().all(u8::is_ascii_whitespace) => {}
-                Ok(Event::Text(_) | Event::CData(_) | Event::GeneralRef(_)) => self.text(span)?,
+                // White space between two references is part of a text; that between tags is not.
+                Ok(Event::Text(found)) if found.iter().all(u8::is_ascii_whitespace) && !self.goes_on(start) => {}
+                Ok(Event::Text(_)) => self.text(span, None)?,
+                Ok(Event::CData(found)) => {
+                    let inner = start + "<![CDATA[".len();
+                    self.text(Span::new(self.file, inner, inner + found.len()), None)?;
+                }
+                Ok(Event::GeneralRef(name)) => {
+                    let name = String::from_utf8_lossy(&name).into_owned();
+                    let Some(c) = referred(&name) else {
+                        return Err(malformed(span, "a reference after `&` means nothing"));
+                    };
+                    self.text(span, Some(c))?;
+                }
                 Ok(Event::DocType(_)) => {
                     return Err(Diagnostic::new(Code::E0702, span, "the file declares a document type")
                         .note("with one, a short file can stand for an endless one; no chart needs it")
@@ -165,7 +195,7 @@ impl Builder<'_> {
             }
             attributes.push((key, value.into_owned()));
         }
-        let id = self.elements.push(Element { name, attributes, parent, children: Vec::new(), span });
+        let id = self.elements.push(Element { name, attributes, parent, children: Vec::new(), span, end: span.end });
         if let Some(parent) = parent {
             self.elements[parent].children.push(id);
         }
@@ -173,12 +203,23 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// A model is made of elements and attributes alone.
-    fn text(&mut self, span: Span) -> Result<(), Diagnostic> {
+    /// The end of the element that is open.
+    fn close(&mut self, end: usize) {
+        if let Some(id) = self.open.pop() {
+            self.elements[id].end = u32::try_from(end).unwrap_or(u32::MAX);
+        }
+    }
+
+    /// Whether a text ends just there.
+    fn goes_on(&self, start: usize) -> bool {
+        self.texts.last().is_some_and(|last| last.span.range().end == start && last.reference.is_some())
+    }
+
+    fn text(&mut self, span: Span, reference: Option<char>) -> Result<(), Diagnostic> {
         if self.open.is_empty() {
             return Err(malformed(span, "there is text outside of the outermost element"));
         }
-        self.diagnostics.push(lost(span, "the text between the elements is lost").note("a model has none"));
+        self.texts.push(Text { span, reference });
         Ok(())
     }
 
@@ -205,6 +246,25 @@ impl Builder<'_> {
 /// Whether a file in XML cannot hold a character, not even by a reference (XML 1.0, 2.2).
 fn is_forbidden(c: char) -> bool {
     matches!(c, '\0'..='\u{1F}' | '\u{FFFE}' | '\u{FFFF}') && !matches!(c, '\t' | '\n' | '\r')
+}
+
+/// The character that a reference stands for, by its name or number.
+fn referred(name: &str) -> Option<char> {
+    let c = match name.strip_prefix('#') {
+        Some(number) => {
+            let hexadecimal = number.strip_prefix('x').map(|digits| u32::from_str_radix(digits, 16));
+            char::from_u32(hexadecimal.unwrap_or_else(|| number.parse()).ok()?)?
+        }
+        None => match name {
+            "lt" => '<',
+            "gt" => '>',
+            "amp" => '&',
+            "apos" => '\'',
+            "quot" => '"',
+            _ => return None,
+        },
+    };
+    (!is_forbidden(c)).then_some(c)
 }
 
 fn code_point(c: char) -> String {

@@ -35,7 +35,8 @@ pub fn plants(collection: Vec<(String, String)>) -> Result<Vec<Plant>, String> {
     let mut plants: Vec<Plant> = Vec::new();
     for (name, xml) in collection {
         for (end, delays) in [("", false), (" --delays", true)] {
-            let (text, diagnostics) = grafc_import::import(FileId::default(), &xml, Options { delays });
+            let (text, diagnostics) =
+                grafc_import::import(FileId::default(), &xml, &Options { delays, ..Options::default() });
             let text = text.ok_or_else(|| charts::render(&name, &xml, &diagnostics))?;
             if delays && plants.last().is_some_and(|last| last.text == text) {
                 continue;

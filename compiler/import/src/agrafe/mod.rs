@@ -12,6 +12,7 @@ mod sorts;
 
 pub use sorts::target;
 
+use crate::lost;
 use crate::xml::{Document, ElementId};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use model::Model;
@@ -33,6 +34,9 @@ pub fn read(document: &Document, diagnostics: &mut Diagnostics) -> Option<Model>
         );
         return None;
     };
+    for text in &document.texts {
+        diagnostics.push(lost(text.span, "the text between the elements is lost").note("a model has none"));
+    }
     let mut found = elements::read(document, root, diagnostics);
     references::resolve(document, &roots, &mut found, diagnostics);
     sorts::check(&found.model, diagnostics);

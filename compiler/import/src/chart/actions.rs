@@ -2,12 +2,12 @@
 
 use super::Writer;
 use super::conditions::Binding;
-use super::names::spell;
 use crate::agrafe::model::{
     ActionId, ActionKind, Condition, ForcingOrderType, Model, NodeId, NodeKind, StoredActionType, TermId, TermKind,
     TimeConditionType, VariableKind,
 };
 use crate::agrafe::target;
+use crate::naming::spell;
 use crate::{changed, doubtful, lost};
 use grafc_diagnostics::{Diagnostics, Span};
 use index_vec::{IndexVec, index_vec};

@@ -1,7 +1,8 @@
 //! Variables that are named like delays: `2s/X202`, `2s/a/500ms`, `X2/5s`.
 
-use super::names::{ImportNames, spell};
+use super::names::ImportNames;
 use crate::agrafe::model::{Model, NodeKind, VariableKind};
+use crate::naming::spell;
 use rustc_hash::FxHashMap;
 
 /// What a delay can be of, by the name that the file gives it.

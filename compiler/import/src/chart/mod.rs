@@ -15,13 +15,14 @@ mod variables;
 
 use crate::Options;
 use crate::agrafe::model::{ActionId, GrafcetId, GrafcetKind, Model, NodeId, NodeKind, VariableId};
+use crate::naming::{clean, spell, spell_label};
 use crate::xml::{Document, ElementId};
 use comments::{Attachment, Comments};
 use conditions::Binding;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use hierarchy::Hierarchy;
 use index_vec::IndexVec;
-use names::{ImportNames, clean, spell, spell_label};
+use names::ImportNames;
 use rustc_hash::FxHashSet;
 use variables::Variables;
 
@@ -62,7 +63,7 @@ struct Writer<'a> {
 pub fn write(
     model: &Model,
     document: &Document,
-    options: Options,
+    options: &Options,
     limit: usize,
     diagnostics: &mut Diagnostics,
 ) -> Option<String> {

@@ -5,9 +5,10 @@
 
 use super::Writer;
 use super::delays;
-use super::names::{ImportNames, spell};
+use super::names::ImportNames;
 use crate::agrafe::model::{ActionKind, Model, Sort, StoredActionType, TermKind, VariableId, VariableKind};
 use crate::agrafe::target;
+use crate::naming::{clean, spell};
 use crate::{Options, changed, doubtful, lost};
 use grafc_diagnostics::{Diagnostic, Diagnostics};
 use index_vec::{IndexVec, index_vec};
@@ -80,7 +81,7 @@ pub fn judge(
     model: &Model,
     names: &ImportNames,
     uses: &IndexVec<VariableId, Use>,
-    options: Options,
+    options: &Options,
     diagnostics: &mut Diagnostics,
 ) -> Variables {
     let steps = delays::Steps::of(model, names);
@@ -103,7 +104,7 @@ pub fn judge(
             VariableKind::Step(Some(_)) => {
                 let given = variable.name.as_deref().unwrap_or_default();
                 if used.read && given != name {
-                    let message = format!("`{}` is `{name}`, as its step is called", super::names::clean(given));
+                    let message = format!("`{}` is `{name}`, as its step is called", clean(given));
                     diagnostics.push(changed(variable.span, message));
                 }
                 found.keywords.push(None);

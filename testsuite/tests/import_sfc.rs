@@ -1,0 +1,225 @@
+//! Sequential function charts of other tools: what they become, what is said about it, and that nothing breaks.
+//!
+//! `testsuite/imports/sfc` holds files, the charts `NAME.gct` and the reports `NAME.report`, written by hand.
+
+use grafc_diagnostics::{Code, Diagnostics, FileId};
+use grafc_import::{Dialect, Imported, Options};
+use grafc_testsuite::binary;
+use grafc_testsuite::runs::caught;
+use std::time::Instant;
+
+/// The files and the dialects that they are read in.
+const FILES: [&str; 3] = ["filling.xml", "sorting.txt", "crane.xml"];
+
+fn read(name: &str) -> String {
+    let path = binary::root().join("testsuite/imports/sfc").join(name);
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn import(text: &str, options: &Options) -> Result<(String, Diagnostics), Diagnostics> {
+    let (chart, diagnostics) = grafc_import::import(FileId::default(), text, options);
+    assert_eq!(chart.is_none(), diagnostics.has_errors(), "a chart exactly if there is no error: {diagnostics:?}");
+    chart.map(|chart| (chart, diagnostics.clone())).ok_or(diagnostics)
+}
+
+/// Codes and places of messages, as a report has them.
+fn lines(text: &str, diagnostics: &Diagnostics) -> Vec<String> {
+    let mut diagnostics = diagnostics.clone();
+    diagnostics.sort_by_place();
+    let place = |at: usize| {
+        let before = &text[..at];
+        let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
+        format!("{}:{column}", before.matches('\n').count() + 1)
+    };
+    let line = |message: &grafc_diagnostics::Diagnostic| {
+        format!("{} {}", message.code.as_str(), place(message.primary.span.range().start))
+    };
+    diagnostics.iter().map(line).collect()
+}
+
+/// Errors of an import, where they are; each says what to do.
+fn faults(text: &str) -> Vec<String> {
+    let diagnostics = import(text, &Options::default()).expect_err("it has errors");
+    let helps = |d: &grafc_diagnostics::Diagnostic| d.help.is_some() || d.code.as_str().starts_with('W');
+    assert!(diagnostics.iter().all(helps), "an error without help: {diagnostics:?}");
+    lines(text, &diagnostics).into_iter().filter(|line| line.starts_with('E')).collect()
+}
+
+/// The report says nothing of a place that is not there, and what is written is a chart in canonical format.
+fn holds(text: &str, found: &(Vec<Imported>, Diagnostics)) {
+    let (charts, diagnostics) = found;
+    assert_eq!(charts.is_empty(), diagnostics.has_errors(), "{diagnostics:?}");
+    for message in diagnostics {
+        assert_ne!(message.code, Code::E0901, "{message:?}\n{text}");
+        let range = message.primary.span.range();
+        assert!(text.get(range.clone()).is_some(), "no such place: {range:?}");
+    }
+    for chart in charts {
+        let (tree, faults) = grafc_syntax::parse(FileId::default(), &chart.text);
+        assert!(!faults.has_errors(), "{faults:?}\n{}", chart.text);
+        assert_eq!(grafc_syntax::format(&chart.text, &tree), chart.text);
+    }
+}
+
+#[test]
+fn charts_and_reports_are_as_written_by_hand() {
+    for name in FILES {
+        let text = read(name);
+        let (chart, diagnostics) =
+            import(&text, &Options::default()).unwrap_or_else(|diagnostics| panic!("{name}: {diagnostics:?}"));
+        let stem = name.split('.').next().expect("a name");
+        assert_eq!(chart, read(&format!("{stem}.gct")), "{name}");
+        let report = read(&format!("{stem}.report"));
+        assert_eq!(lines(&text, &diagnostics), report.lines().collect::<Vec<_>>(), "{name}: {diagnostics:?}");
+        assert!(grafc::check(FileId(0), &chart, name).0.is_some(), "{name}");
+    }
+}
+
+/// Not one byte of a file can be missing so that something breaks.
+#[test]
+fn files_cut_off_anywhere_are_told() {
+    for name in FILES {
+        let text = read(name);
+        for end in (0..text.len()).filter(|&end| text.is_char_boundary(end)) {
+            let cut = &text[..end];
+            let found = caught(|| Ok(grafc_import::import_all(FileId::default(), cut, &Options::default())));
+            holds(cut, &found.unwrap_or_else(|fault| panic!("{name}, {end} bytes: {fault}")));
+        }
+    }
+}
+
+/// Bytes changed, doubled and left out.
+#[test]
+fn damaged_files_give_an_error_or_charts() {
+    let texts: Vec<String> = FILES.iter().map(|name| read(name)).collect();
+    let (mut charts, mut errors) = (0, 0);
+    for seed in 0..2_000 {
+        let mut rng = fastrand::Rng::with_seed(seed);
+        let text = grafc_testsuite::xmi::damaged(&texts[seed as usize % texts.len()], &mut rng);
+        let dialect = [Dialect::Iec, Dialect::Codesys, Dialect::Isagraf][rng.usize(..3)];
+        let options = Options { dialect: Some(dialect), ..Options::default() };
+        let found = caught(|| Ok(grafc_import::import_all(FileId::default(), &text, &options)));
+        let found = found.unwrap_or_else(|fault| panic!("seed {seed}: {fault}\n{text}"));
+        holds(&text, &found);
+        if found.0.is_empty() { errors += 1 } else { charts += 1 }
+    }
+    assert!(charts > 200 && errors > 200, "{charts} charts, {errors} errors");
+}
+
+/// A body with some elements, in a project around it.
+fn body(elements: &str) -> String {
+    format!(
+        "<project><types><pous><pou name=\"P\" pouType=\"program\"><interface/><body><SFC>\n{elements}\n</SFC></body></pou>\
+         </pous></types></project>"
+    )
+}
+
+const STEP: &str = "<step localId=\"1\" name=\"A\" initialStep=\"true\"/>";
+
+#[test]
+fn what_is_wrong_is_an_error_at_its_place() {
+    let transition = |from: u32| {
+        format!(
+            "<transition localId=\"2\"><connectionPointIn><connection refLocalId=\"{from}\"/></connectionPointIn></transition>"
+        )
+    };
+    assert_eq!(faults("<project/>"), ["E0703 1:1"]);
+    assert_eq!(faults("PROGRAM P END_PROGRAM"), ["E0703 1:1"]);
+    assert_eq!(faults("some words"), ["E0703 1:1"]);
+    // Two elements with one identity, one that is not there, a step without a name.
+    assert_eq!(faults(&body(&format!("{STEP}\n{STEP}"))), ["E0704 3:1", "E0705 3:1"]);
+    assert_eq!(faults(&body(&format!("{STEP}\n{}", transition(7)))), ["E0704 3:44"]);
+    assert_eq!(faults(&body("<step localId=\"1\"/>")), ["E0705 2:1"]);
+    assert_eq!(faults(&body("<step name=\"A\"/>")), ["E0705 2:1"]);
+    let jump = "<jumpStep localId=\"3\" targetName=\"B\"><connectionPointIn><connection refLocalId=\"2\"/></connectionPointIn></jumpStep>";
+    assert_eq!(faults(&body(&format!("{STEP}\n{}\n{jump}", transition(1)))), ["E0704 4:1"]);
+    let block = "<actionBlock localId=\"2\"><connectionPointIn><connection refLocalId=\"1\"/></connectionPointIn>\n\
+                 <action qualifier=\"Q\"><reference name=\"x\"/></action></actionBlock>";
+    assert_eq!(faults(&body(&format!("{STEP}\n{block}"))), ["E0705 4:1"]);
+    let two = "PROGRAM P\nINITIAL_STEP A END_STEP\nSTEP A END_STEP\nTRANSITION FROM A TO B := TRUE; END_TRANSITION\nEND_PROGRAM";
+    assert_eq!(faults(two), ["E0705 3:6", "E0704 4:22"]);
+    assert_eq!(
+        faults("PROGRAM P\nINITIAL_STEP A : x(QQ); END_STEP\nTRANSITION := 1; END_TRANSITION"),
+        ["E0705 1:9", "E0705 2:18", "E0705 3:1"]
+    );
+    // Several charts, none of them named.
+    let both = "PROGRAM P INITIAL_STEP A END_STEP END_PROGRAM PROGRAM Q INITIAL_STEP A END_STEP END_PROGRAM";
+    assert_eq!(faults(both), ["E0706 1:1"]);
+    let one = Options { unit: Some("q".into()), ..Options::default() };
+    assert!(import(both, &one).expect("a chart").0.contains("chart Q\n"));
+    let other = Options { unit: Some("R".into()), ..Options::default() };
+    assert!(import(both, &other).expect_err("none").iter().all(|d| d.code == Code::E0703));
+}
+
+/// Files that are made to break readers: all end soon, with a report or an error.
+#[test]
+fn hostile_files_are_told_soon() {
+    let wired = |kind: &str, local: usize, from: &[usize]| {
+        let wires: String = from.iter().map(|from| format!("<connection refLocalId=\"{from}\"/>")).collect();
+        format!("<{kind} localId=\"{local}\"><connectionPointIn>{wires}</connectionPointIn></{kind}>\n")
+    };
+    // An entity bomb, wires in loops, between selections, joins and forks.
+    let bomb = "<!DOCTYPE p [<!ENTITY a 'ha'><!ENTITY b '&a;&a;&a;'>]><project>&b;</project>";
+    assert_eq!(faults(bomb), ["E0702 1:1"]);
+    for kind in ["selectionConvergence", "simultaneousConvergence", "selectionDivergence"] {
+        let ring = wired(kind, 2, &[3]) + &wired(kind, 3, &[2, 1]) + &wired("transition", 4, &[2]);
+        let text = body(&format!("{STEP}\n{ring}"));
+        holds(&text, &grafc_import::import_all(FileId::default(), &text, &Options::default()));
+    }
+    // A condition of blocks that wait for each other, and one that doubles at each of 60 blocks.
+    let block = |local: usize, from: [usize; 2]| {
+        let inputs: String = from
+            .iter()
+            .map(|from| format!("<variable formalParameter=\"IN\"><connectionPointIn><connection refLocalId=\"{from}\"/></connectionPointIn></variable>"))
+            .collect();
+        format!(
+            "<block localId=\"{local}\" typeName=\"XOR\"><inputVariables>{inputs}</inputVariables><inOutVariables/><outputVariables/></block>\n"
+        )
+    };
+    let condition = "<condition><connectionPointIn><connection refLocalId=\"60\"/></connectionPointIn></condition>";
+    let asks = format!(
+        "<transition localId=\"99\"><connectionPointIn><connection refLocalId=\"1\"/></connectionPointIn>{condition}</transition>"
+    );
+    let variable = "<inVariable localId=\"10\"><connectionPointOut/><expression>a</expression></inVariable>\n";
+    let ring: String = (11..=60).map(|n| block(n, [if n == 11 { 60 } else { n - 1 }, 10])).collect();
+    let text = body(&format!("{STEP}\n{variable}{ring}{asks}"));
+    let (chart, report) = import(&text, &Options::default()).expect("a chart");
+    assert!(
+        chart.contains(": condition_1\n") && lines(&text, &report).iter().any(|line| line.starts_with("W0703")),
+        "{chart}"
+    );
+    let doubling: String = (11..=60).map(|n| block(n, [n - 1, n - 1])).collect();
+    assert!(faults(&body(&format!("{STEP}\n{variable}{doubling}{asks}")))[0].starts_with("E0702"));
+    // Joins of selections of joins: the ways to one transition double at each.
+    let steps: String = (100..140).map(|n| format!("<step localId=\"{n}\" name=\"S{n}\"/>\n")).collect();
+    let mut joins = wired("selectionConvergence", 200, &[100, 101]);
+    for n in 1..20 {
+        joins += &wired("selectionConvergence", 200 + 2 * n, &[100 + 2 * n, 101 + 2 * n]);
+        let before = if n == 1 { 200 } else { 199 + 2 * n };
+        joins += &format!(
+            "<simultaneousConvergence localId=\"{}\"><connectionPointIn><connection refLocalId=\"{before}\"/></connectionPointIn>\
+             <connectionPointIn><connection refLocalId=\"{}\"/></connectionPointIn></simultaneousConvergence>\n",
+            201 + 2 * n,
+            200 + 2 * n
+        );
+    }
+    let last = wired("transition", 999, &[239]);
+    assert!(faults(&body(&format!("{STEP}\n{steps}{joins}{last}")))[0].starts_with("E0702"));
+    // Ten megabytes of data that mean nothing, deep nesting, long names.
+    let data = format!("<addData><data name=\"x\"><y>{}</y></data></addData>", "<z a=\"1\">words</z>".repeat(600_000));
+    let started = Instant::now();
+    let text = body(&format!("{STEP}\n{data}"));
+    assert!(import(&text, &Options::default()).is_ok());
+    let took = started.elapsed();
+    assert!(took.as_secs() < 60, "ten megabytes of data took {took:?}");
+    assert!(faults(&body(&"<addData>".repeat(1_000_000)))[0].starts_with("E0702"));
+    let deep = format!(
+        "PROGRAM P INITIAL_STEP A : b; END_STEP ACTION b : {} END_ACTION END_PROGRAM",
+        "IF a THEN ".repeat(20_000)
+    );
+    let found = grafc_import::import_all(FileId::default(), &deep, &Options::default());
+    holds(&deep, &found);
+    let call = "PROGRAM P INITIAL_STEP A : b; END_STEP ACTION b : b(); b(); END_ACTION END_PROGRAM";
+    let (_, report) = import(call, &Options::default()).expect("a chart");
+    assert!(report.iter().any(|message| message.code == Code::W0703), "{report:?}");
+}
