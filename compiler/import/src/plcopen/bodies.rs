@@ -1,12 +1,10 @@
 //! Bodies of actions and transitions, in each of the languages.
 
-use super::chart;
 use super::document::child;
 use super::graph::Graph;
 use super::network::Network;
 use crate::code::tree::{Code, ExprId, ExprKind, Statement};
 use crate::code::{expression, il, read};
-use crate::sfc::Body;
 use crate::xml::{Document, ElementId};
 use grafc_diagnostics::Diagnostics;
 use rustc_hash::FxHashMap;
@@ -30,15 +28,6 @@ pub fn language(document: &Document, body: ElementId) -> Option<(&str, ElementId
 }
 
 impl Reading<'_> {
-    /// The body of an action; none if it has none, or if it is in no language that is known.
-    pub fn action(&mut self, body: ElementId, conditions: &Conditions) -> Option<Body> {
-        let (language, id) = language(self.document, body)?;
-        match language {
-            "SFC" => Some(Body::Chart(chart::read(self, id, conditions))),
-            _ => Some(Body::Statements(self.statements(language, id))),
-        }
-    }
-
     /// The statements of a text or a network.
     pub fn statements(&mut self, language: &str, id: ElementId) -> Vec<Statement> {
         let source = self.document.source(self.text, id);

@@ -17,7 +17,7 @@ mod vendor;
 mod wires;
 
 use crate::code::tree::Code;
-use crate::sfc::{NamedAction, Project, Section, Unit};
+use crate::sfc::{Body, NamedAction, Project, Section, Unit};
 use crate::xml::{Document, ElementId};
 use bodies::{Conditions, Reading};
 use document::{child, children, name};
@@ -72,7 +72,7 @@ fn unit(reading: &mut Reading, id: ElementId) -> Option<Unit> {
         let named: Vec<ElementId> = children(document, list, "action").collect();
         for action in named {
             let element = &document.elements[action];
-            let body = child(document, action, "body").and_then(|body| reading.action(body, &conditions));
+            let body = child(document, action, "body").and_then(|body| action_body(reading, body, &conditions));
             if let (Some(name), Some(body)) = (document::name(element), body) {
                 unit.actions.push(NamedAction { name: name.to_string(), span: element.span, body });
             }
@@ -86,6 +86,15 @@ fn unit(reading: &mut Reading, id: ElementId) -> Option<Unit> {
         }
     }
     Some(unit)
+}
+
+/// The body of an action; none if it has none, or if it is in no language that is known.
+fn action_body(reading: &mut Reading, body: ElementId, conditions: &Conditions) -> Option<Body> {
+    let (language, id) = bodies::language(reading.document, body)?;
+    Some(match language {
+        "SFC" => Body::Chart(chart::read(reading, id, conditions)),
+        _ => Body::Statements(reading.statements(language, id)),
+    })
 }
 
 /// The transitions that have bodies of their own.
