@@ -146,7 +146,7 @@ fn what_is_wrong_is_an_error_at_its_place() {
     let both = "PROGRAM P INITIAL_STEP A END_STEP END_PROGRAM PROGRAM Q INITIAL_STEP A END_STEP END_PROGRAM";
     assert_eq!(faults(both), ["E0706 1:1"]);
     let one = Options { unit: Some("q".into()), ..Options::default() };
-    assert!(import(both, &one).expect("a chart").0.contains("chart Q\n"));
+    assert!(import(both, &one).expect("a chart").0.contains("chart Q evolution scan\n"));
     let other = Options { unit: Some("R".into()), ..Options::default() };
     assert!(import(both, &other).expect_err("none").iter().all(|d| d.code == Code::E0703));
 }

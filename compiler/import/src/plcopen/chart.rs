@@ -28,7 +28,9 @@ pub fn read(reading: &mut Reading, body: ElementId, conditions: &Conditions) -> 
     reader.steps();
     reader.actions();
     reader.transitions(body);
-    reader.chart
+    let mut chart = reader.chart;
+    chart.beside = Network::new(&graph, reading.code).statements();
+    chart
 }
 
 struct ChartReader<'r, 'a> {

@@ -87,6 +87,8 @@ pub enum Body {
 pub struct Chart {
     pub steps: Vec<Step>,
     pub transitions: Vec<Transition>,
+    /// What is drawn beside the steps and done in each scan: blocks whose outputs are wired to conditions.
+    pub beside: Vec<Statement>,
 }
 
 /// A step.

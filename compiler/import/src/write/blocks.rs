@@ -262,7 +262,8 @@ impl Maker<'_> {
     fn delay(&mut self, key: &str, span: Span) -> Result<(), Loss> {
         let Some(id) = self.variables.find(&format!("{key}.Q")) else { return Ok(()) };
         let Some(call) = self.calls.get(key) else { return Ok(()) };
-        let (scope, steps) = (call.scope.clone(), call.steps.clone());
+        let scope = call.scope.clone();
+        let called = if call.always { Vec::new() } else { call.while_true.clone() };
         let instance = key.rsplit('.').next().unwrap_or(key).to_string();
         let block = self.standard_block(&scope, &instance);
         let site = Site { scope, part: 0, own: None };
@@ -277,8 +278,8 @@ impl Maker<'_> {
             return Err(Loss { why: "charts have no delay of an edge".into(), span });
         }
         let amount = self.amount(time, &site)?;
-        let called: Vec<TermId> = steps.iter().map(|&step| self.terms.logic(TermKind::Active(step), span)).collect();
-        let operand = if called.is_empty() {
+        let always = called.is_empty();
+        let operand = if always {
             operand
         } else {
             let any = self.terms.any(called, span);
@@ -289,7 +290,7 @@ impl Maker<'_> {
                 self.terms.and(any, operand)
             }
         };
-        if self.once(format!("delay {key}")) && !steps.is_empty() {
+        if self.once(format!("delay {key}")) && !always {
             let message = format!("the time of `{instance}` runs while its step is active and its input is true");
             self.diagnostics.push(
                 doubtful(span, message)

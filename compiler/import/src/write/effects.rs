@@ -146,9 +146,11 @@ impl<'a> Maker<'a> {
                 let mut branches = vec![*condition];
                 branches.extend(run.branches.remove(&(run.at - 1)).unwrap_or_default());
                 let mut known: Vec<Option<TermId>> = Vec::new();
+                self.here = run.here;
                 for condition in branches {
                     known.push(self.guard(condition, &run.site, effects));
                 }
+                self.here = None;
                 known.reverse();
                 let around = run.here;
                 let none = self.terms.constant(false, span);
@@ -159,7 +161,10 @@ impl<'a> Maker<'a> {
             StatementKind::Case(selector) => {
                 let site = run.site.clone();
                 let ty = self.type_of_selector(*selector, &site);
-                let selector = match self.value(*selector, ty, &site, &effects.environment) {
+                self.here = run.here;
+                let chosen = self.value(*selector, ty, &site, &effects.environment);
+                self.here = None;
+                let selector = match chosen {
                     Ok(cases) => Some(cases),
                     Err(loss) => {
                         effects.lose_loss(loss, "a `CASE`");
@@ -286,7 +291,10 @@ impl<'a> Maker<'a> {
             Err(loss) => return effects.lose(span, &loss.why, text()),
         };
         let ty = self.variables.list[variable].ty;
-        match self.value(value, ty, site, &effects.environment) {
+        self.here = Some(here);
+        let cases = self.value(value, ty, site, &effects.environment);
+        self.here = None;
+        match cases {
             Ok(cases) => self.set(variable, here, cases, effects),
             Err(loss) => effects.lose(span, &loss.why, text()),
         }
@@ -302,52 +310,21 @@ impl<'a> Maker<'a> {
             return;
         };
         let mut all: Cases = Vec::new();
-        if !self.terms.is(here, true) {
-            let not = self.terms.not(here);
-            for (guard, value) in before {
-                let guard = if self.excludes(guard, here) { guard } else { self.terms.and(guard, not) };
+        for (guard, value) in before {
+            // What is left of the condition where the guard holds; nothing if the assignment before stands alone.
+            let guard = match self.terms.under(here, guard) {
+                None => guard,
+                Some(rest) => {
+                    let not = self.terms.not(rest);
+                    self.terms.and(guard, not)
+                }
+            };
+            if !self.terms.is(guard, false) {
                 all.push((guard, value));
             }
         }
         all.extend(new);
         effects.environment.insert(variable, all);
-    }
-
-    /// Whether two guards cannot both hold, as their form tells: different numbers of one `CASE`, a condition and its
-    /// negation.
-    fn excludes(&self, a: TermId, b: TermId) -> bool {
-        let factors = |id: TermId| {
-            let (mut stack, mut found) = (vec![id], Vec::new());
-            while let Some(id) = stack.pop() {
-                match self.terms.terms[id].kind {
-                    TermKind::And(a, b) if found.len() < 16 => stack.extend([a, b]),
-                    _ => found.push(id),
-                }
-            }
-            found
-        };
-        let (a, b) = (factors(a), factors(b));
-        a.iter().any(|&a| b.iter().any(|&b| self.contradicts(a, b)))
-    }
-
-    /// Whether two factors contradict each other by their form.
-    pub fn contradicts(&self, a: TermId, b: TermId) -> bool {
-        let kind = |id: TermId| &self.terms.terms[id].kind;
-        match (kind(a), kind(b)) {
-            (TermKind::Not(inner), _) if *inner == b => true,
-            (_, TermKind::Not(inner)) if *inner == a => true,
-            (TermKind::Not(inner), other) => self.is_atom(kind(*inner)) && kind(*inner) == other,
-            (other, TermKind::Not(inner)) => self.is_atom(kind(*inner)) && kind(*inner) == other,
-            (TermKind::Pair(" = ", x, m), TermKind::Pair(" = ", y, n)) => {
-                kind(*x) == kind(*y)
-                    && matches!((kind(*m), kind(*n)), (TermKind::Integer(m), TermKind::Integer(n)) if m != n)
-            }
-            _ => false,
-        }
-    }
-
-    fn is_atom(&self, kind: &TermKind) -> bool {
-        matches!(kind, TermKind::Variable(_) | TermKind::Active(_))
     }
 
     fn call(

@@ -64,8 +64,10 @@ pub struct StepText {
 pub struct BlockCall {
     pub scope: Scope,
     pub arguments: Vec<Argument>,
-    /// While which steps are active it is made.
-    pub steps: Vec<StepId>,
+    /// While one of them holds it is made; none: in each scan.
+    pub while_true: Vec<TermId>,
+    /// Whether it is made in each scan.
+    pub always: bool,
     pub span: Span,
 }
 
@@ -89,6 +91,8 @@ pub struct Maker<'a> {
     pub constants: FxHashMap<String, i64>,
     /// Calls of function blocks, by the path of the instance in small letters.
     pub calls: FxHashMap<String, BlockCall>,
+    /// The condition under which a value is looked at.
+    pub here: Option<TermId>,
     /// How deep edges of edges are looked at.
     pub depth: usize,
     /// The number of the last condition that was lost.

@@ -55,6 +55,7 @@ pub fn write(
         units,
         constants: constants(project),
         calls: FxHashMap::default(),
+        here: None,
         depth: 0,
         lost_conditions: 0,
         said: FxHashSet::default(),

@@ -188,18 +188,49 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// Notes which function blocks are called, and while which steps.
+    /// Notes which function blocks are called, and while what is true.
     pub fn find_calls(&mut self) {
         for part in 0..self.parts.len() {
             let (chart, scope, first) =
                 (self.parts[part].chart, self.parts[part].scope.clone(), self.parts[part].first);
+            self.note_calls(&scope, &chart.beside, None);
             for (place, step) in chart.steps.iter().enumerate() {
                 for association in &step.actions {
-                    let Some((scope, statements)) = self.statements(&scope, association) else { continue };
-                    self.note_calls(&scope, statements, StepId::new(first + place));
+                    let Some((inner, statements)) = self.statements(&scope, association) else { continue };
+                    let condition = match (association.qualifier, &association.action) {
+                        // What it is stored in counts, not the step that stores it.
+                        (Qualifier::R, _) => continue,
+                        (Qualifier::S | Qualifier::SD | Qualifier::DS | Qualifier::SL, Target::Named(name)) => {
+                            if self.is_always(part, step.initial, name) {
+                                None
+                            } else {
+                                let path = format!("{}{name}.on", inner.prefix);
+                                let on = self.variables.helper(&path, super::terms::Ty::Bool, association.span);
+                                self.variables.list[on].used.read = true;
+                                Some(self.terms.logic(super::terms::TermKind::Variable(on), association.span))
+                            }
+                        }
+                        _ => {
+                            let step = StepId::new(first + place);
+                            Some(self.terms.logic(super::terms::TermKind::Active(step), association.span))
+                        }
+                    };
+                    self.note_calls(&inner, statements, condition);
                 }
             }
         }
+    }
+
+    /// Whether an action is done from the first scan on for ever: an initial step stores it and no step resets it.
+    pub fn is_always(&self, part: usize, initial: bool, name: &str) -> bool {
+        let chart = self.parts[part].chart;
+        let mut associations = chart.steps.iter().flat_map(|step| &step.actions);
+        initial
+            && self.parts[part].called.is_none()
+            && !associations.any(|association| {
+                let named = matches!(&association.action, Target::Named(other) if other.eq_ignore_ascii_case(name));
+                named && association.qualifier == Qualifier::R
+            })
     }
 
     /// The statements of an association; none of those that are variables or charts.
@@ -216,7 +247,7 @@ impl<'a> Maker<'a> {
         }
     }
 
-    fn note_calls(&mut self, scope: &Scope, statements: &'a [Statement], step: StepId) {
+    fn note_calls(&mut self, scope: &Scope, statements: &'a [Statement], condition: Option<TermId>) {
         for statement in statements {
             let StatementKind::Call(name, arguments) = &statement.kind else { continue };
             if self.standard_block(scope, name).is_none() {
@@ -226,12 +257,15 @@ impl<'a> Maker<'a> {
             let call = self.calls.entry(key).or_insert_with(|| BlockCall {
                 scope: scope.clone(),
                 arguments: arguments.clone(),
-                steps: Vec::new(),
+                while_true: Vec::new(),
+                always: false,
                 span: statement.span,
             });
             if call.span == statement.span {
-                if !call.steps.contains(&step) {
-                    call.steps.push(step);
+                match condition {
+                    Some(condition) if !call.while_true.contains(&condition) => call.while_true.push(condition),
+                    Some(_) => {}
+                    None => call.always = true,
                 }
             } else {
                 let message =

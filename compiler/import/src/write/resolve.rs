@@ -301,10 +301,17 @@ impl Maker<'_> {
         let old = self.terms.add(TermKind::Variable(id), Some(ty), span);
         let Some(cases) = environment.get(&id) else { return Ok(self.certain(old)) };
         let mut cases = cases.clone();
+        if let Some(here) = self.here {
+            let possible = cases.into_iter().filter_map(|(guard, value)| Some((self.terms.under(guard, here)?, value)));
+            cases = possible.collect();
+        }
         let guards: Vec<TermId> = cases.iter().map(|(guard, _)| *guard).collect();
         if !guards.iter().any(|&guard| self.terms.is(guard, true)) {
             let any = self.terms.any(guards, span);
-            cases.push((self.terms.not(any), old));
+            let rest = self.terms.not(any);
+            if !self.terms.is(rest, false) {
+                cases.push((rest, old));
+            }
         }
         if cases.len() > MOST_CASES {
             return Err(Loss { why: "its value depends on too many cases".into(), span });

@@ -21,9 +21,6 @@ pub struct Written {
     priority: Option<i64>,
 }
 
-/// How many factors of a condition are compared with those of another.
-const FACTORS: usize = 32;
-
 /// How many transitions after one step are compared with each other.
 const MOST: usize = 200;
 
@@ -127,7 +124,7 @@ impl Maker<'_> {
                 let before: Vec<usize> = list[..rank]
                     .iter()
                     .copied()
-                    .filter(|&other| !self.exclusive(conditions[other], conditions[place]))
+                    .filter(|&other| !self.terms.exclude(conditions[other], conditions[place]))
                     .collect();
                 if before.is_empty() {
                     continue;
@@ -164,59 +161,6 @@ impl Maker<'_> {
                 self.diagnostics.push(changed(span, message).note("its condition says so now, by their negations"));
             }
         }
-    }
-
-    /// Whether two conditions exclude each other by their form.
-    fn exclusive(&self, a: TermId, b: TermId) -> bool {
-        let (a, b) = (self.factors(a), self.factors(b));
-        a.iter().any(|&a| b.iter().any(|&b| self.opposed(a, b)))
-    }
-
-    fn factors(&self, id: TermId) -> Vec<TermId> {
-        let (mut stack, mut found) = (vec![id], Vec::new());
-        while let Some(id) = stack.pop() {
-            match self.terms.terms[id].kind {
-                TermKind::And(a, b) if found.len() + stack.len() < FACTORS => stack.extend([b, a]),
-                _ => found.push(id),
-            }
-        }
-        found
-    }
-
-    fn opposed(&self, a: TermId, b: TermId) -> bool {
-        if self.contradicts(a, b) {
-            return true;
-        }
-        let (a, b) = (&self.terms.terms[a].kind, &self.terms.terms[b].kind);
-        let (TermKind::Pair(one, x, m), TermKind::Pair(two, y, n)) = (a, b) else { return false };
-        let same = |p: TermId, q: TermId| self.same(p, q);
-        let opposites =
-            [(" < ", " >= "), (" > ", " <= "), (" = ", " <> "), (" < ", " > "), (" < ", " = "), (" > ", " = ")];
-        let found = opposites.iter().any(|&(p, q)| (p, q) == (*one, *two) || (q, p) == (*one, *two));
-        found && same(*x, *y) && same(*m, *n)
-    }
-
-    /// Whether two small terms are the same.
-    fn same(&self, a: TermId, b: TermId) -> bool {
-        let mut stack = vec![(a, b)];
-        for _ in 0..FACTORS {
-            let Some((a, b)) = stack.pop() else { return true };
-            let (one, two) = (&self.terms.terms[a].kind, &self.terms.terms[b].kind);
-            let (left, right) = (self.terms.operands(a), self.terms.operands(b));
-            if left.len() != right.len() || std::mem::discriminant(one) != std::mem::discriminant(two) {
-                return false;
-            }
-            if left.is_empty() && one != two {
-                return false;
-            }
-            if let (TermKind::Pair(p, ..), TermKind::Pair(q, ..)) = (one, two)
-                && p != q
-            {
-                return false;
-            }
-            stack.extend(left.into_iter().zip(right));
-        }
-        false
     }
 
     /// The name of a step in the file.

@@ -34,8 +34,33 @@ impl<'a> Maker<'a> {
                 let id = StepId::new(self.parts[part].first + place);
                 self.body_of_step(part, id, &step.actions, &mut named);
             }
+            self.beside(part, &chart.beside);
         }
         named
+    }
+
+    /// What is done in each scan while a chart goes on, whatever step is active.
+    fn beside(&mut self, part: usize, statements: &'a [crate::code::tree::Statement]) {
+        let scope = self.parts[part].scope.clone();
+        let span = self.parts[part].span;
+        let guard = match self.parts[part].called {
+            Some(called) => called,
+            None => self.terms.constant(true, span),
+        };
+        self.in_each_scan(vec![Done { site: Site { scope, part, own: None }, guard, statements }]);
+    }
+
+    /// Statements that belong to no step.
+    fn in_each_scan(&mut self, bodies: Vec<Done<'a>>) {
+        let effects = self.effects(bodies);
+        for lost_one in effects.lost {
+            self.tell_lost(&lost_one);
+        }
+        for variable in effects.order {
+            for (guard, value) in effects.environment.get(&variable).cloned().unwrap_or_default() {
+                self.always_stored(variable, value, guard);
+            }
+        }
     }
 
     fn body_of_step(&mut self, part: usize, step: StepId, actions: &'a [Association], named: &mut Vec<Named>) {
@@ -259,6 +284,14 @@ impl<'a> Maker<'a> {
             self.diagnostics.push(lost(span, "an action without a name is lost: nobody could reset it"));
             return;
         };
+        let initial = self.parts[part].chart.steps[self.steps[step].step].initial;
+        if association.qualifier == Qualifier::S && self.is_always(part, initial, name) {
+            if self.once(format!("stored {}{name}", scope.prefix)) {
+                let guard = self.terms.constant(true, span);
+                self.in_each_scan(vec![Done { site: Site { scope, part, own: None }, guard, statements }]);
+            }
+            return;
+        }
         let on = self.variables.helper(&format!("{}{name}.on", scope.prefix), Ty::Bool, span);
         self.variables.list[on].used.stored = true;
         let set = !matches!(association.qualifier, Qualifier::R);
@@ -278,21 +311,14 @@ impl<'a> Maker<'a> {
             .push(doubtful(span, message).note("a chart sees in each scan what was stored in the scan before"));
         self.variables.list[on].used.read = true;
         let guard = self.terms.add(TermKind::Variable(on), Some(Ty::Bool), span);
-        let effects = self.effects(vec![Done { site: Site { scope, part, own: None }, guard, statements }]);
-        for lost_one in effects.lost {
-            self.tell_lost(&lost_one);
-        }
-        for variable in effects.order {
-            for (guard, value) in effects.environment.get(&variable).cloned().unwrap_or_default() {
-                self.always_stored(variable, value, guard);
-            }
-        }
+        self.in_each_scan(vec![Done { site: Site { scope, part, own: None }, guard, statements }]);
     }
 
     /// What is stored in each scan in which a guard holds, whatever step is active.
     fn always_stored(&mut self, variable: VarId, value: TermId, guard: TermId) {
         if capabilities::EACH_SCAN {
-            self.always.push(Action::Stored { variable, value, when: When::EachScan(Some(guard)) });
+            let guard = (!self.terms.is(guard, true)).then_some(guard);
+            self.always.push(Action::Stored { variable, value, when: When::EachScan(guard) });
             return;
         }
         let (name, span) = (self.variables.list[variable].path.clone(), self.terms.terms[value].span);

@@ -5,10 +5,12 @@
 //! call, as the PLC's cycle fixes it.
 
 mod executor;
+mod original;
 mod run;
 mod tools;
 
 pub(super) use executor::executors;
+pub use original::play_program;
 pub use run::{Language, accepts, miscalculates, run};
 pub(super) use run::{RUNTIME, Unit, build_and_play};
 pub use tools::Tools;

@@ -1,0 +1,81 @@
+//! Imported charts do, scan by scan, what MATIEC makes of the original text.
+//!
+//! Each file in `testsuite/imports/sfc` that is text runs over random scans, once as it is, under MATIEC, and once as the
+//! chart that it becomes, in the simulator. None of them has what MATIEC is known to do wrongly: a pulse of an initial step
+//! or of two steps, times compared at whole seconds, one Boolean as an action of two steps one after the other.
+
+use grafc_diagnostics::FileId;
+use grafc_import::Options;
+use grafc_model::chart::{Type, VariableKind};
+use grafc_model::reaction::{Evolution, Profile};
+use grafc_testsuite::binary;
+use grafc_testsuite::charts::{check, stimuli};
+use grafc_testsuite::executors::matiec::{Tools, play_program};
+use grafc_testsuite::runs::simulate;
+
+/// Scans of a run, and how far they lie apart.
+const SCANS: usize = 1_000;
+const PERIOD_MS: i64 = 10;
+
+#[test]
+fn imports_do_what_matiec_makes_of_the_original() {
+    let Some(tools) = Tools::find_or_skip() else { return };
+    for (name, seeds) in [("sorting", 4), ("qualifiers", 12)] {
+        for seed in 0..seeds {
+            compare(&tools, name, seed);
+        }
+    }
+}
+
+fn compare(tools: &Tools, name: &str, seed: u64) {
+    let path = binary::root().join("testsuite/imports/sfc").join(format!("{name}.txt"));
+    let text = std::fs::read_to_string(path).expect("a file of the suite");
+    let (chart, diagnostics) = grafc_import::import(FileId::default(), &text, &Options::default());
+    let written = chart.unwrap_or_else(|| panic!("{name}: {diagnostics:?}"));
+    let chart = check(name, &written).unwrap_or_else(|fault| panic!("{fault}"));
+    let of_kind = |kind: VariableKind| chart.variables.iter().filter(move |variable| variable.kind == kind);
+    let inputs: Vec<&str> = of_kind(VariableKind::Input).map(|variable| &*variable.name).collect();
+    let outputs: Vec<&str> = of_kind(VariableKind::Output).map(|variable| &*variable.name).collect();
+
+    // Inputs change now and then, so that steps stay active for a while.
+    let mut rng = fastrand::Rng::with_seed(seed);
+    let mut values = vec![0_i64; inputs.len()];
+    let mut rows = Vec::new();
+    let mut trace = format!("t_ms,{}\n", inputs.join(","));
+    for scan in 0..SCANS {
+        for (value, variable) in values.iter_mut().zip(of_kind(VariableKind::Input)) {
+            if rng.u8(..8) == 0 {
+                *value = if variable.ty == Type::Bool { rng.i64(..2).abs() % 2 } else { rng.i64(0..8) };
+            }
+        }
+        let time = scan as i64 * PERIOD_MS;
+        let row: Vec<String> = values.iter().map(i64::to_string).collect();
+        trace.push_str(&format!("{time},{}\n", row.join(",")));
+        rows.push((time, values.clone()));
+    }
+    let original =
+        play_program(tools, &text, name, (&inputs, &outputs), &rows).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+
+    let stimuli = stimuli(name, &trace, &chart).unwrap_or_else(|fault| panic!("{fault}"));
+    let profile = Profile { evolution: Evolution::Scan, ..Profile::default() };
+    let shown = grafc_model::trace::write_trace(&chart, &stimuli, &simulate(&chart, profile, &stimuli));
+    let mut lines = shown.lines();
+    let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
+    let column = |name: &str| header.iter().position(|column| *column == name).expect("a column of each output");
+    let columns: Vec<usize> = outputs.iter().map(|name| column(name)).collect();
+    let mut changes = 0;
+    let mut last = Vec::new();
+    for (scan, (line, expected)) in lines.zip(&original).enumerate() {
+        let cells: Vec<&str> = line.split(',').collect();
+        let value = |column: &usize| cells[*column].parse::<i64>().expect("a number");
+        let found: Vec<i64> = columns.iter().map(value).collect();
+        assert_eq!(
+            &found, expected,
+            "{name}, seed {seed}, scan {scan} with {inputs:?} = {:?}: {outputs:?} of the import and of the original",
+            rows[scan].1
+        );
+        changes += usize::from(last != found);
+        last = found;
+    }
+    assert!(changes > 20, "{name}, seed {seed}: only {changes} changes");
+}
