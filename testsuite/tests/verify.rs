@@ -270,5 +270,7 @@ fn say(what: &str) {
 mod by_hand;
 #[path = "verify/claims.rs"]
 mod claims;
+#[path = "verify/plants.rs"]
+mod plants;
 #[path = "verify/textbook.rs"]
 mod textbook;

@@ -77,3 +77,31 @@ fn what_is_open_ends_with_4() {
     assert!(found.out.contains("open   deadlock: the number `n`"), "{}", found.out);
     folder.run(&["verify", "round.gct", "--time", "0"]).ends(2, "");
 }
+
+#[test]
+fn circuits_for_engines_of_others() {
+    let folder = Folder::new(&[("round.gct", ROUND), ("faulty.gct", FAULTY)]);
+    // Two inputs beside `rests`; one file a language, and nothing proved.
+    folder.run(&["verify", "round.gct", "-q", "--emit", "aiger", "-o", "round.aig"]).is_done();
+    let aiger = std::fs::read(folder.path("round.aig")).unwrap();
+    let header = aiger.split(|byte| *byte == b'\n').next().unwrap();
+    assert!(header.starts_with(b"aig ") && header.split(|byte| *byte == b' ').nth(2) == Some(b"2"), "{header:?}");
+    let smv = folder.run(&["verify", "round.gct", "-q", "--emit", "smv"]);
+    assert!(smv.is_done().out.contains("MODULE main\nIVAR\n  i0 : boolean; -- a\n"), "{}", smv.out);
+    let faulty = folder.run(&["verify", "faulty.gct", "--emit", "smv", "-o", "faulty.smv"]);
+    faulty.ends(1, "E0201");
+    assert!(!folder.path("faulty.smv").exists());
+    folder.run(&["verify", "round.gct", "-o", "round.aig"]).ends(2, "--emit");
+    folder.run(&["verify", "round.gct", "--emit", "smv", "--traces", "faults"]).ends(2, "--traces");
+    folder.run(&["verify", "round.gct", "-q", "--emit", "smv", "-o", "round.gct"]).ends(2, "round.gct");
+}
+
+#[test]
+fn a_real_number_has_no_circuit() {
+    let chart = "chart Warm\ninput t : real\ninitial step 1\nstep 2\ntransition 1 -> 2 : [t > 8.5]\n\
+                 transition 2 -> 1 : [t < 5.0]\n";
+    let folder = Folder::new(&[("warm.gct", chart)]);
+    let found = folder.run(&["verify", "warm.gct", "-q", "--emit", "aiger"]);
+    found.ends(4, "real number");
+    assert!(found.out.is_empty());
+}

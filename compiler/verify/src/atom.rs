@@ -10,6 +10,8 @@ pub(crate) enum Atom {
     Holds(VarId),
     /// Whether a number that is given is not below a bound.
     AtLeast(VarId, Bound),
+    /// A bit of a whole number that is given: asked where it is not only compared with what is known.
+    Bit(VarId, usize),
     /// Whether what measures this operand has run for so many milliseconds.
     Ends(usize, i64),
 }
@@ -228,16 +230,16 @@ impl Path {
     pub(crate) fn known(&self, atom: Atom, ty: Type) -> Option<bool> {
         let mut so_far = self.answers().iter();
         match atom {
-            Atom::Holds(_) => so_far.find(|(other, _)| *other == atom).map(|(_, answer)| *answer),
+            Atom::Holds(_) | Atom::Bit(..) => so_far.find(|(other, _)| *other == atom).map(|(_, answer)| *answer),
             Atom::AtLeast(v, bound) => bound.trivial(ty).or_else(|| {
                 so_far.find_map(|(other, answer)| match *other {
                     Atom::AtLeast(w, other) if w == v => follows(bound, other, *answer),
-                    Atom::Holds(_) | Atom::AtLeast(..) | Atom::Ends(..) => None,
+                    Atom::Holds(_) | Atom::AtLeast(..) | Atom::Bit(..) | Atom::Ends(..) => None,
                 })
             }),
             Atom::Ends(operand, time) => so_far.find_map(|(other, answer)| match *other {
                 Atom::Ends(same, other) if same == operand => follows(time, other, *answer),
-                Atom::Holds(_) | Atom::AtLeast(..) | Atom::Ends(..) => None,
+                Atom::Holds(_) | Atom::AtLeast(..) | Atom::Bit(..) | Atom::Ends(..) => None,
             }),
         }
     }

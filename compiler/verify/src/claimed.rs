@@ -39,6 +39,11 @@ impl Claimed {
         }
         claimed
     }
+
+    /// What is true in a state, and asked for later.
+    pub(crate) fn marks(&self) -> Vec<VarId> {
+        self.finals.iter().copied().chain(self.leads.iter().flat_map(|(from, to)| [*from, *to])).collect()
+    }
 }
 
 /// The statements of the last section without those that only show something else.

@@ -110,7 +110,7 @@ impl<'p> Explicit<'p> {
     /// # Errors
     /// What of it cannot be followed.
     pub(crate) fn new(program: &'p Program, bounds: Size) -> Result<Self, Beyond> {
-        let mut machine = Machine::new(program)?;
+        let mut machine = Machine::by_bits(program)?;
         machine.look_on();
         Ok(Explicit { machine, bounds, explored: Explored::default(), ways: Ways::default(), barred: None })
     }

@@ -33,6 +33,8 @@ pub(crate) enum Finding {
     Never,
     /// This way does, if delays may end so.
     Met(Way),
+    /// Some behaviour does, by exact states: that is proved, and no way is made.
+    Happens,
     /// It is not decided.
     Open(Reason),
 }

@@ -1,9 +1,13 @@
 //! Inputs that agree with the answers of a way.
 
 use crate::atom::Atom;
+use crate::atom::is_whole;
+use crate::clocks::constant;
 use crate::goal::Answers;
-use grafc_formula::{Type, Value, VarId};
-use grafc_logic::scan::{Program, Role, Variable};
+use crate::pack;
+use grafc_formula::{Formula, FormulaId, Type, Value, VarId};
+use grafc_logic::scan::{Program, Role, Statement, Variable};
+use std::collections::BTreeSet;
 
 /// The inputs of a program, in order of declaration.
 pub(crate) fn inputs(program: &Program) -> impl Iterator<Item = (VarId, &Variable)> {
@@ -17,11 +21,14 @@ pub(crate) fn agreeing(program: &Program, answers: &Answers, before: &[Value]) -
 }
 
 fn of_input(input: VarId, ty: Type, answers: &Answers, before: Value) -> Option<Value> {
+    if let Some(value) = of_bits(input, ty, answers) {
+        return Some(value);
+    }
     let fits = |value: &Value| {
         answers.iter().all(|(atom, answer)| match *atom {
             Atom::Holds(v) => v != input || (*value == Value::Bool(true)) == *answer,
             Atom::AtLeast(v, bound) => v != input || bound.is_reached(*value) == *answer,
-            Atom::Ends(..) => true,
+            Atom::Bit(..) | Atom::Ends(..) => true,
         })
     };
     if ty == Type::Bool {
@@ -30,8 +37,81 @@ fn of_input(input: VarId, ty: Type, answers: &Answers, before: Value) -> Option<
     // The nearest that it may be lie at the bounds.
     let bounds = answers.iter().filter_map(|(atom, _)| match *atom {
         Atom::AtLeast(v, bound) if v == input => Some(bound),
-        Atom::Holds(_) | Atom::AtLeast(..) | Atom::Ends(..) => None,
+        Atom::Holds(_) | Atom::AtLeast(..) | Atom::Bit(..) | Atom::Ends(..) => None,
     });
     let near = bounds.flat_map(|bound| <[Value; 2]>::from(bound.sides(ty)));
     std::iter::once(before).chain(near).find(fits)
+}
+
+/// The value that an input has by the bits that were asked of it, if any were.
+fn of_bits(input: VarId, ty: Type, answers: &Answers) -> Option<Value> {
+    let bits = answers.iter().filter_map(|(atom, answer)| match *atom {
+        Atom::Bit(v, bit) if v == input => Some((bit, *answer)),
+        Atom::Bit(..) | Atom::Holds(_) | Atom::AtLeast(..) | Atom::Ends(..) => None,
+    });
+    let words = bits.map(|(bit, answer)| u64::from(answer) << bit);
+    words.reduce(|a, b| a | b).map(|word| pack::decoded(ty, word))
+}
+
+/// The inputs that are whole numbers and not only compared with what is known: they are taken bit by bit.
+pub(crate) fn computed(program: &Program) -> BTreeSet<VarId> {
+    let mut found = BTreeSet::new();
+    let mut used = |formula: FormulaId| found.extend(given(program, formula));
+    for id in program.pool.ids() {
+        match *program.pool.get(id) {
+            Formula::Compare(_, a, b) => {
+                if constant(program, a).is_none() && constant(program, b).is_none() {
+                    used(a);
+                    used(b);
+                }
+            }
+            Formula::Arithmetic(_, a, b) => {
+                used(a);
+                used(b);
+            }
+            Formula::Negate(a) => used(a),
+            Formula::Constant(_)
+            | Formula::Variable(_)
+            | Formula::TimerDone(_)
+            | Formula::TimerElapsed(_)
+            | Formula::Not(_)
+            | Formula::And(_)
+            | Formula::Or(_)
+            | Formula::Xor(..)
+            | Formula::Widen(_) => {}
+        }
+    }
+    for statement in program.statements() {
+        match statement {
+            Statement::Assign { value, .. } => used(*value),
+            Statement::Divide(division) => {
+                used(division.dividend);
+                used(division.divisor);
+            }
+            Statement::Heading(_) | Statement::CallTimer { .. } | Statement::Case { .. } | Statement::If { .. } => {}
+        }
+    }
+    found.retain(|v| program.variables[*v].ty != Type::Bool && is_whole(program.variables[*v].ty));
+    found
+}
+
+/// The input that a formula is, perhaps as another type.
+pub(crate) fn given(program: &Program, mut formula: FormulaId) -> Option<VarId> {
+    while let Formula::Widen(inner) = program.pool.get(formula) {
+        formula = *inner;
+    }
+    match program.pool.get(formula) {
+        Formula::Variable(v) => (program.variables[*v].role == Role::Input).then_some(*v),
+        Formula::TimerDone(_)
+        | Formula::TimerElapsed(_)
+        | Formula::Constant(_)
+        | Formula::Not(_)
+        | Formula::And(_)
+        | Formula::Or(_)
+        | Formula::Xor(..)
+        | Formula::Compare(..)
+        | Formula::Arithmetic(..)
+        | Formula::Negate(_)
+        | Formula::Widen(_) => None,
+    }
 }

@@ -18,6 +18,7 @@
 //! | `beyond`, `limit` | what cannot be followed, and why a search ends before its end |
 //! | `clocks` | the timers of a program, and which of them measure the same operand |
 //! | `live`, `pack` | the variables that make a state, and how it is kept |
+//! | `cone` | a program without what no claim depends on |
 //! | `machine` | one path through one reaction |
 //! | `facts` | what is seen of micro-steps |
 //! | `explore` | all paths from all states |
@@ -38,6 +39,7 @@ pub mod circuit;
 mod claim;
 mod claimed;
 mod clocks;
+mod cone;
 mod edges;
 mod explicit;
 mod explore;

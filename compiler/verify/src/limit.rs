@@ -11,6 +11,8 @@ pub enum Limit {
     Paths,
     /// There are more nodes in the diagrams than may be kept.
     Nodes,
+    /// A number counts on for longer than is followed.
+    Numbers,
     /// The time is over.
     Time,
     /// Somebody interrupted it.
@@ -25,6 +27,7 @@ impl fmt::Display for Limit {
             Limit::States => "there are more states than are kept",
             Limit::Paths => "there are more paths of inputs than are walked",
             Limit::Nodes => "the diagrams take more nodes than are kept",
+            Limit::Numbers => "a number counts on for longer than is followed, and may be what it takes",
             Limit::Time => "the time is over",
             Limit::Interrupted => "interrupted",
             Limit::Enough => "all that was looked for was found",

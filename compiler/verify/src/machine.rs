@@ -6,12 +6,14 @@ use crate::claimed::Claimed;
 use crate::clocks::{Clocks, Phase};
 use crate::facts::{Active, Fact, Facts};
 use crate::goal::Answers;
+use crate::inputs::computed;
 use crate::live::Live;
-use crate::pack::{Layout, State};
+use crate::pack::{self, Layout, State};
 use grafc_formula::number::{arithmetic, compare, divide, negate, zero};
 use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Type, Value, VarId};
 use grafc_logic::scan::{Division, Program, Role, Statement, TransitionId};
 use index_vec::IndexVec;
+use std::collections::BTreeSet;
 
 /// How a path ended.
 #[derive(Clone, PartialEq, Debug)]
@@ -40,6 +42,8 @@ pub(crate) struct Machine<'p> {
     stack: Vec<(FormulaId, bool)>,
     /// The transitions that the latest reaction has cleared so far.
     passed: Vec<TransitionId>,
+    /// Inputs that are asked for bit by bit.
+    by_bits: BTreeSet<VarId>,
 }
 
 /// So many claims that something leads to something are followed.
@@ -93,7 +97,13 @@ impl<'p> Machine<'p> {
             mark: 0,
             stack: Vec::new(),
             passed: Vec::new(),
+            by_bits: BTreeSet::new(),
         })
+    }
+
+    /// One that asks for numbers that are given bit by bit where they are not only compared with what is known.
+    pub(crate) fn by_bits(program: &'p Program) -> Result<Self, Beyond> {
+        Ok(Machine { by_bits: computed(program), ..Machine::new(program)? })
     }
 
     /// From here on, micro-steps are looked at, and timers of which no reaction asked are vague.
@@ -434,6 +444,8 @@ impl<'p> Machine<'p> {
             Formula::Variable(v) if self.program.variables[v].role == Role::Input => {
                 if self.program.variables[v].ty == Type::Bool {
                     self.asked(Atom::Holds(v), Type::Bool, path)
+                } else if self.by_bits.contains(&v) {
+                    self.number(v, path)
                 } else {
                     Seen::Given(v)
                 }
@@ -470,6 +482,19 @@ impl<'p> Machine<'p> {
 
     fn asked(&self, atom: Atom, ty: Type, path: &Path) -> Seen {
         path.known(atom, ty).map_or(Seen::Open(atom), |answer| Seen::Value(Value::Bool(answer)))
+    }
+
+    /// A whole number that is given, bit by bit.
+    fn number(&self, v: VarId, path: &Path) -> Seen {
+        let ty = self.program.variables[v].ty;
+        let mut word = 0;
+        for bit in 0..pack::width(ty) {
+            match self.asked(Atom::Bit(v, bit as usize), Type::Bool, path) {
+                Seen::Value(value) => word |= u64::from(value == Value::Bool(true)) << bit,
+                open => return open,
+            }
+        }
+        Seen::Value(pack::decoded(ty, word))
     }
 
     /// A comparison of what is given with a value.

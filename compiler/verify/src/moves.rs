@@ -209,7 +209,8 @@ impl Search<'_> {
                     let (at_least, below) = bound.sides(self.program.variables[v].ty);
                     given.insert(v, if *answer { at_least } else { below });
                 }
-                Atom::Ends(..) => {}
+                // Numbers are taken apart in proofs alone.
+                Atom::Bit(..) | Atom::Ends(..) => {}
             }
         }
         let mut list: Vec<(usize, Value)> =

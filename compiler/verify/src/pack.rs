@@ -111,7 +111,7 @@ fn encoded(value: Value) -> u64 {
     }
 }
 
-fn decoded(ty: Type, bits: u64) -> Value {
+pub(crate) fn decoded(ty: Type, bits: u64) -> Value {
     match ty {
         Type::Bool => Value::Bool(bits != 0),
         Type::Int => Value::Int((bits as u16 as i16).into()),

@@ -39,7 +39,7 @@ struct Search<'w> {
 
 /// Looks for goals, the fewest reactions first.
 pub(crate) fn search(program: &Program, wanted: &[Wanted], size: Size, stop: Stop) -> Result<Vec<Finding>, Beyond> {
-    let mut machine = Machine::new(program)?;
+    let mut machine = Machine::by_bits(program)?;
     machine.look_on();
     let clocks = machine.clocks();
     let count = clocks.operand.iter().max().map_or(0, |most| most + 1);
@@ -103,7 +103,7 @@ impl Search<'_> {
         let mut zone = before.clone();
         let fits = path.iter().all(|(atom, answer)| match atom {
             Atom::Ends(operand, time) => zone.restrict(*operand, *time, *answer),
-            Atom::Holds(_) | Atom::AtLeast(..) => true,
+            Atom::Holds(_) | Atom::AtLeast(..) | Atom::Bit(..) => true,
         });
         if !fits {
             return;

@@ -61,7 +61,7 @@ pub(crate) fn walk(machine: &mut Machine, way: &Way) -> Result<Walked, Beyond> {
 fn atom_start(begun: &FxHashMap<usize, usize>, atom: &Atom) -> Option<usize> {
     match atom {
         Atom::Ends(operand, _) => begun.get(operand).copied(),
-        Atom::Holds(_) | Atom::AtLeast(..) => None,
+        Atom::Holds(_) | Atom::AtLeast(..) | Atom::Bit(..) => None,
     }
 }
 

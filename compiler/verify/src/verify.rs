@@ -2,9 +2,10 @@
 
 use crate::beyond::Beyond;
 use crate::claim::{Claim, When, always_asked, written};
+use crate::cone::cone;
 use crate::explicit::{Explicit, Size};
 use crate::goal::{Engine, Finding, Goal, Reason, Searched, Way};
-use crate::inputs::{agreeing, inputs};
+use crate::inputs::{agreeing, computed, inputs};
 use crate::limit::Limit;
 use crate::machine::{End, Machine};
 use crate::replay::replays;
@@ -82,8 +83,12 @@ pub struct Progress {
     pub looked_at: usize,
 }
 
-/// So much is looked at one by one before all is looked at at once.
-const FEW: Size = Size { states: 20_000, paths: 300_000 };
+/// So much is looked at one by one before all is looked at at once: states, and paths, the fewer the more a path evaluates.
+fn few(program: &Program) -> Size {
+    // One number has more paths than anybody walks.
+    let paths = if computed(program).is_empty() { 3_000_000 } else { 100_000 };
+    Size { states: 20_000, paths: (paths / program.pool.len().max(1)).clamp(200, 100_000) }
+}
 
 /// So much is looked at one by one where that is all that can be done.
 const MANY: Size = Size { states: 2_000_000, paths: usize::MAX };
@@ -93,6 +98,8 @@ const TIMED: Size = Size { states: 200_000, paths: usize::MAX };
 
 /// Answers all claims; `stop` is asked now and then whether to end with what is known.
 pub fn verify(subject: Subject, method: Method, stop: &mut dyn FnMut(Progress) -> Option<Limit>) -> Verified {
+    let program = &cone(subject.program);
+    let subject = Subject { program, ..subject };
     let claims = [always_asked(subject.program), written(subject.program)].concat();
     let mut goals: Vec<Goal> = claims.iter().map(|claim| claim.when.goal()).collect();
     goals.sort_unstable();
@@ -108,11 +115,14 @@ pub fn verify(subject: Subject, method: Method, stop: &mut dyn FnMut(Progress) -
     let stops_at_livelock = !matches!(of(Goal::Fact(crate::facts::Fact::Livelock)), Some(Found::Never));
     let verdict = |claim: Claim| {
         let answer = match (claim.when, of(claim.when.goal())) {
-            (When::Never(_), Some(Found::Never)) | (When::Sometime(_), Some(Found::Met(_))) => Answer::Holds,
+            (When::Never(_), Some(Found::Never)) | (When::Sometime(_), Some(Found::Met(_) | Found::Happens)) => {
+                Answer::Holds
+            }
             (When::Never(_), Some(Found::Met(trace))) => Answer::Fails(Some(trace.clone())),
             (When::Sometime(_), Some(Found::Never)) => Answer::Fails(None),
             (_, Some(Found::Open(reason))) => Answer::Open(reason.clone()),
-            (_, None) => Answer::Open(Reason::NotReplayed),
+            // What is never to happen is shown by a trace, or not said.
+            (When::Never(_), Some(Found::Happens)) | (_, None) => Answer::Open(Reason::NotReplayed),
         };
         Verdict { claim, answer }
     };
@@ -123,6 +133,8 @@ pub fn verify(subject: Subject, method: Method, stop: &mut dyn FnMut(Progress) -
 enum Found {
     Never,
     Met(Trace),
+    /// It was proved that something does, without a trace.
+    Happens,
     Open(Reason),
 }
 
@@ -155,46 +167,58 @@ fn findings<'s>(
     goals: &[Goal],
     stop: Stop,
 ) -> Result<Findings, Beyond> {
-    let few = by(one_by_one, goals, stop)?;
+    let mut few = by(one_by_one, goals, stop)?;
     if !matches!(few.searched.limit, Some(Limit::States | Limit::Paths)) {
         return Ok(few);
     }
-    let all = by(&mut Symbolic::new(subject.program), goals, stop);
-    match all {
-        Ok(all) if all.searched.limit != Some(Limit::Nodes) => Ok(better(few, all)),
-        // What it cannot follow, the other engine may.
-        Ok(_) | Err(_) => {
-            *one_by_one = Explicit::new(subject.program, MANY)?;
-            by(one_by_one, goals, stop)
+    // What is decided is not looked for again.
+    let open = |few: &Findings| -> Vec<usize> {
+        (0..goals.len()).filter(|place| matches!(few.of[*place], Finding::Open(_))).collect()
+    };
+    let places = open(&few);
+    let sought: Vec<Goal> = places.iter().map(|place| goals[*place]).collect();
+    let mut at_once = Symbolic::new(subject.program);
+    // What it cannot follow, the other engine may.
+    let is_enough = match by(&mut at_once, &sought, stop) {
+        Ok(all) => {
+            let is_enough = !matches!(all.searched.limit, Some(Limit::Nodes | Limit::Paths));
+            places.into_iter().zip(all.of).for_each(|(place, finding)| few.of[place] = finding);
+            if is_enough {
+                (few.searched, few.barred) = (all.searched, all.barred.or(few.barred));
+            }
+            is_enough
         }
-    }
-}
-
-/// What one of both has decided.
-fn better(few: Findings, mut all: Findings) -> Findings {
-    for (finding, other) in all.of.iter_mut().zip(few.of) {
-        if matches!(finding, Finding::Open(_)) {
-            *finding = other;
+        Err(_) => false,
+    };
+    if !is_enough {
+        *one_by_one = Explicit::new(subject.program, MANY)?;
+        let many = by(one_by_one, goals, stop)?;
+        for (finding, other) in few.of.iter_mut().zip(many.of) {
+            if matches!(finding, Finding::Open(_)) {
+                *finding = other;
+            }
         }
+        (few.searched, few.barred) = (many.searched, many.barred);
     }
-    all
+    Ok(few)
 }
 
 fn answers(subject: Subject, method: Method, goals: &[Goal], stop: Stop) -> Result<Answers, Beyond> {
-    let size = if method == Method::Auto { FEW } else { MANY };
+    let size = if method == Method::Auto { few(subject.program) } else { MANY };
     let mut engine = Explicit::new(subject.program, size)?;
     let Findings { of, searched, barred } = match method {
         Method::Auto => findings(subject, &mut engine, goals, stop)?,
         Method::Explicit => by(&mut engine, goals, stop)?,
         Method::Symbolic => by(&mut Symbolic::new(subject.program), goals, stop)?,
     };
-    let mut shown = Shown { subject, machine: Machine::new(subject.program)? };
+    let mut shown = Shown { subject, machine: Machine::by_bits(subject.program)? };
     let mut found = Vec::with_capacity(goals.len());
     // What is met only if delays end in an order that they may not have.
     let mut untimed: Vec<usize> = Vec::new();
     for (place, (goal, finding)) in goals.iter().zip(of).enumerate() {
         found.push(match finding {
             Finding::Never => Found::Never,
+            Finding::Happens => Found::Happens,
             Finding::Open(reason) => Found::Open(reason),
             Finding::Met(way) => match shown.trace(*goal, &way)? {
                 Found::Open(Reason::Delays) => {
@@ -213,7 +237,7 @@ fn answers(subject: Subject, method: Method, goals: &[Goal], stop: Stop) -> Resu
             found[place] = match finding {
                 // Of states, only those were looked for that meet it whatever delays do.
                 Finding::Never if matches!(goals[place], Goal::Fact(_)) => Found::Never,
-                Finding::Never | Finding::Open(_) => Found::Open(Reason::Delays),
+                Finding::Never | Finding::Happens | Finding::Open(_) => Found::Open(Reason::Delays),
                 Finding::Met(way) => shown.trace(goals[place], &way)?,
             };
         }
@@ -234,7 +258,7 @@ impl Shown<'_> {
     fn barred(&mut self, way: &Way) -> Result<Trace, Beyond> {
         Ok(match self.trace(Goal::Stuck, way)? {
             Found::Met(trace) => trace,
-            Found::Never | Found::Open(_) => Trace::default(),
+            Found::Never | Found::Happens | Found::Open(_) => Trace::default(),
         })
     }
 

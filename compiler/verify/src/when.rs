@@ -63,6 +63,8 @@ impl<'p> When<'p> {
                 let variable = &self.program.variables[v];
                 format!("[{} {}]", variable.name, bound.spelled(variable.ty, answer))
             }
+            // Numbers are taken apart in proofs alone.
+            Atom::Bit(v, bit) => format!("{}.{bit}", self.program.variables[v].name),
             // They are left out of answers.
             Atom::Ends(operand, time) => format!("{time}ms/{operand}"),
         }

@@ -3,7 +3,7 @@
 use super::{answer, fails, holds, rows, verified_by};
 use grafc_model::reaction::Profile;
 use grafc_testsuite::charts::check;
-use grafc_verify::{Answer, Method, Reason, Verified};
+use grafc_verify::{Answer, Method, Verified};
 
 #[track_caller]
 fn of(text: &str) -> Verified {
@@ -172,11 +172,63 @@ fn a_longer_way_that_times_allow() {
 }
 
 #[test]
-fn a_number_that_is_stored_as_given_is_open() {
-    let found =
-        of("chart Sum\ninput n : int\nvar sum : int\ninitial step 1 { sum := sum + n on activation }\nstep 2\n\
-                    transition 1 -> 2 : true\ntransition 2 -> 1 : [sum > 5]\n");
-    assert!(matches!(answer(&found, "deadlock"), Answer::Open(Reason::Beyond(_))));
+fn a_number_that_is_stored_as_given_is_taken_bit_by_bit() {
+    // From 6 on it goes round, adding up for longer than the bound; all of the 32 774 numbers up to 5 are a state in 2.
+    // Diagrams of so many sums take minutes, so one engine alone is asked.
+    let chart = check(
+        "by hand",
+        "chart Sum\ninput n : int\nvar sum : int\ninitial step 1 { sum := sum + n on activation }\nstep 2\n\
+                    transition 1 -> 2 : true\ntransition 2 -> 1 : [sum > 5]\n",
+    );
+    let found = verified_by(&chart.expect("a chart without errors"), Profile::default(), Method::Explicit);
+    assert_eq!((fails(&found, "livelock").rows.len(), fails(&found, "deadlock").rows.len()), (1, 1));
+    assert_eq!((found.searched.states, found.searched.limit), (32_774.0, None));
+}
+
+#[test]
+fn two_numbers_that_are_added_are_taken_bit_by_bit() {
+    // Some two numbers come to -1; no number is less than itself, and one below the least of all wraps around to the most.
+    let chart = check(
+        "by hand",
+        "chart Sums\ninput n, m : dint\ninitial step 1\nstep 2\nstep 3\nstep 4\n\
+         transition (1) 1 -> 2 : [n + m = -1]\ntransition (2) 1 -> 3 : [n < n]\n\
+         transition (3) 2 -> 4 : [n < n - 1] and [m > 0]\n",
+    );
+    let found = verified_by(&chart.expect("a chart without errors"), Profile::default(), Method::Auto);
+    holds(&found, "dead-transition (1)");
+    holds(&found, "dead-transition (3)");
+    assert_eq!(*answer(&found, "dead-transition (2)"), Answer::Fails(None));
+    // 4 has no way out, and only these two numbers lead there.
+    assert_eq!(rows(fails(&found, "deadlock")), ["0 -21474836482147483647 -> 4"]);
+}
+
+#[test]
+fn a_number_that_only_counts_makes_no_difference() {
+    // `shown` counts on for ever; nothing asks for it.
+    let found = of("chart Shown\ninput a : bool\noutput shown : dint\ninitial step 1\n\
+                    step 2 { shown := shown + 1 on activation }\n\
+                    transition (1) 1 -> 2 : ↑a\ntransition (2) 2 -> 1 : ↓a\n");
+    holds(&found, "deadlock");
+    holds(&found, "home");
+    // 1, with `a` and without, and 2 with it.
+    assert_eq!((found.searched.states, found.searched.limit), (3.0, None));
+}
+
+#[test]
+fn a_number_that_counts_on_is_looked_at_as_far_as_it_counts() {
+    // `n` goes on counting where nothing asks for it any more; 4 is entered with 3 alone.
+    let text = "chart On\ninput a, b : bool\nvar n : dint\ninitial step 1\n\
+                step 2 { n := n + 1 on activation }\nstep 3\nstep 4\n\
+                transition (1) 1 -> 2 : ↑a\ntransition (2) 2 -> 1 : ↓a\n\
+                transition (3) 1 -> 3 : ↑b and not a and [n = 3]\ntransition (4) 3 -> 1 : ↓b\n\
+                transition (5) 3 -> 4 : [n < 3]\n";
+    let chart = check("by hand", text).expect("a chart without errors");
+    let found = verified_by(&chart, Profile::default(), Method::Symbolic);
+    holds(&found, "livelock");
+    holds(&found, "deadlock");
+    holds(&found, "dead-transition (3)");
+    holds(&found, "selection 1");
+    assert_eq!(*answer(&found, "dead-transition (5)"), Answer::Fails(None));
 }
 
 #[test]

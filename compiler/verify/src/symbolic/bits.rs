@@ -5,13 +5,14 @@ use super::sets::Halt;
 use crate::atom::{Atom, Bound, Question, is_whole};
 use crate::beyond::Beyond;
 use crate::clocks::{Clocks, constant};
+use crate::inputs::{computed, given};
 use crate::live::Live;
 use crate::pack;
 use biodivine_lib_bdd::{Bdd, BddVariable, BddVariableSet};
 use grafc_formula::{Formula, FormulaId, TimerId, Type, Value, VarId};
-use grafc_logic::scan::{Program, Role, Statement};
+use grafc_logic::scan::{Program, Role, State, Statement, TransitionId};
 use index_vec::IndexVec;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The variables, and what they stand for.
@@ -24,9 +25,14 @@ pub(crate) struct Bits {
     pub(crate) timers: IndexVec<TimerId, Phases>,
     /// What is asked, and its variable.
     pub(crate) asked: FxHashMap<Atom, BddVariable>,
+    /// Variables that belong together, all in some part; they may have some in common.
+    pub(crate) parts: Vec<Vec<BddVariable>>,
     /// What holds of the answers: a bound is not reached where a lower one is not.
     pub(crate) consistent: Bdd,
 }
+
+/// What is made of more variables than so many holds nothing together.
+const MOST_NEAR: usize = 200;
 
 /// A variable, and one for its old value.
 #[derive(Clone, Copy)]
@@ -46,25 +52,13 @@ pub(crate) fn width(ty: Type) -> Option<usize> {
     is_whole(ty).then(|| pack::width(ty) as usize)
 }
 
-/// The input that a formula is, perhaps as another type.
-fn given(program: &Program, mut formula: FormulaId) -> Option<VarId> {
-    while let Formula::Widen(inner) = program.pool.get(formula) {
-        formula = *inner;
-    }
-    match program.pool.get(formula) {
-        Formula::Variable(v) => (program.variables[*v].role == Role::Input).then_some(*v),
-        Formula::TimerDone(_)
-        | Formula::TimerElapsed(_)
-        | Formula::Constant(_)
-        | Formula::Not(_)
-        | Formula::And(_)
-        | Formula::Or(_)
-        | Formula::Xor(..)
-        | Formula::Compare(..)
-        | Formula::Arithmetic(..)
-        | Formula::Negate(_)
-        | Formula::Widen(_) => None,
-    }
+/// How many bits those variables take that hold which of some steps is active: they take no values but those of the state.
+fn widths_of_states(program: &Program) -> FxHashMap<VarId, usize> {
+    let width = |state: &State| {
+        let most = state.values.iter().map(|(_, value)| *value).chain(state.idle).max().unwrap_or_default();
+        (i64::BITS - most.leading_zeros()).max(1) as usize
+    };
+    program.states.iter().flat_map(|state| state.variables().map(move |v| (v, width(state)))).collect()
 }
 
 /// What a variable of a diagram is to be.
@@ -77,19 +71,26 @@ enum Wanted {
 }
 
 impl Bits {
-    /// For a program.
-    pub(crate) fn new(program: &Program, live: &Live, clocks: &Clocks) -> Result<Bits, Halt> {
-        let kept = live.between_micro_steps.iter().chain(&live.between_calls).copied();
+    /// For a program, of which some variables are marks: nothing reads them, and they are a part of the state.
+    pub(crate) fn new(program: &Program, live: &Live, marks: &[VarId], clocks: &Clocks) -> Result<Bits, Halt> {
+        let kept = live.between_micro_steps.iter().chain(&live.between_calls).chain(marks).copied();
         let kept: BTreeSet<VarId> = kept.filter(|v| Some(*v) != program.started).collect();
+        let of_states = widths_of_states(program);
         let mut wanted: BTreeSet<Wanted> = BTreeSet::new();
         for v in &kept {
-            let width = width(program.variables[*v].ty).ok_or_else(|| beyond(program, *v))?;
+            let width = of_states.get(v).copied().or_else(|| width(program.variables[*v].ty));
+            let width = width.ok_or_else(|| beyond(program, *v))?;
             wanted.extend((0..width).map(|bit| Wanted::Bit(*v, bit)));
         }
         for (t, times) in clocks.times.iter_enumerated() {
             wanted.insert(Wanted::On(t));
             wanted.extend((0..times.len()).map(|place| Wanted::Passed(t, place)));
             wanted.extend(times.iter().map(|time| Wanted::Asked(Atom::Ends(clocks.operand[t], *time))));
+        }
+        let computed = computed(program);
+        for v in &computed {
+            let width = width(program.variables[*v].ty).ok_or_else(|| beyond(program, *v))?;
+            wanted.extend((0..width).map(|bit| Wanted::Asked(Atom::Bit(*v, bit))));
         }
         let mut bounds: BTreeMap<VarId, BTreeSet<Bound>> = BTreeMap::new();
         for id in program.pool.ids() {
@@ -103,7 +104,7 @@ impl Bits {
             for (side, other, op) in [(a, b, op), (b, a, op.mirrored())] {
                 let (Some(v), Some(value)) = (given(program, side), constant(program, other)) else { continue };
                 let ty = program.variables[v].ty;
-                if ty != Type::Bool && !matches!(value, Value::Real(x) if x.is_nan()) {
+                if ty != Type::Bool && !computed.contains(&v) && !matches!(value, Value::Real(x) if x.is_nan()) {
                     let Question { from, to, .. } = Question::new(op, ty, value);
                     bounds.entry(v).or_default().extend(from.into_iter().chain(to));
                 }
@@ -122,7 +123,7 @@ impl Bits {
         clocks: &Clocks,
     ) -> Result<Bits, Halt> {
         let wanted: Vec<Wanted> = wanted.iter().copied().collect();
-        let groups = groups(program, &wanted, clocks);
+        let (groups, parts) = groups(program, &wanted, clocks);
         let places = order::places(wanted.len() + program.variables.len(), &groups);
         let mut sorted: Vec<usize> = (0..wanted.len()).collect();
         sorted.sort_by_key(|w| places[*w]);
@@ -172,7 +173,12 @@ impl Bits {
         for (operand, times) in ends {
             chain(times.into_iter().map(|time| Atom::Ends(operand, time)).collect());
         }
-        Ok(Bits { all, of, timers, asked, consistent })
+        let mut parts: Vec<Vec<BddVariable>> =
+            parts.into_iter().map(|part| part.into_iter().map(|place| at[&wanted[place]].now).collect()).collect();
+        let held: FxHashSet<BddVariable> = parts.iter().flatten().copied().collect();
+        let rest = wanted.iter().map(|w| at[w].now).filter(|v| !held.contains(v));
+        parts.extend(rest.map(|v| vec![v]));
+        Ok(Bits { all, of, timers, asked, parts, consistent })
     }
 }
 
@@ -180,17 +186,18 @@ pub(crate) fn beyond(program: &Program, v: VarId) -> Halt {
     Halt::Beyond(Beyond::Input(program.variables[v].name.to_string()))
 }
 
-/// What stands in one statement should be near; variables of the program that are no bits of a state hold them together.
-fn groups(program: &Program, wanted: &[Wanted], clocks: &Clocks) -> Vec<Vec<usize>> {
+/// What belongs together, the closest first: what transitions ask for, then what statements do; and what those transitions ask
+/// for that are connected.
+fn groups(program: &Program, wanted: &[Wanted], clocks: &Clocks) -> (Vec<Vec<usize>>, Vec<Vec<usize>>) {
     let mut of_variable: BTreeMap<VarId, Vec<usize>> = BTreeMap::new();
     let mut of_timer: BTreeMap<TimerId, Vec<usize>> = BTreeMap::new();
     for (place, w) in wanted.iter().enumerate() {
         match w {
-            // The lowest bits are those that count.
-            Wanted::Bit(v, bit) if *bit < 4 => of_variable.entry(*v).or_default().push(place),
-            Wanted::Bit(..) => {}
+            Wanted::Bit(v, _) => of_variable.entry(*v).or_default().push(place),
             Wanted::On(t) | Wanted::Passed(t, _) => of_timer.entry(*t).or_default().push(place),
-            Wanted::Asked(Atom::Holds(v) | Atom::AtLeast(v, _)) => of_variable.entry(*v).or_default().push(place),
+            Wanted::Asked(Atom::Holds(v) | Atom::AtLeast(v, _) | Atom::Bit(v, _)) => {
+                of_variable.entry(*v).or_default().push(place)
+            }
             Wanted::Asked(Atom::Ends(operand, _)) => {
                 for (t, _) in clocks.operand.iter_enumerated().filter(|(_, other)| *other == operand) {
                     of_timer.entry(t).or_default().push(place);
@@ -198,55 +205,85 @@ fn groups(program: &Program, wanted: &[Wanted], clocks: &Clocks) -> Vec<Vec<usiz
             }
         }
     }
-    let variable = |v: VarId| of_variable.get(&v).cloned().unwrap_or_else(|| vec![wanted.len() + v.index()]);
-    let read = |formula: FormulaId| -> Vec<usize> {
-        let mut out = Vec::new();
-        for id in program.pool.below(formula) {
-            match program.pool.get(id) {
-                Formula::Variable(v) if program.variables[*v].role != Role::Constant => out.extend(variable(*v)),
-                Formula::TimerDone(t) | Formula::TimerElapsed(t) => {
-                    out.extend(of_timer.get(t).into_iter().flatten());
+    let mut values: FxHashMap<VarId, FormulaId> = FxHashMap::default();
+    for statement in program.statements() {
+        if let Statement::Assign { target, value, .. } = statement {
+            values.entry(*target).or_insert(*value);
+        }
+    }
+    // What variables and formulas are made of; what is no bit of a state stands for what it is made of itself.
+    let made_of = |variables: &[VarId], formulas: &[FormulaId]| -> Vec<usize> {
+        let (mut out, mut numbers) = (Vec::new(), Vec::new());
+        let mut met: FxHashSet<VarId> = FxHashSet::default();
+        let mut open: Vec<VarId> = variables.to_vec();
+        let mut formulas: Vec<FormulaId> = formulas.to_vec();
+        loop {
+            for v in std::mem::take(&mut open) {
+                if met.len() >= MOST_NEAR || !met.insert(v) {
+                    continue;
                 }
-                Formula::Variable(_)
-                | Formula::Constant(_)
-                | Formula::Not(_)
-                | Formula::And(_)
-                | Formula::Or(_)
-                | Formula::Xor(..)
-                | Formula::Compare(..)
-                | Formula::Arithmetic(..)
-                | Formula::Negate(_)
-                | Formula::Widen(_) => {}
+                match of_variable.get(&v) {
+                    Some(number) if number.len() > 1 => numbers.push(number),
+                    Some(bit) => out.extend(bit),
+                    None => formulas.extend(values.get(&v)),
+                }
+            }
+            let Some(formula) = formulas.pop() else { break };
+            for id in program.pool.below(formula) {
+                match program.pool.get(id) {
+                    Formula::Variable(v) => open.push(*v),
+                    Formula::TimerDone(t) | Formula::TimerElapsed(t) => {
+                        out.extend(of_timer.get(t).into_iter().flatten());
+                    }
+                    Formula::Constant(_)
+                    | Formula::Not(_)
+                    | Formula::And(_)
+                    | Formula::Or(_)
+                    | Formula::Xor(..)
+                    | Formula::Compare(..)
+                    | Formula::Arithmetic(..)
+                    | Formula::Negate(_)
+                    | Formula::Widen(_) => {}
+                }
             }
         }
+        // Numbers that are compared, or added, bit by bit.
+        let longest = numbers.iter().map(|number| number.len()).max().unwrap_or(0);
+        out.extend((0..longest).flat_map(|bit| numbers.iter().filter_map(move |number| number.get(bit).copied())));
         out
     };
-    let mut groups: Vec<Vec<usize>> = of_variable.values().chain(of_timer.values()).cloned().collect();
-    // The bits of a number follow each other.
-    for pair in wanted.windows(2) {
-        if let [Wanted::Bit(a, low), Wanted::Bit(b, _)] = pair
-            && a == b
-        {
-            let place = wanted.binary_search(&Wanted::Bit(*a, *low)).unwrap_or_default();
-            groups.push(vec![place, place + 1]);
-        }
+    // What a transition asks for is beside the steps before it.
+    let observing = program.observing.iter().flat_map(|observing| &observing.transitions);
+    let shown: FxHashMap<TransitionId, [VarId; 2]> =
+        observing.map(|seen| (seen.transition, [seen.enabled, seen.cleared])).collect();
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    let mut parts = Vec::new();
+    for connected in order::transitions(program) {
+        let first = groups.len();
+        groups.extend(connected.iter().filter_map(|t| shown.get(t)).map(|seen| made_of(seen, &[])));
+        let of_part: BTreeSet<usize> = groups[first..].iter().flatten().copied().collect();
+        parts.push(of_part.into_iter().collect());
     }
-    groups.sort();
-    for statement in program.statements() {
-        let mut group = match statement {
-            Statement::Assign { target, value, .. } => [variable(*target), read(*value)].concat(),
+    // Each statement, with what the innermost choice around it asks for.
+    let mut open: Vec<(&Statement, Vec<FormulaId>)> = Vec::new();
+    for section in [&program.after, &program.micro_step, &program.before] {
+        open.extend(section.iter().rev().map(|statement| (statement, Vec::new())));
+    }
+    while let Some((statement, around)) = open.pop() {
+        let (variables, formulas): (Vec<VarId>, Vec<FormulaId>) = match statement {
+            Statement::Heading(_) => continue,
+            Statement::Assign { target, value, .. } => (vec![*target], vec![*value]),
+            Statement::Divide(division) => (vec![division.target], vec![division.dividend, division.divisor]),
             Statement::CallTimer { timer, input, .. } => {
-                [of_timer.get(timer).cloned().unwrap_or_default(), read(*input)].concat()
+                groups.extend(of_timer.get(timer).cloned());
+                (Vec::new(), vec![*input])
             }
-            Statement::If { branches, .. } => branches.iter().flat_map(|(when, _)| read(*when)).collect(),
-            Statement::Heading(_) | Statement::Divide(_) | Statement::Case { .. } => continue,
+            Statement::Case { of, .. } => (vec![*of], Vec::new()),
+            Statement::If { branches, .. } => (Vec::new(), branches.iter().map(|(when, _)| *when).collect()),
         };
-        group.sort_unstable();
-        group.dedup();
-        // What everything stands in holds nothing together.
-        if group.len() > 1 && group.len() < 40 {
-            groups.push(group);
-        }
+        groups.push(made_of(&variables, &[formulas.clone(), around].concat()));
+        open.extend(statement.bodies().flatten().map(|within| (within, formulas.clone())));
     }
-    groups
+    groups.extend(of_variable.into_values().chain(of_timer.into_values()));
+    (groups, parts)
 }

@@ -14,13 +14,21 @@
 //! | `order`, `bits` | the variables of the diagrams, and their order |
 //! | `seen`, `number` | what a formula is for all states; whole numbers, bit by bit |
 //! | `run` | statements, run once for all states |
+//! | `counters` | numbers that count on |
+//! | `parts` | more states than there are, part by part |
 //! | `updates` | what moves a set of states on, or back |
 //! | `relation` | a reaction as relations |
+//! | `found` | all states, ring by ring |
+//! | `back` | what leads to what |
 //! | `way` | ways to what was found |
 
+mod back;
 mod bits;
+mod counters;
+mod found;
 mod number;
 mod order;
+mod parts;
 mod relation;
 mod run;
 mod seen;
@@ -33,298 +41,183 @@ use crate::facts::Fact;
 use crate::goal::{Engine, Finding, Goal, Reason, Searched, Stop, Way};
 use crate::limit::Limit;
 use crate::machine::Machine;
-use biodivine_lib_bdd::Bdd;
-use grafc_logic::scan::{ClaimKind, Program};
+use back::Meeting;
+use counters::Counters;
+use found::{Found, Looking, Reactions};
+use grafc_logic::scan::Program;
+use parts::Parts;
 use relation::Relation;
+use rustc_hash::FxHashMap;
 use sets::{Halt, Sets};
 
 /// At most so many nodes in a diagram.
 const MOST_NODES: usize = 3_000_000;
 
+/// So many nodes may be made in all before numbers that count on are looked at only as far as they count.
+const MOST_EXACT: usize = 4_000_000;
+
+/// So many nodes may be made to look at them so for all that a chart does at once.
+const MOST_WIDE: usize = 10_000_000;
+
 /// The engine.
 pub(crate) struct Symbolic<'p> {
     program: &'p Program,
     searched: Searched,
-    /// Whether the chart says where it may come to its end.
-    has_finals: bool,
     barred: Option<Way>,
-}
-
-/// What was found on the way.
-struct Found {
-    relation: Relation,
-    /// All states.
-    reached: Bdd,
-    /// States by the number of reactions.
-    rings: Vec<Bdd>,
-    /// Heads that were met first in the reaction of this number.
-    heads: Vec<Bdd>,
-    /// Heads from which no reaction ends.
-    livelocked: Bdd,
-    /// All heads.
-    all_heads: Bdd,
+    findings: FxHashMap<Goal, Finding>,
 }
 
 impl<'p> Symbolic<'p> {
     /// For a program that shows its transitions.
     pub(crate) fn new(program: &'p Program) -> Self {
-        let has_finals = program.claims.iter().any(|claim| claim.kind == ClaimKind::Final);
         let searched = Searched { states: 0.0, limit: Some(Limit::Nodes) };
-        Symbolic { program, searched, has_finals, barred: None }
+        Symbolic { program, searched, barred: None, findings: FxHashMap::default() }
     }
 
-    fn search(&mut self, goals: &[Goal], sets: &mut Sets) -> Result<Vec<Finding>, Halt> {
-        let relation = Relation::new(self.program, sets)?;
-        let mut found = Found::new(relation);
-        found.explore(self.program, sets)?;
-        self.searched = Searched { states: found.count(), limit: None };
-        let mut machine = Machine::new(self.program)?;
-        self.barred = found.barred(&mut machine, sets)?;
-        let homeless = goals.contains(&Goal::Homeless).then(|| found.homeless(sets)).transpose()?;
-        goals
-            .iter()
-            .map(|goal| match goal {
-                Goal::Fact(fact) => found.of_fact(*fact, &mut machine, sets),
-                Goal::Homeless => match &homeless {
-                    Some(homeless) => found.of_states(homeless, &mut machine, sets),
-                    None => Ok(Finding::Open(Reason::Limit(Limit::Nodes))),
-                },
-                // What leads to what is not followed here.
-                Goal::Lost(_) => Ok(Finding::Open(Reason::Limit(Limit::States))),
-                Goal::Stuck if self.has_finals => Ok(Finding::Open(Reason::Limit(Limit::States))),
-                Goal::Stuck => {
-                    let stuck = found.stuck(homeless.as_ref(), sets)?;
-                    found.of_states(&stuck, &mut machine, sets)
+    /// Finds what it can; what is found before a limit is hit is kept.
+    fn search(&mut self, goals: &[Goal], sets: &mut Sets) -> Result<(), Halt> {
+        let program = self.program;
+        let mut machine = Machine::by_bits(self.program)?;
+        let mut found = Found::new(Relation::new(program, sets)?, program);
+        let facts = goals.iter().filter_map(|goal| match goal {
+            Goal::Fact(Fact::Livelock) | Goal::Stuck | Goal::Homeless | Goal::Lost(_) => None,
+            Goal::Fact(fact) => Some(*fact),
+        });
+        let mut looking = Looking { machine: &mut machine, facts: facts.collect(), findings: &mut self.findings };
+        let counters = Counters::new(program, &found.relation.bits);
+        let explored = found.explore(MOST_EXACT, &mut looking, sets);
+        self.searched.states = found.count();
+        if !explored? {
+            let mut unseen = std::mem::take(&mut looking.facts);
+            match self.by_parts(goals, &mut found, &counters, &mut unseen, sets) {
+                // It may be that all states take less.
+                Ok(()) | Err(Halt::Limit(Limit::Nodes)) => {}
+                Err(other) => return Err(other),
+            }
+            let left: Vec<Goal> = goals.iter().filter(|goal| !self.findings.contains_key(goal)).copied().collect();
+            if left.is_empty() {
+                self.searched.limit = Some(Limit::Enough);
+                return Ok(());
+            }
+            let mut looking = Looking { machine: &mut machine, facts: unseen, findings: &mut self.findings };
+            if !counters.is_empty() {
+                found.widen(counters);
+                self.searched.limit = Some(Limit::Numbers);
+                if !found.explore(MOST_WIDE, &mut looking, sets)? {
+                    return Err(Halt::Limit(Limit::Numbers));
                 }
-            })
-            .collect()
+                for fact in looking.facts {
+                    self.findings.insert(Goal::Fact(fact), Finding::Never);
+                }
+                if !found.is_endless {
+                    self.findings.insert(Goal::Fact(Fact::Livelock), Finding::Never);
+                }
+                return self.of_wider(&left, &found, sets);
+            }
+            let explored = found.explore(usize::MAX, &mut looking, sets);
+            self.searched.states = found.count();
+            explored?;
+            for fact in looking.facts {
+                self.findings.insert(Goal::Fact(fact), Finding::Never);
+            }
+        } else {
+            for fact in std::mem::take(&mut looking.facts) {
+                self.findings.insert(Goal::Fact(fact), Finding::Never);
+            }
+        }
+        self.searched.limit = None;
+        self.barred = found.barred(&mut machine, sets)?;
+        let livelock = Goal::Fact(Fact::Livelock);
+        let goals: Vec<Goal> = goals.iter().filter(|goal| !self.findings.contains_key(goal)).copied().collect();
+        if goals.contains(&livelock) {
+            let finding = found.endless(&mut machine, sets)?;
+            self.findings.insert(livelock, finding);
+        }
+        if goals.iter().all(|goal| matches!(goal, Goal::Fact(_))) {
+            return Ok(());
+        }
+        let all = found.all_reactions(sets)?;
+        let mut homeless = None;
+        if goals.contains(&Goal::Homeless) {
+            let meeting = found.homeless(&all, sets)?;
+            self.findings.insert(Goal::Homeless, found.of_states(&meeting, &mut machine, sets)?);
+            homeless = Some(meeting);
+        }
+        for goal in &goals {
+            let finding = match goal {
+                Goal::Lost(place) => found.lost(*place, &all, &mut machine, sets)?,
+                Goal::Stuck => {
+                    let stuck = found.stuck(homeless.as_ref(), &all, sets)?;
+                    found.of_states(&stuck, &mut machine, sets)?
+                }
+                Goal::Fact(_) | Goal::Homeless => continue,
+            };
+            self.findings.insert(*goal, finding);
+        }
+        Ok(())
     }
 }
 
-/// States that meet a goal, whatever delays do, and those that may.
-struct Meeting {
-    certain: Bdd,
-    possible: Bdd,
-}
+impl Symbolic<'_> {
+    /// Part by part it is soon known what never happens.
+    fn by_parts(
+        &mut self,
+        goals: &[Goal],
+        found: &mut Found,
+        counters: &Counters,
+        facts: &mut Vec<Fact>,
+        sets: &mut Sets,
+    ) -> Result<(), Halt> {
+        let parts = Parts::new(&found.relation, counters, sets)?;
+        let mut unseen = Vec::new();
+        for fact in facts.iter() {
+            let never = found.relation.facts.get(fact).map_or(Ok(true), |seen| parts.never(seen, sets))?;
+            if never {
+                self.findings.insert(Goal::Fact(*fact), Finding::Never);
+            } else {
+                unseen.push(*fact);
+            }
+        }
+        *facts = unseen;
+        let reached = std::mem::replace(&mut found.reached, parts.states(sets)?);
+        found.is_wide = true;
+        let done = self.of_wider(goals, found, sets);
+        (found.reached, found.is_wide) = (reached, false);
+        done
+    }
 
-/// Which ways of time are looked at.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Time {
-    /// Any.
-    Any,
-    /// All delays that run are over, or none.
-    Sure,
+    /// From where there is a way in more states than there are, there is one.
+    fn of_wider(&mut self, goals: &[Goal], found: &Found, sets: &mut Sets) -> Result<(), Halt> {
+        let is_of_states = |goal: &&Goal| !matches!(goal, Goal::Fact(_));
+        if !goals.iter().any(|goal| is_of_states(&goal)) || !found.no_inputs(sets)?.is_false() {
+            return Ok(());
+        }
+        let all = found.all_reactions(sets)?;
+        let homeless = found.homeless(&all, sets)?;
+        for goal in goals.iter().filter(is_of_states) {
+            let is_never = match goal {
+                Goal::Homeless => homeless.possible.is_false(),
+                Goal::Stuck => found.stuck(Some(&homeless), &all, sets)?.possible.is_false(),
+                // A reaction that does not end would lose it.
+                Goal::Lost(place) => {
+                    self.findings.get(&Goal::Fact(Fact::Livelock)) == Some(&Finding::Never)
+                        && found.is_never_lost(*place, &all, sets)?
+                }
+                Goal::Fact(_) => false,
+            };
+            if is_never {
+                self.findings.insert(*goal, Finding::Never);
+            }
+        }
+        Ok(())
+    }
 }
 
 impl Found {
-    fn new(relation: Relation) -> Found {
-        let no = relation.bits.all.mk_false();
-        let start = relation.start.clone();
-        Found {
-            relation,
-            reached: no.clone(),
-            rings: Vec::new(),
-            heads: vec![start],
-            livelocked: no.clone(),
-            all_heads: no,
-        }
-    }
-
-    /// All states, ring by ring.
-    fn explore(&mut self, program: &Program, sets: &mut Sets) -> Result<(), Halt> {
-        let most = program.repeat.and_then(|repeat| repeat.limit).map_or(u32::MAX, |limit| limit.bound);
-        let mut enter = std::mem::take(&mut self.heads).remove(0);
-        loop {
-            sets.depth = self.rings.len();
-            let (met, ended) = self.reactions(enter, most, sets)?;
-            self.heads.push(met);
-            let ring = sets.minus(&ended, &self.reached)?;
-            self.reached = sets.or(&self.reached, &ring)?;
-            let is_last = ring.is_false();
-            self.rings.push(ring);
-            if is_last {
-                break;
-            }
-            enter = self.begin(&self.rings[self.rings.len() - 1], sets)?;
-        }
-        if program.repeat.is_some_and(|repeat| repeat.limit.is_some()) {
-            self.find_livelocks(program, sets)?;
-        }
-        Ok(())
-    }
-
-    /// The heads of first micro-steps after states.
-    fn begin(&self, states: &Bdd, sets: &mut Sets) -> Result<Bdd, Halt> {
-        let with_inputs = sets.and(states, &self.relation.allowed)?;
-        let heads = self.relation.begin.image(&with_inputs, sets)?;
-        sets.exists(&heads, &self.relation.ends)
-    }
-
-    /// The heads that were not met before, and the states that reactions end in.
-    fn reactions(&mut self, enter: Bdd, most: u32, sets: &mut Sets) -> Result<(Bdd, Bdd), Halt> {
-        let no = self.relation.bits.all.mk_false();
-        let (mut met, mut ended, mut heads) = (no.clone(), no, enter);
-        // What counts up without end meets no head again.
-        for _ in 0..=most {
-            let new = sets.minus(&heads, &self.all_heads)?;
-            if new.is_false() {
-                return Ok((met, ended));
-            }
-            self.all_heads = sets.or(&self.all_heads, &new)?;
-            met = sets.or(&met, &new)?;
-            let last = sets.minus(&new, &self.relation.again)?;
-            let last = self.relation.last.image(&last, sets)?;
-            let last = sets.exists(&last, &self.relation.asked)?;
-            let last = sets.exists(&last, &self.relation.within)?;
-            ended = sets.or(&ended, &last)?;
-            let more = sets.and(&new, &self.relation.again)?;
-            heads = self.relation.step.image(&more, sets)?;
-        }
-        Err(Halt::Limit(Limit::Paths))
-    }
-
-    /// What ends is what leads to a head after which nothing more is needed (R9).
-    fn find_livelocks(&mut self, program: &Program, sets: &mut Sets) -> Result<(), Halt> {
-        let more = sets.and(&self.all_heads, &self.relation.again)?;
-        let mut new = sets.minus(&self.all_heads, &self.relation.again)?;
-        let mut ends = new.clone();
-        let mut longest = 1;
-        while !new.is_false() {
-            let before = self.relation.step.before(&new, sets)?;
-            let before = sets.and(&before, &more)?;
-            new = sets.minus(&before, &ends)?;
-            ends = sets.or(&ends, &new)?;
-            longest += u32::from(!new.is_false());
-        }
-        // One that would end, but not in so many micro-steps.
-        if program.repeat.and_then(|repeat| repeat.limit).is_some_and(|limit| longest > limit.bound) {
-            return Err(Halt::Limit(Limit::Paths));
-        }
-        self.livelocked = sets.minus(&self.all_heads, &ends)?;
-        Ok(())
-    }
-
-    fn count(&self) -> f64 {
-        let unused = self.relation.bits.all.num_vars() as usize - self.relation.kept.len();
-        (self.reached.exact_cardinality() >> unused).to_string().parse().unwrap_or(f64::INFINITY)
-    }
-
-    /// The states with a reaction that ends in one of these.
-    fn before(&self, states: &Bdd, time: Time, sets: &mut Sets) -> Result<Bdd, Halt> {
-        let ending = self.ending_in(states, sets)?;
-        let before = self.relation.begin.before(&ending, sets)?;
-        let before = sets.and(&before, &self.relation.allowed)?;
-        let before = match time {
-            Time::Any => before,
-            Time::Sure => {
-                let all = |over: bool| self.relation.ends.iter().map(|v| (*v, over)).collect::<Vec<_>>();
-                let (over, running) = (before.restrict(&all(true)), before.restrict(&all(false)));
-                sets.or(&over, &running)?
-            }
-        };
-        let before = sets.exists(&before, &self.relation.asked)?;
-        sets.and(&before, &self.reached)
-    }
-
-    /// The heads from which a reaction ends in one of these states.
-    fn ending_in(&self, states: &Bdd, sets: &mut Sets) -> Result<Bdd, Halt> {
-        let last = self.relation.last.before(states, sets)?;
-        let mut new = sets.minus(&last, &self.relation.again)?;
-        new = sets.and(&new, &self.all_heads)?;
-        let mut ending = new.clone();
-        while !new.is_false() {
-            let before = self.relation.step.before(&new, sets)?;
-            let before = sets.and(&before, &self.relation.again)?;
-            let before = sets.and(&before, &self.all_heads)?;
-            new = sets.minus(&before, &ending)?;
-            ending = sets.or(&ending, &new)?;
-        }
-        Ok(ending)
-    }
-
-    /// The states from which one of these can be reached.
-    fn leading_to(&self, states: &Bdd, time: Time, sets: &mut Sets) -> Result<Bdd, Halt> {
-        let (mut all, mut new) = (states.clone(), states.clone());
-        while !new.is_false() {
-            let before = self.before(&new, time, sets)?;
-            new = sets.minus(&before, &all)?;
-            all = sets.or(&all, &new)?;
-        }
-        Ok(all)
-    }
-
-    fn homeless(&self, sets: &mut Sets) -> Result<Meeting, Halt> {
-        let Some(first) = self.rings.first() else {
-            let no = self.relation.bits.all.mk_false();
-            return Ok(Meeting { certain: no.clone(), possible: no });
-        };
-        let home = self.with_situation_of(first, sets)?;
-        let home = sets.and(&home, &self.reached)?;
-        let mut away = |time| {
-            let returns = self.leading_to(&home, time, sets)?;
-            sets.minus(&self.reached, &returns)
-        };
-        let certain = away(Time::Any)?;
-        let possible = if self.relation.ends.is_empty() { certain.clone() } else { away(Time::Sure)? };
-        Ok(Meeting { certain, possible })
-    }
-
-    /// The states in a situation that one of these has. What holds the situation is kept, all else is left open.
-    fn with_situation_of(&self, states: &Bdd, sets: &mut Sets) -> Result<Bdd, Halt> {
-        let mut holds = std::collections::HashSet::new();
-        self.relation.active.iter().for_each(|active| holds.extend(active.support_set()));
-        let others: Vec<_> = self.relation.kept.iter().filter(|v| !holds.contains(v)).copied().collect();
-        sets.exists(states, &others)
-    }
-
-    /// The states from which no other situation can be reached. One that is not homeless can leave its situation if that is
-    /// none of the start.
-    fn stuck(&self, homeless: Option<&Meeting>, sets: &mut Sets) -> Result<Meeting, Halt> {
-        let certain = self.stuck_in(homeless.map(|homeless| &homeless.certain), Time::Any, sets)?;
-        let possible = if self.relation.ends.is_empty() {
-            certain.clone()
-        } else {
-            self.stuck_in(homeless.map(|homeless| &homeless.possible), Time::Sure, sets)?
-        };
-        Ok(Meeting { certain, possible })
-    }
-
-    fn stuck_in(&self, homeless: Option<&Bdd>, time: Time, sets: &mut Sets) -> Result<Bdd, Halt> {
-        let mut rest = self.reached.clone();
-        if let (Some(homeless), Some(first)) = (homeless, self.rings.first()) {
-            let home = self.with_situation_of(first, sets)?;
-            let home = sets.and(&home, &self.reached)?;
-            rest = sets.or(&home, homeless)?;
-        }
-        let looked_at = rest.clone();
-        for active in &self.relation.active {
-            for (here, there) in [(active.clone(), active.not()), (active.not(), active.clone())] {
-                let may_move = sets.and(&rest, &here)?;
-                if may_move.is_false() {
-                    continue;
-                }
-                let there = sets.and(&self.reached, &there)?;
-                let before = self.before(&there, time, sets)?;
-                let moves = sets.and(&may_move, &before)?;
-                rest = sets.minus(&rest, &moves)?;
-            }
-        }
-        // What does not move in one reaction may in several, all in one situation.
-        let mut alive = sets.minus(&looked_at, &rest)?;
-        if homeless.is_some() {
-            let others = sets.minus(&self.reached, &looked_at)?;
-            alive = sets.or(&alive, &others)?;
-        }
-        while !rest.is_false() {
-            let before = self.before(&alive, time, sets)?;
-            let moves = sets.and(&rest, &before)?;
-            if moves.is_false() {
-                break;
-            }
-            rest = sets.minus(&rest, &moves)?;
-            alive = moves;
-        }
-        Ok(rest)
+    /// The states in which no inputs are allowed.
+    fn no_inputs(&self, sets: &mut Sets) -> Result<biodivine_lib_bdd::Bdd, Halt> {
+        let open = sets.exists(&self.relation.allowed, &self.relation.asked)?;
+        sets.minus(&self.reached, &open)
     }
 
     /// The way to a state in which no inputs are allowed.
@@ -333,7 +226,7 @@ impl Found {
             return Ok(Some(Way::new()));
         }
         let open = sets.exists(&self.relation.allowed, &self.relation.asked)?;
-        for (depth, ring) in self.rings.iter().enumerate() {
+        for (depth, ring) in self.layers.rings.iter().enumerate() {
             let here = sets.minus(ring, &open)?;
             if !here.is_false() {
                 return Ok(Some(self.way_to_state(depth, &here, machine, sets)?));
@@ -346,7 +239,7 @@ impl Found {
         if met.certain.is_false() {
             return Ok(if met.possible.is_false() { Finding::Never } else { Finding::Open(Reason::Delays) });
         }
-        for (depth, ring) in self.rings.iter().enumerate() {
+        for (depth, ring) in self.layers.rings.iter().enumerate() {
             let here = sets.and(ring, &met.certain)?;
             if !here.is_false() {
                 return Ok(Finding::Met(self.way_to_state(depth, &here, machine, sets)?));
@@ -355,40 +248,30 @@ impl Found {
         Ok(Finding::Never)
     }
 
-    fn of_fact(&self, fact: Fact, machine: &mut Machine, sets: &mut Sets) -> Result<Finding, Halt> {
-        for (_, inputs) in self.relation.at_start.iter().filter(|(other, _)| *other == fact) {
-            let here = sets.and(&self.relation.start, inputs)?;
-            if !here.is_false() {
-                return Ok(Finding::Met(self.way_to_head(0, &here, machine, sets)?));
-            }
-        }
-        let seen: Vec<&Bdd> = match fact {
-            Fact::Livelock => vec![&self.livelocked],
-            _ => self.relation.facts.iter().filter(|(other, _)| *other == fact).map(|(_, seen)| seen).collect(),
-        };
-        for (depth, heads) in self.heads.iter().enumerate() {
-            for seen in &seen {
-                let here = sets.and(heads, seen)?;
-                if !here.is_false() {
-                    return Ok(Finding::Met(self.way_to_head(depth, &here, machine, sets)?));
-                }
-            }
-        }
-        Ok(Finding::Never)
+    /// A reaction that does not end.
+    fn endless(&self, machine: &mut Machine, sets: &mut Sets) -> Result<Finding, Halt> {
+        let endless = self.layers.reactions.iter().enumerate().find(|(_, reactions)| reactions.is_endless);
+        let Some((depth, Reactions { heads, .. })) = endless else { return Ok(Finding::Never) };
+        let last = heads.len() - 1;
+        let endless = sets.and(&heads[last], &self.relation.again)?;
+        Ok(Finding::Met(self.way_to_head(depth, last, &endless, machine, sets)?))
     }
 }
 
 impl Engine for Symbolic<'_> {
     fn find(&mut self, goals: &[Goal], stop: Stop) -> Result<Vec<Finding>, Beyond> {
         let mut sets = Sets::new(stop, MOST_NODES);
+        let mut limit = Limit::Nodes;
         match self.search(goals, &mut sets) {
-            Ok(findings) => Ok(findings),
-            Err(Halt::Beyond(beyond)) => Err(beyond),
-            Err(Halt::Limit(limit)) => {
-                self.searched.limit = Some(limit);
-                Ok(goals.iter().map(|_| Finding::Open(Reason::Limit(limit))).collect())
+            Ok(()) => {}
+            Err(Halt::Beyond(beyond)) => return Err(beyond),
+            Err(Halt::Limit(hit)) => {
+                limit = hit;
+                self.searched.limit = Some(hit);
             }
         }
+        let of = |goal| self.findings.remove(goal).unwrap_or(Finding::Open(Reason::Limit(limit)));
+        Ok(goals.iter().map(of).collect())
     }
 
     fn searched(&self) -> Searched {

@@ -12,6 +12,7 @@ use crate::live::Live;
 use biodivine_lib_bdd::{Bdd, BddVariable};
 use grafc_formula::VarId;
 use grafc_logic::scan::{Flag, Program, Role, TransitionId};
+use rustc_hash::FxHashMap;
 
 /// The relations of a program.
 pub(crate) struct Relation {
@@ -29,7 +30,7 @@ pub(crate) struct Relation {
     /// Before the first micro-step of the initial reaction, with all inputs.
     pub(crate) start: Bdd,
     /// What is seen before a micro-step and of it.
-    pub(crate) facts: Vec<(Fact, Bdd)>,
+    pub(crate) facts: FxHashMap<Fact, Bdd>,
     /// What is seen at the start, by inputs.
     pub(crate) at_start: Vec<(Fact, Bdd)>,
     /// Whether each step is active, in a state.
@@ -42,6 +43,10 @@ pub(crate) struct Relation {
     pub(crate) within: Vec<BddVariable>,
     /// What it does remember.
     pub(crate) kept: Vec<BddVariable>,
+    /// In a state, whether the chart may have come to its end.
+    pub(crate) is_final: Bdd,
+    /// In a state, of what leads to what, both.
+    pub(crate) leads: Vec<(Bdd, Bdd)>,
 }
 
 impl Relation {
@@ -49,7 +54,8 @@ impl Relation {
         let claimed = Claimed::new(program);
         let live = Live::new(program, &claimed.after);
         let clocks = Clocks::new(program)?;
-        let bits = Bits::new(program, &live, &clocks)?;
+        let marks = claimed.marks();
+        let bits = Bits::new(program, &live, &marks, &clocks)?;
         let yes = bits.all.mk_true();
 
         let mut run = Run::at_first(program, &bits, &clocks);
@@ -67,6 +73,13 @@ impl Relation {
         for step in &program.steps {
             active.push(run.truth(step.active, sets)?);
         }
+        let mark = |v: &VarId| bits.all.mk_var(bits.of[v][0].now);
+        let mut is_final = run.no();
+        for v in &claimed.finals {
+            is_final = sets.or(&is_final, &mark(v))?;
+        }
+        let leads = claimed.leads.iter().map(|(from, to)| (mark(from), mark(to))).collect();
+        marks.iter().for_each(|v| run.values[*v] = Some(Seen::Truth(bits.all.mk_false())));
         run.pass();
         run.statements(&program.before, &yes, sets)?;
         let allowed = keeping(&claimed, &run, bits.consistent.clone(), sets)?;
@@ -80,12 +93,20 @@ impl Relation {
             None => bits.all.mk_false(),
         };
         let mut facts = situation(program, &run, sets)?;
-        facts.extend(flags(program, &run));
+        let flagged = flags(program, &run);
         let after: Vec<Bdd> = facts[..program.steps.len()].iter().map(|(_, active)| active.clone()).collect();
         facts.extend(of_transitions(program, &run, &active, &after, sets)?);
         run.statements(&claimed.after, &yes, sets)?;
         let last = Updates::new(&bits.all, new_values(&bits, &run), sets)?;
         facts.extend(of_claims(&claimed, &run, &again, sets)?);
+        let mut by_fact: FxHashMap<Fact, Bdd> = FxHashMap::default();
+        for (fact, seen) in flagged.into_iter().chain(facts) {
+            let seen = match by_fact.get(&fact) {
+                Some(other) => sets.or(other, &seen)?,
+                None => seen,
+            };
+            by_fact.insert(fact, seen);
+        }
         let asked: Vec<BddVariable> = bits.asked.values().copied().collect();
         let mut ends: Vec<BddVariable> = bits
             .asked
@@ -94,7 +115,7 @@ impl Relation {
             .map(|(_, v)| *v)
             .collect();
         ends.sort_unstable();
-        let lasting = |v: &VarId| live.between_calls.contains(v);
+        let lasting = |v: &VarId| live.between_calls.contains(v) || marks.contains(v);
         let of = |is: bool| {
             bits.of.iter().filter(move |(v, _)| lasting(v) == is).flat_map(|(_, of)| of.iter().map(|bit| bit.now))
         };
@@ -110,13 +131,15 @@ impl Relation {
             allowed,
             again,
             start,
-            facts,
+            facts: by_fact,
             at_start,
             active,
             asked,
             ends,
             within,
             kept,
+            is_final,
+            leads,
             bits,
         })
     }

@@ -54,8 +54,15 @@ impl<'p> Run<'p> {
             run.values[started] = Some(Seen::Truth(bits.all.mk_true()));
         }
         for (v, of) in &bits.of {
-            let functions: Vec<Bdd> = of.iter().map(|bit| bits.all.mk_var(bit.now)).collect();
-            run.values[*v] = Some(number::of_bits(&bits.all, program.variables[*v].ty, functions));
+            let mut functions: Vec<Bdd> = of.iter().map(|bit| bits.all.mk_var(bit.now)).collect();
+            let ty = program.variables[*v].ty;
+            // What takes fewer bits than its type has no sign.
+            if super::bits::width(ty).is_some_and(|width| of.len() < width) {
+                functions.push(bits.all.mk_false());
+                run.values[*v] = Some(Seen::Number(functions));
+            } else {
+                run.values[*v] = Some(number::of_bits(&bits.all, ty, functions));
+            }
         }
         for (running, phases) in run.timers.iter_mut().zip(&bits.timers) {
             running.on = bits.all.mk_var(phases.on.now);
@@ -170,7 +177,7 @@ impl<'p> Run<'p> {
             Formula::Variable(v) if self.program.variables[v].ty == Type::Bool => {
                 Seen::Truth(all.mk_var(self.bits.asked[&Atom::Holds(v)]))
             }
-            Formula::Variable(v) => Seen::Given(v),
+            Formula::Variable(v) => self.given(v),
             Formula::TimerDone(t) => match self.program.timers[t].preset {
                 Some(preset) => Seen::Truth(self.has_run(t, preset.ms)),
                 None => Seen::Truth(all.mk_false()),
@@ -216,6 +223,17 @@ impl<'p> Run<'p> {
                 same => same.clone(),
             },
         })
+    }
+
+    /// An input that is a number: its bits, if they are asked for.
+    fn given(&self, v: VarId) -> Seen {
+        let ty = self.program.variables[v].ty;
+        let bits = (0..super::bits::width(ty).unwrap_or_default()).map(|bit| self.bits.asked.get(&Atom::Bit(v, bit)));
+        let bits: Option<Vec<Bdd>> = bits.map(|bit| bit.map(|bit| self.bits.all.mk_var(*bit))).collect();
+        match bits {
+            Some(bits) if !bits.is_empty() => number::of_bits(&self.bits.all, ty, bits),
+            Some(_) | None => Seen::Given(v),
+        }
     }
 
     /// A variable that stands in a formula.

@@ -4,6 +4,7 @@ use crate::beyond::Beyond;
 use crate::goal::Stop;
 use crate::limit::Limit;
 use biodivine_lib_bdd::{Bdd, BddVariable, op_function};
+use rustc_hash::FxHashMap;
 
 /// Why a diagram was not made.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -26,16 +27,19 @@ pub(crate) struct Sets<'s> {
     /// How many reactions deep the search is, to be told.
     pub(crate) depth: usize,
     most: usize,
+    /// The nodes of all that was made.
+    pub(crate) work: usize,
 }
 
 impl<'s> Sets<'s> {
     /// Diagrams of at most so many nodes.
     pub(crate) fn new(stop: Stop<'s>, most: usize) -> Self {
-        Sets { stop, depth: 0, most }
+        Sets { stop, depth: 0, most, work: 0 }
     }
 
     fn kept(&mut self, made: Option<Bdd>) -> Result<Bdd, Halt> {
         let made = made.filter(|made| made.size() <= self.most).ok_or(Halt::Limit(Limit::Nodes))?;
+        self.work = self.work.saturating_add(made.size());
         match (self.stop)(made.size(), self.depth) {
             Some(limit) => Err(Halt::Limit(limit)),
             None => Ok(made),
@@ -71,13 +75,28 @@ impl<'s> Sets<'s> {
         self.kept(Some(a.exists(variables)))
     }
 
-    /// The diagram with a function in the place of a variable. The function may read the variable, which what the crate has
-    /// for it does not stand (version 0.5.27).
-    pub(crate) fn substitute(&mut self, a: &Bdd, variable: BddVariable, function: &Bdd) -> Result<Bdd, Halt> {
-        if !a.support_set_contains(&variable) {
-            return Ok(a.clone());
+    /// Both, if that takes no more than so many nodes.
+    pub(crate) fn small_and(&mut self, a: &Bdd, b: &Bdd, most: usize) -> Result<Option<Bdd>, Halt> {
+        Bdd::binary_op_with_limit(most, a, b, op_function::and).map(|made| self.kept(Some(made))).transpose()
+    }
+
+    /// Whether they have nothing in common.
+    pub(crate) fn are_apart(&self, a: &Bdd, b: &Bdd) -> bool {
+        Bdd::check_binary_op(usize::MAX, a, b, op_function::and).is_some_and(|(is_not_empty, _)| !is_not_empty)
+    }
+
+    /// With other variables in the places of some, which keeps their order.
+    pub(crate) fn renamed(
+        &mut self,
+        a: Bdd,
+        names: impl Iterator<Item = (BddVariable, BddVariable)>,
+    ) -> Result<Bdd, Halt> {
+        let names: FxHashMap<BddVariable, BddVariable> = names.collect();
+        let mut nodes = a.to_nodes();
+        // The first two are the constants.
+        for node in nodes.iter_mut().skip(2) {
+            node.var = names.get(&node.var).copied().unwrap_or(node.var);
         }
-        let (yes, no) = (a.var_restrict(variable, true), a.var_restrict(variable, false));
-        self.kept(Some(Bdd::if_then_else(function, &yes, &no)))
+        self.kept(Bdd::from_nodes(&nodes).ok())
     }
 }

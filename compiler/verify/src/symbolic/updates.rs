@@ -1,82 +1,83 @@
-//! What happens to all variables at once, as updates of one after the other: so a set of states is moved on, or back, without
-//! a second copy of all variables. What is still to be read is put aside before it is written.
+//! What happens to all variables at once, as a relation in parts: what each variable becomes stands in its second place, and
+//! is moved to the first in the end. A variable is left out as soon as no part to come reads it.
 
 use super::bits::Bit;
 use super::sets::{Halt, Sets};
 use biodivine_lib_bdd::{Bdd, BddVariable, BddVariableSet};
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 
-/// Updates, in the order in which they are done.
+/// Parts are put together up to so many nodes.
+const NODES_OF_PART: usize = 1_500;
+
+/// New values of variables, each a function of the old ones; those that stay are not named.
 pub(crate) struct Updates {
-    all: BddVariableSet,
-    list: Vec<(BddVariable, Bdd)>,
-    /// What was put aside, which nothing reads in the end.
-    aside: Vec<BddVariable>,
+    parts: Vec<Part>,
+    changed: Vec<Bit>,
+    functions: Vec<(Bit, Bdd)>,
+}
+
+/// The new values of some variables.
+struct Part {
+    relation: Bdd,
+    /// Where they stand.
+    new: Vec<BddVariable>,
+    /// What it is made of.
+    reads: HashSet<BddVariable>,
 }
 
 impl Updates {
     /// New values, each a function of the old ones; those that stay need not be named.
     pub(crate) fn new(all: &BddVariableSet, new: Vec<(Bit, Bdd)>, sets: &mut Sets) -> Result<Updates, Halt> {
         let new = new.into_iter().filter(|(bit, function)| *function != all.mk_var(bit.now));
-        // Each with what it reads.
-        let mut pending: Vec<(Bit, Bdd, HashSet<BddVariable>)> =
-            new.map(|(bit, function)| (bit, function.clone(), function.support_set())).collect();
-        let (mut list, mut aside) = (Vec::with_capacity(pending.len()), Vec::new());
-        while !pending.is_empty() {
-            let readers = |place: usize| {
-                let now = pending[place].0.now;
-                pending
-                    .iter()
-                    .enumerate()
-                    .filter(|(other, (_, _, reads))| *other != place && reads.contains(&now))
-                    .count()
-            };
-            // What nobody else waits to read; else what the fewest do.
-            let counts = (0..pending.len()).map(|place| (readers(place), place));
-            let (count, next) = counts.min().unwrap_or_default();
-            let (bit, function, _) = pending.remove(next);
-            if count > 0 {
-                let old = all.mk_var(bit.old);
-                list.push((bit.old, all.mk_var(bit.now)));
-                aside.push(bit.old);
-                for (_, other, reads) in pending.iter_mut().filter(|(_, _, reads)| reads.contains(&bit.now)) {
-                    *other = sets.substitute(other, bit.now, &old)?;
-                    *reads = other.support_set();
-                }
+        let mut new: Vec<(Bit, Bdd)> = new.collect();
+        new.sort_by_key(|(bit, _)| bit.now);
+        let mut parts: Vec<Part> = Vec::new();
+        for (bit, function) in &new {
+            let reads = function.support_set();
+            let relation = all.mk_var(bit.old).iff(function);
+            if let Some(last) = parts.last_mut()
+                && let Some(both) = sets.small_and(&last.relation, &relation, NODES_OF_PART)?
+            {
+                last.relation = both;
+                last.new.push(bit.old);
+                last.reads.extend(reads);
+                continue;
             }
-            list.push((bit.now, function));
+            parts.push(Part { relation, new: vec![bit.old], reads });
         }
-        Ok(Updates { all: all.clone(), list, aside })
+        Ok(Updates { parts, changed: new.iter().map(|(bit, _)| *bit).collect(), functions: new })
     }
 
-    /// The states after it.
-    pub(crate) fn image(&self, states: &Bdd, sets: &mut Sets) -> Result<Bdd, Halt> {
-        let mut states = states.clone();
-        for (variable, function) in &self.list {
-            let new = self.all.mk_var(*variable);
-            states = if reads(function, *variable) {
-                let yes = sets.and_exists(&states, function, &[*variable])?;
-                let no = sets.and_exists(&states, &function.not(), &[*variable])?;
-                let (yes, no) = (sets.and(&yes, &new)?, sets.minus(&no, &new)?);
-                sets.or(&yes, &no)?
-            } else {
-                let rest = sets.exists(&states, &[*variable])?;
-                sets.and(&rest, &new.iff(function))?
-            };
-        }
-        sets.exists(&states, &self.aside)
+    /// What changes, each with the function of what was before.
+    pub(crate) fn functions(&self) -> impl Iterator<Item = &(Bit, Bdd)> {
+        self.functions.iter()
     }
 
-    /// The states before it, of all that there are: those from which these are reached.
-    pub(crate) fn before(&self, states: &Bdd, sets: &mut Sets) -> Result<Bdd, Halt> {
-        let mut states = states.clone();
-        for (variable, function) in self.list.iter().rev() {
-            states = sets.substitute(&states, *variable, function)?;
+    /// The states after it, whatever some variables were that stay.
+    pub(crate) fn image(&self, states: &Bdd, left_out: &[BddVariable], sets: &mut Sets) -> Result<Bdd, Halt> {
+        let mut open: BTreeSet<BddVariable> = self.changed.iter().map(|bit| bit.now).collect();
+        open.extend(left_out);
+        let mut over = |rest: &[Part]| -> Vec<BddVariable> {
+            let done: Vec<BddVariable> =
+                open.iter().filter(|v| !rest.iter().any(|part| part.reads.contains(v))).copied().collect();
+            done.iter().for_each(|v| _ = open.remove(v));
+            done
+        };
+        let unread = over(&self.parts);
+        let mut states = if unread.is_empty() { states.clone() } else { sets.exists(states, &unread)? };
+        for (place, part) in self.parts.iter().enumerate() {
+            states = sets.and_exists(&states, &part.relation, &over(&self.parts[place + 1..]))?;
+        }
+        sets.renamed(states, self.changed.iter().map(|bit| (bit.old, bit.now)))
+    }
+
+    /// Of some states those from which these are reached.
+    pub(crate) fn before(&self, states: &Bdd, among: &Bdd, sets: &mut Sets) -> Result<Bdd, Halt> {
+        let states = sets.renamed(states.clone(), self.changed.iter().map(|bit| (bit.now, bit.old)))?;
+        let mut states = sets.and(&states, among)?;
+        for part in self.parts.iter().rev() {
+            states = sets.and_exists(&states, &part.relation, &part.new)?;
         }
         Ok(states)
     }
-}
-
-fn reads(function: &Bdd, variable: BddVariable) -> bool {
-    function.support_set().contains(&variable)
 }

@@ -1,5 +1,6 @@
 //! `grafc verify`: claims on a chart, each proved, shown to fail by a trace, or open.
 
+mod emit;
 mod human;
 mod json;
 mod junit;
@@ -16,7 +17,7 @@ use crate::stream::Stream;
 use clap::{Args, ValueEnum};
 use grafc::Document;
 use grafc::files::print;
-use grafc_logic::scan::{Claimed, Observed};
+use grafc_logic::scan::{Claimed, Observed, Program};
 use grafc_logic::{Extras, Options, compile_with};
 use grafc_model::reaction::Profile;
 use grafc_verify::{Answer, Limit, Method, Subject, Verified, verify};
@@ -28,6 +29,7 @@ Example:
   grafc verify valve.gct
   grafc verify valve.gct --traces faults
   grafc verify valve.gct --format junit > verified.xml
+  grafc verify valve.gct --emit aiger -o valve.aig
 
 What the chart asserts and wants (`assert`, `reach`) is answered under what it assumes. Always asked: livelock, deadlock, conflict, dead-transition, dead-step; and as notes, which change no exit code when they fail:
 selection, reentry, home. A claim that fails has a trace that `grafc sim` replays to the fault.
@@ -49,6 +51,12 @@ pub struct Arguments {
     /// Write the trace of each claim that fails into this folder
     #[arg(long, value_name = "DIR")]
     traces: Option<PathBuf>,
+    /// Prove nothing, but write the chart and its claims as a circuit, for engines of others
+    #[arg(long, value_name = "LANGUAGE", value_enum, conflicts_with_all = ["format", "time", "traces"])]
+    emit: Option<emit::Language>,
+    /// Where to put the circuit; standard output without it
+    #[arg(short, long, value_name = "FILE", requires = "emit")]
+    output: Option<Stream>,
     #[command(flatten)]
     profile: ProfileArguments,
     #[command(flatten)]
@@ -67,6 +75,9 @@ enum Form {
 
 /// Verifies one chart.
 pub fn run(args: Arguments) -> Result<Exit, Failure> {
+    if let Some(language) = args.emit {
+        return emitted(&args, language);
+    }
     let begun = Instant::now();
     let mut report = Report::default();
     let mut found = None;
@@ -99,6 +110,26 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     Ok(exit.max(of(&verified)))
 }
 
+/// Writes the circuit.
+fn emitted(args: &Arguments, language: emit::Language) -> Result<Exit, Failure> {
+    let output = args.output.clone().unwrap_or(Stream::Standard);
+    refuse_output_over_input(&output, [&args.chart])?;
+    let mut report = Report::default();
+    let mut made = None;
+    if let Some(document) = report.document(&args.chart)? {
+        report.diagnostics.append(document.diagnostics().clone());
+        let asked = args.profile.asked()?;
+        report.diagnostics.append(super::against(&document, &asked));
+        let asked = Some(asked.profile()).filter(|_| !report.has_errors());
+        made = asked.and_then(|profile| program(&document, profile));
+    }
+    let exit = report.tell(args.quiet.messages(Format::Human));
+    if let Some(program) = made {
+        Stream::write_all(&[(&output, emit::text(&program, language)?)])?;
+    }
+    Ok(exit)
+}
+
 /// A fault that is shown counts before what is open.
 fn of(verified: &Verified) -> Exit {
     let fails = verified.verdicts.iter().any(|v| matches!(v.answer, Answer::Fails(_)) && !v.claim.kind.is_note());
@@ -112,11 +143,8 @@ fn of(verified: &Verified) -> Exit {
 
 /// The answers, if the chart has no errors, and its name.
 fn verified(document: &Document, profile: Profile, end: Instant) -> Option<(String, Verified)> {
-    let analysis = document.analysis()?;
+    let program = program(document, profile)?;
     let chart = document.chart()?;
-    let options = Options { profile, ..Options::default() };
-    let extras = Extras { saved: true, observed: Observed::Transitions, claims: Claimed::All };
-    let (program, _) = compile_with(analysis.clone(), &options, extras);
     let interrupt = Interrupt::awaited();
     let mut progress = Progress::of_search();
     let mut stop = |at: grafc_verify::Progress| {
@@ -130,4 +158,12 @@ fn verified(document: &Document, profile: Profile, end: Instant) -> Option<(Stri
     };
     let verified = verify(Subject { chart, program: &program, profile }, Method::Auto, &mut stop);
     Some((program.name.clone(), verified))
+}
+
+/// The program, if the chart has no errors.
+fn program(document: &Document, profile: Profile) -> Option<Program> {
+    let analysis = document.analysis()?;
+    let options = Options { profile, ..Options::default() };
+    let extras = Extras { saved: true, observed: Observed::Transitions, claims: Claimed::All };
+    Some(compile_with(analysis.clone(), &options, extras).0)
 }
