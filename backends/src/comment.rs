@@ -33,6 +33,19 @@ pub fn clean(text: &str) -> String {
     out
 }
 
+/// What stands beside a declaration: the chart's name if it had to be changed, and the attached comment.
+pub(crate) fn remark(original: &str, given: &str, comment: Option<&str>) -> Option<String> {
+    let comment = comment.map(clean).filter(|text| !text.is_empty());
+    if original == given {
+        return comment;
+    }
+    let original = clean(original);
+    Some(match comment {
+        Some(comment) => format!("`{original}`: {comment}"),
+        None => format!("`{original}`"),
+    })
+}
+
 /// Marks that reorder or hide text: what is read must be what is there.
 pub(crate) fn is_invisible(c: char) -> bool {
     matches!(c, '\u{AD}' | '\u{61C}' | '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2060}'..='\u{206F}' | '\u{FEFF}')

@@ -4,6 +4,7 @@
 //! by the tables of [`keywords`]; [`comment`] makes every text of the user's harmless inside a comment.
 
 pub mod awl;
+pub mod c;
 pub mod choice;
 pub mod comment;
 mod formulas;
@@ -25,6 +26,7 @@ pub mod scl;
 pub mod st;
 mod target;
 pub mod tcpou;
+mod temporaries;
 mod transliterate;
 mod writer;
 mod xml;

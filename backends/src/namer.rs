@@ -13,9 +13,12 @@ impl Family {
     fn longest(self) -> usize {
         match self {
             Family::StatementList => 24,
-            Family::Iec | Family::InstructionList | Family::RustValues | Family::RustTypes | Family::JavaScript => {
-                MAX_LENGTH
-            }
+            Family::Iec
+            | Family::InstructionList
+            | Family::RustValues
+            | Family::RustTypes
+            | Family::JavaScript
+            | Family::C => MAX_LENGTH,
         }
     }
 }

@@ -129,14 +129,15 @@ impl Target {
             | Target::Tcpou(_)
             | Target::Iec61131_10(_)
             | Target::Rust(_)
-            | Target::Js(_) => true,
+            | Target::Js(_)
+            | Target::C(_) => true,
         }
     }
 
     /// Whether its code saves the memory of a chart and gives it back.
     pub fn saves_memory(&self) -> bool {
         match self {
-            Target::Rust(_) | Target::Js(_) => true,
+            Target::Rust(_) | Target::Js(_) | Target::C(_) => true,
             Target::St(_)
             | Target::Il(_)
             | Target::Awl(_)
@@ -147,11 +148,28 @@ impl Target {
         }
     }
 
+    /// Tells a target what the file beside its own is called, which its code may have to name.
+    pub fn set_beside(&mut self, name: &str) {
+        match self {
+            Target::C(options) => options.include = Some(name.to_owned()),
+            Target::St(_)
+            | Target::Il(_)
+            | Target::Awl(_)
+            | Target::Plcopen(_)
+            | Target::Scl(_)
+            | Target::Tcpou(_)
+            | Target::Iec61131_10(_)
+            | Target::Rust(_)
+            | Target::Js(_) => {}
+        }
+    }
+
     /// How much of its micro-steps its code shows.
     pub fn shows(&self) -> Observed {
         match self {
             Target::Js(options) => options.shown(),
             Target::Rust(_)
+            | Target::C(_)
             | Target::St(_)
             | Target::Il(_)
             | Target::Awl(_)
@@ -182,6 +200,8 @@ targets! {
     Rust => rust,
     /// JavaScript.
     Js => js,
+    /// C.
+    C => c,
 }
 
 #[cfg(test)]

@@ -37,6 +37,9 @@ pub(crate) struct Comments {
 /// Comments of IEC 61131-3.
 pub(crate) const IEC: Comments = Comments { first: "(* ", next: "   ", end: " *)" };
 
+/// Comments of C.
+pub(crate) const C: Comments = Comments { first: "/* ", next: "   ", end: " */" };
+
 /// Comments of SCL.
 pub(crate) const SCL: Comments = Comments { first: "// ", next: "// ", end: "" };
 
@@ -112,6 +115,11 @@ impl Writer {
     /// The text, and which lines of it come from what.
     pub fn finish_traced(self) -> (String, Lines) {
         (self.out, self.trace.map(|trace| trace.finish()).unwrap_or_default())
+    }
+
+    /// What is written so far.
+    pub fn written(&self) -> &str {
+        &self.out
     }
 
     /// How long the text is, in bytes.

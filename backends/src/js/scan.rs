@@ -1,9 +1,10 @@
 //! The parts of a scan, a function each, and which steps are active.
 
 use super::expressions::Expressions;
-use super::places::{PARTS, Places, parts};
+use super::places::Places;
 use super::statements::Statements;
 use super::text::quoted;
+use crate::temporaries::{PARTS, parts};
 use crate::writer::Writer;
 use grafc_formula::{Formula, FormulaId};
 use grafc_logic::scan::{Division, Flag, Program, Repeat, Role, Statement, VarId};

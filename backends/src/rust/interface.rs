@@ -2,7 +2,8 @@
 
 use super::items::doc;
 use super::literals::{literal, type_name, zero};
-use super::names::{RustNames, remark};
+use super::names::RustNames;
+use crate::comment::remark;
 use crate::writer::Writer;
 use ecow::EcoString;
 use grafc_formula::Type;

@@ -1,6 +1,5 @@
 //! The names of everything in one file of Rust, each in the case that Rust has for its kind.
 
-use crate::comment::clean;
 use crate::keywords::Family;
 use crate::namer::{MAX_LENGTH, Namer};
 use crate::transliterate::identifier;
@@ -86,19 +85,6 @@ impl RustNames {
 /// A name for a module.
 pub(super) fn module(wanted: &str) -> EcoString {
     Namer::new(Family::RustValues).name(&snake(wanted))
-}
-
-/// What stands beside a declaration: the chart's name if it had to be changed, and the attached comment.
-pub(super) fn remark(original: &str, given: &str, comment: Option<&str>) -> Option<String> {
-    let comment = comment.map(clean).filter(|text| !text.is_empty());
-    if original == given {
-        return comment;
-    }
-    let original = clean(original);
-    Some(match comment {
-        Some(comment) => format!("`{original}`: {comment}"),
-        None => format!("`{original}`"),
-    })
 }
 
 /// `weighA` and `Weigh_A` to `weigh_a`: a name of a field, a variable or a function.

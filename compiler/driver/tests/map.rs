@@ -100,7 +100,7 @@ fn lines_and_elements_are_one_table_in_two_orders() {
 #[test]
 fn a_map_changes_nothing_and_is_the_same_each_time() {
     let folder = Folder::new(&[("valve.gct", VALVE)]);
-    for target in ["st", "il", "awl", "scl", "rust", "js"] {
+    for target in ["st", "il", "awl", "scl", "rust", "js", "c"] {
         let plain = folder.run(&["valve.gct", "--target", target]).is_done().out.clone();
         let mapped = folder.run(&["valve.gct", "--target", target, "--map", "one.json"]).is_done().out.clone();
         assert_eq!(plain, mapped, "{target}");

@@ -21,7 +21,7 @@ fn a_new_chart_works() {
     assert_eq!(folder.run(&["fmt", "--check", "mixer/mixer.gct"]).is_done().out, "");
     let simulated = folder.run(&["sim", "mixer/mixer.gct", "--trace", "mixer/mixer.trace.csv"]).is_done().out.clone();
     assert!(simulated.contains("\n1000,0,1,2,\n") && simulated.contains("\n6000,1,0,1,\n"), "{simulated}");
-    for target in ["st", "il", "awl", "plcopen", "scl", "tcpou", "iec61131-10", "rust", "js"] {
+    for target in ["st", "il", "awl", "plcopen", "scl", "tcpou", "iec61131-10", "rust", "js", "c"] {
         folder.run(&["mixer/mixer.gct", "-t", target]).is_done();
     }
 }

@@ -459,7 +459,7 @@ scenario \"s\" { 0s : button = 1 }
 #[test]
 fn scenarios_change_no_code() {
     let scenario = "scenario \"s\" { 0s : button = 1 -> lamp  until X1 and lamp within 1s }\n";
-    for target in ["st", "il", "rust", "js", "plcopen", "awl", "scl"] {
+    for target in ["st", "il", "rust", "js", "c", "plcopen", "awl", "scl"] {
         let plain = lamp("").run(&["lamp.gct", "--target", target, "-q"]).out.clone();
         assert_eq!(lamp(scenario).run(&["lamp.gct", "--target", target, "-q"]).out, plain, "{target}");
         assert!(!plain.is_empty(), "{target}");

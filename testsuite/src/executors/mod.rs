@@ -7,6 +7,7 @@
 
 pub mod awlsim;
 pub mod beremiz;
+pub mod c;
 mod c_driver;
 pub(crate) mod function_block;
 pub mod ironplc;
@@ -33,6 +34,7 @@ pub fn all() -> Vec<Box<dyn Executor>> {
     all.push(Box::new(lanes::AtOnce));
     all.push(Box::new(rust::Rust::find()));
     all.push(Box::new(js::JavaScript::find()));
+    all.push(Box::new(c::C::find()));
     all.extend(matiec::executors());
     all.push(Box::new(ironplc::Ironplc::find()));
     all.push(Box::new(strucpp::Strucpp::find()));

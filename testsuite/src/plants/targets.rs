@@ -3,7 +3,7 @@
 use super::Plant;
 use crate::executors::{ironplc, matiec, strucpp};
 use grafc::Product;
-use grafc_backends::{Target, awl, iec61131_10, il, js, plcopen, rust, scl, st, tcpou};
+use grafc_backends::{Target, awl, c, iec61131_10, il, js, plcopen, rust, scl, st, tcpou};
 use grafc_diagnostics::{Code, FileId};
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::Profile;
@@ -78,7 +78,7 @@ pub fn targets(plant: &Plant, compilers: &Compilers) -> Result<Written, String> 
 }
 
 /// So many texts a chart has in one encoding: a target with each dialect and body that it knows.
-pub const PRODUCTS: usize = 13;
+pub const PRODUCTS: usize = 14;
 
 fn products() -> [Product; PRODUCTS] {
     let plcopen = |dialect, body| {
@@ -98,6 +98,7 @@ fn products() -> [Product; PRODUCTS] {
         Product::Code(Target::Awl(awl::Options::default())),
         Product::Code(Target::Rust(rust::Options::default())),
         Product::Code(Target::Js(js::Options::default())),
+        Product::Code(Target::C(c::Options::default())),
     ]
 }
 

@@ -44,7 +44,11 @@ pub fn jobs(args: &Arguments) -> Result<Vec<Job<'_>>, Failure> {
         let output = place(args.output.as_ref(), &asked.ending())?.unwrap_or(Stream::Standard);
         let map = place(args.map.as_ref(), "map.json")?;
         let beside = beside(&asked, &output);
-        jobs.push(Job { chart, product: product(args, &asked)?, output, beside, map, folders });
+        let mut product = product(args, &asked)?;
+        if let (Product::Code(target) | Product::Mapped(target), Some(beside)) = (&mut product, &beside) {
+            target.set_beside(&beside.file_name());
+        }
+        jobs.push(Job { chart, product, output, beside, map, folders });
     }
     refuse_collisions(&jobs)?;
     Ok(jobs)

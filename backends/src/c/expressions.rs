@@ -1,0 +1,306 @@
+//! Formulas as expressions of C.
+//!
+//! What computes with whole numbers is a function, which wraps around by unsigned arithmetic: the operators of C may not
+//! overflow, and promote small types. Comparisons that a type decides alone are decided here, since compilers complain of
+//! them.
+
+use super::literals::{literal, range, type_name, word};
+use super::places::Places;
+use crate::formulas::{Arrangement, Formulas, Notation, Piece, Shape};
+use crate::writer::Writer;
+use ecow::{EcoString, eco_format};
+use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Pool, Type, Value};
+use grafc_logic::scan::{Statement, VarId};
+use rustc_hash::FxHashSet;
+use std::borrow::Cow;
+
+/// How formulas of one program are spelt.
+pub(super) struct Expressions<'p> {
+    formulas: Formulas<C<'p>, CLevel>,
+    /// The variables that are read where all is written as it is.
+    read: FxHashSet<VarId>,
+}
+
+struct C<'p> {
+    places: &'p Places<'p>,
+}
+
+/// What parentheses depend on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum CLevel {
+    Atom,
+    /// With a sign, `!` or a type before it.
+    Prefix,
+    Arithmetic,
+    Comparison,
+    Junction,
+}
+
+impl<'p> Expressions<'p> {
+    /// Measures all formulas.
+    pub fn new(places: &'p Places<'p>) -> Self {
+        let formulas = Formulas::new(C { places }, places.program.pool.ids());
+        let read = read(&formulas.notation);
+        Expressions { formulas, read }
+    }
+
+    /// Whether a variable is read anywhere: what a comparison asks that its types decide is not.
+    pub fn is_read(&self, v: VarId) -> bool {
+        self.read.contains(&v)
+    }
+
+    /// The columns that a formula takes on one line as the value of something.
+    pub fn width(&self, id: FormulaId) -> usize {
+        self.formulas.width(id)
+    }
+
+    /// Writes a formula as the value of something, on the current line.
+    pub fn flat(&self, out: &mut Writer, id: FormulaId) {
+        self.formulas.flat(out, id);
+    }
+
+    /// A formula as the value of something.
+    pub fn text(&self, out: &Writer, id: FormulaId) -> String {
+        let mut apart = out.apart();
+        self.flat(&mut apart, id);
+        apart.finish()
+    }
+
+    /// Writes a formula on lines of its own, `tail` behind the last.
+    pub fn lines(&self, out: &mut Writer, id: FormulaId, tail: &str) {
+        let shape = self.formulas.notation.shape(id);
+        match &shape.arrangement {
+            Arrangement::Infix(operator, operands) if out.indent() + self.width(id) + tail.len() > out.width() => {
+                let lead = format!("{operator} ");
+                for (place, operand) in operands.iter().enumerate() {
+                    let lead = if place == 0 { "" } else { &lead };
+                    let tail = if place + 1 == operands.len() { tail } else { "" };
+                    self.term(out, shape.level, place, lead, *operand, tail);
+                }
+            }
+            Arrangement::Prefix(word, operand) if out.indent() + self.width(id) + tail.len() > out.width() => {
+                self.term(out, shape.level, 1, word, *operand, tail);
+            }
+            Arrangement::Atom(_) | Arrangement::Prefix(..) | Arrangement::Pieces(..) | Arrangement::Infix(..) => {
+                out.start();
+                self.flat(out, id);
+                out.text(tail);
+                out.end();
+            }
+        }
+    }
+
+    /// One operand on lines of its own.
+    fn term(&self, out: &mut Writer, parent: CLevel, place: usize, lead: &str, id: FormulaId, tail: &str) {
+        let wrap = self.formulas.needs_parentheses(parent, place, id);
+        if out.indent() + lead.len() + self.formulas.width(id) + 2 + tail.len() > out.width() {
+            if wrap {
+                out.open(&format!("{lead}("));
+                self.lines(out, id, "");
+                return out.close(&format!("){tail}"));
+            }
+            let shape = self.formulas.notation.shape(id);
+            if let Arrangement::Prefix(word, operand) = shape.arrangement {
+                return self.term(out, shape.level, 1, &format!("{lead}{word}"), operand, tail);
+            }
+        }
+        out.start();
+        out.text(lead);
+        self.formulas.operand(out, parent, place, id);
+        out.text(tail);
+        out.end();
+    }
+}
+
+/// The variables that statements read, and what asks for active steps.
+fn read(c: &C) -> FxHashSet<VarId> {
+    let program = c.places.program;
+    let mut found: FxHashSet<VarId> = program.repeat.iter().map(|repeat| repeat.again).collect();
+    let mut open: Vec<FormulaId> = program.steps.iter().map(|step| step.active).collect();
+    for statement in program.statements() {
+        match statement {
+            Statement::Heading(_) => {}
+            Statement::Assign { value, .. } => open.push(*value),
+            Statement::Divide(division) => open.extend([division.dividend, division.divisor]),
+            Statement::CallTimer { input, .. } => open.push(*input),
+            Statement::Case { of, .. } => {
+                found.insert(*of);
+            }
+            Statement::If { branches, .. } => open.extend(branches.iter().map(|(when, _)| *when)),
+        }
+    }
+    let mut seen = vec![false; program.pool.len()];
+    while let Some(id) = open.pop() {
+        if std::mem::replace(&mut seen[id.index()], true) {
+            continue;
+        }
+        match program.pool.get(id) {
+            Formula::Variable(v) => {
+                found.insert(*v);
+            }
+            Formula::Compare(op, a, b) if c.decided(*op, *a, *b).is_some() => {}
+            _ => open.extend(program.pool.operands(id)),
+        }
+    }
+    found
+}
+
+impl Notation for C<'_> {
+    type Level = CLevel;
+
+    fn needs_parentheses(&self, parent: CLevel, place: usize, operand: CLevel) -> bool {
+        match (operand, parent) {
+            (CLevel::Atom, _) => false,
+            (CLevel::Prefix, CLevel::Junction) => false,
+            (CLevel::Prefix, CLevel::Arithmetic) => place > 0,
+            (CLevel::Arithmetic, CLevel::Comparison) | (CLevel::Comparison, CLevel::Junction) => false,
+            (CLevel::Prefix | CLevel::Arithmetic | CLevel::Comparison | CLevel::Junction, _) => true,
+        }
+    }
+
+    fn shape(&self, id: FormulaId) -> Shape<'_, CLevel> {
+        let pool = self.pool();
+        let pair = |a: FormulaId, b: FormulaId| Cow::Owned(vec![a, b]);
+        let atom = |text: EcoString| (CLevel::Atom, Arrangement::Atom(text));
+        let (level, arrangement) = match pool.get(id) {
+            Formula::Constant(value) => atom(literal(*value, pool.ty(id))),
+            Formula::Variable(v) => atom(self.places.read(*v).clone()),
+            Formula::TimerDone(timer) => {
+                let total = self.places.preset(self.places.program.timers[*timer].given_preset());
+                atom(eco_format!("delay_has_run(&{}, {total})", self.places.timer(*timer)))
+            }
+            Formula::TimerElapsed(timer) => atom(eco_format!("{}.elapsed", self.places.timer(*timer))),
+            Formula::Not(a) => match pool.get(*a) {
+                Formula::Xor(b, c) => (CLevel::Comparison, Arrangement::Infix("==", pair(*b, *c))),
+                Formula::Compare(Comparison::Equal, b, c) => self.comparison(Comparison::NotEqual, *b, *c),
+                _ => (CLevel::Prefix, Arrangement::Prefix("!", *a)),
+            },
+            Formula::And(list) => (CLevel::Junction, Arrangement::Infix("&&", Cow::Borrowed(pool.list(*list)))),
+            Formula::Or(list) => (CLevel::Junction, Arrangement::Infix("||", Cow::Borrowed(pool.list(*list)))),
+            Formula::Xor(a, b) => (CLevel::Comparison, Arrangement::Infix("!=", pair(*a, *b))),
+            Formula::Compare(op, a, b) => self.comparison(*op, *a, *b),
+            Formula::Arithmetic(op, a, b) => self.arithmetic(*op, pool.ty(id), *a, *b),
+            Formula::Negate(a) => match pool.ty(id) {
+                Type::Real | Type::Lreal => (CLevel::Prefix, Arrangement::Prefix("-", *a)),
+                ty @ (Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Time) => {
+                    let head = Piece::Text(eco_format!("neg_{}(", word(ty)));
+                    (CLevel::Atom, Arrangement::Pieces(vec![head, Piece::Enclosed(*a), Piece::Text(")".into())]))
+                }
+            },
+            Formula::Widen(a) => {
+                let head = Piece::Text(eco_format!("({})", type_name(pool.ty(id))));
+                (CLevel::Prefix, Arrangement::Pieces(vec![head, Piece::Operand(1, *a)]))
+            }
+        };
+        Shape { level, arrangement }
+    }
+}
+
+impl C<'_> {
+    fn pool(&self) -> &Pool {
+        &self.places.program.pool
+    }
+
+    fn comparison(&self, op: Comparison, a: FormulaId, b: FormulaId) -> (CLevel, Arrangement<'_>) {
+        if let Some(decided) = self.decided(op, a, b) {
+            return (CLevel::Atom, Arrangement::Atom(eco_format!("{decided}")));
+        }
+        let sign = match op {
+            Comparison::Equal => "==",
+            Comparison::NotEqual => "!=",
+            Comparison::Less => "<",
+            Comparison::LessEqual => "<=",
+            Comparison::Greater => ">",
+            Comparison::GreaterEqual => ">=",
+        };
+        for (of, with) in [(a, b), (b, a)] {
+            if let (Formula::Variable(v), Some(value)) = (self.pool().get(of), self.pool().as_constant(with))
+                && self.places.state(*v).is_some()
+            {
+                let text = eco_format!("{} {sign} {}", self.places.read(*v), self.places.value(*v, value));
+                return (CLevel::Comparison, Arrangement::Atom(text));
+            }
+        }
+        (CLevel::Comparison, Arrangement::Infix(sign, Cow::Owned(vec![a, b])))
+    }
+
+    /// What the range of a type says of a comparison with a constant at one of its ends; and of a number with itself, which a
+    /// real need not be equal to.
+    fn decided(&self, op: Comparison, a: FormulaId, b: FormulaId) -> Option<bool> {
+        let pool = self.pool();
+        if a == b && !matches!(pool.ty(a), Type::Real | Type::Lreal) {
+            return Some(matches!(op, Comparison::Equal | Comparison::LessEqual | Comparison::GreaterEqual));
+        }
+        let (least, greatest) = range(pool.ty(a))?;
+        let number = |id: FormulaId| match pool.as_constant(id) {
+            Some(Value::Int(n) | Value::Time(n)) => Some(n),
+            Some(Value::Bool(_) | Value::Real(_)) | None => None,
+        };
+        // As if the constant stood at the right.
+        let (op, n) = match (number(a), number(b)) {
+            (None, Some(n)) => (op, n),
+            (Some(n), None) => (turned(op), n),
+            (Some(_), Some(_)) | (None, None) => return None,
+        };
+        match op {
+            Comparison::GreaterEqual if n == least => Some(true),
+            Comparison::Less if n == least => Some(false),
+            Comparison::LessEqual if n == greatest => Some(true),
+            Comparison::Greater if n == greatest => Some(false),
+            Comparison::Equal
+            | Comparison::NotEqual
+            | Comparison::Less
+            | Comparison::LessEqual
+            | Comparison::Greater
+            | Comparison::GreaterEqual => None,
+        }
+    }
+
+    fn arithmetic(&self, op: Arithmetic, ty: Type, a: FormulaId, b: FormulaId) -> (CLevel, Arrangement<'_>) {
+        if matches!(ty, Type::Real | Type::Lreal) {
+            return (CLevel::Arithmetic, Arrangement::Infix(sign(op), Cow::Owned(vec![a, b])));
+        }
+        let pieces = vec![
+            Piece::Text(eco_format!("{}(", function(op, ty))),
+            Piece::Enclosed(a),
+            Piece::Text(", ".into()),
+            Piece::Enclosed(b),
+            Piece::Text(")".into()),
+        ];
+        (CLevel::Atom, Arrangement::Pieces(pieces))
+    }
+}
+
+/// The function that does an operation on whole numbers.
+pub(super) fn function(op: Arithmetic, ty: Type) -> EcoString {
+    let name = match op {
+        Arithmetic::Add => "add",
+        Arithmetic::Subtract => "sub",
+        Arithmetic::Multiply => "mul",
+        Arithmetic::Divide => "div",
+        Arithmetic::Modulo => "rem",
+    };
+    eco_format!("{name}_{}", word(ty))
+}
+
+/// The operator of an operation on reals; there is no remainder of them.
+pub(super) fn sign(op: Arithmetic) -> &'static str {
+    match op {
+        Arithmetic::Add => "+",
+        Arithmetic::Subtract => "-",
+        Arithmetic::Multiply => "*",
+        Arithmetic::Divide => "/",
+        Arithmetic::Modulo => "%",
+    }
+}
+
+/// A comparison with its sides exchanged.
+fn turned(op: Comparison) -> Comparison {
+    match op {
+        Comparison::Less => Comparison::Greater,
+        Comparison::LessEqual => Comparison::GreaterEqual,
+        Comparison::Greater => Comparison::Less,
+        Comparison::GreaterEqual => Comparison::LessEqual,
+        Comparison::Equal | Comparison::NotEqual => op,
+    }
+}

@@ -1,0 +1,111 @@
+//! Types and constants.
+
+use ecow::{EcoString, eco_format};
+use grafc_formula::{Type, Value};
+
+/// A type of the chart.
+pub(super) fn type_name(ty: Type) -> &'static str {
+    match ty {
+        Type::Bool => "bool",
+        Type::Int => "int16_t",
+        Type::Dint => "int32_t",
+        Type::Uint => "uint16_t",
+        Type::Udint => "uint32_t",
+        Type::Real => "float",
+        Type::Lreal => "double",
+        // A whole number of milliseconds.
+        Type::Time => "int64_t",
+    }
+}
+
+/// What functions of a type of whole numbers have in their names.
+pub(super) fn word(ty: Type) -> &'static str {
+    match ty {
+        Type::Int => "int",
+        Type::Dint => "dint",
+        Type::Uint => "uint",
+        Type::Udint => "udint",
+        Type::Time => "time",
+        Type::Bool | Type::Real | Type::Lreal => "",
+    }
+}
+
+/// The bytes of a type where it is saved.
+pub(super) fn size(ty: Type) -> usize {
+    match ty {
+        Type::Bool => 1,
+        Type::Int | Type::Uint => 2,
+        Type::Dint | Type::Udint | Type::Real => 4,
+        Type::Lreal | Type::Time => 8,
+    }
+}
+
+/// The least and the greatest whole number of a type.
+pub(super) fn range(ty: Type) -> Option<(i64, i64)> {
+    match ty {
+        Type::Int => Some((i16::MIN.into(), i16::MAX.into())),
+        Type::Dint => Some((i32::MIN.into(), i32::MAX.into())),
+        Type::Uint => Some((0, u16::MAX.into())),
+        Type::Udint => Some((0, u32::MAX.into())),
+        Type::Time => Some((i64::MIN, i64::MAX)),
+        Type::Bool | Type::Real | Type::Lreal => None,
+    }
+}
+
+/// A constant.
+pub(super) fn literal(value: Value, ty: Type) -> EcoString {
+    match (value, ty) {
+        (Value::Bool(b), _) => eco_format!("{b}"),
+        (Value::Int(n), Type::Real | Type::Lreal) => real(n as f64, ty),
+        (Value::Int(n) | Value::Time(n), _) => whole(n, ty),
+        (Value::Real(x), _) => real(x, ty),
+    }
+}
+
+/// The least numbers of 32 and 64 bits are no literals: a literal has no sign.
+fn whole(n: i64, ty: Type) -> EcoString {
+    match ty {
+        Type::Uint | Type::Udint => eco_format!("{n}u"),
+        Type::Bool | Type::Int | Type::Dint | Type::Real | Type::Lreal | Type::Time => match n {
+            i64::MIN => "INT64_MIN".into(),
+            n if n == i64::from(i32::MIN) && ty == Type::Dint => "INT32_MIN".into(),
+            n if n == i64::from(i16::MIN) && ty == Type::Int => "INT16_MIN".into(),
+            n if i32::try_from(n).is_ok() && n != i64::from(i32::MIN) => eco_format!("{n}"),
+            n if n < 0 => eco_format!("-INT64_C({})", n.unsigned_abs()),
+            n => eco_format!("INT64_C({n})"),
+        },
+    }
+}
+
+/// The shortest form that is read back as the same number of the type.
+fn real(x: f64, ty: Type) -> EcoString {
+    match ty {
+        Type::Real => eco_format!("{:?}f", x as f32),
+        Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Lreal | Type::Time => {
+            eco_format!("{x:?}")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers() {
+        for (value, ty, expected) in [
+            (Value::Int(-3), Type::Dint, "-3"),
+            (Value::Int(-2_147_483_648), Type::Dint, "INT32_MIN"),
+            (Value::Int(65_535), Type::Uint, "65535u"),
+            (Value::Time(90_000), Type::Time, "90000"),
+            (Value::Time(2_147_483_648), Type::Time, "INT64_C(2147483648)"),
+            (Value::Time(-2_147_483_648), Type::Time, "-INT64_C(2147483648)"),
+            (Value::Time(i64::MIN), Type::Time, "INT64_MIN"),
+            (Value::Real(f64::from(0.1f32)), Type::Real, "0.1f"),
+            (Value::Real(1e-7), Type::Lreal, "1e-7"),
+            (Value::Int(3), Type::Real, "3.0f"),
+        ] {
+            assert_eq!(literal(value, ty), expected);
+        }
+    }
+}
