@@ -10,15 +10,15 @@ use crate::formulas::{Arrangement, Formulas, Notation, Piece, Shape};
 use crate::writer::Writer;
 use ecow::{EcoString, eco_format};
 use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Pool, Type, Value};
-use grafc_logic::scan::{Statement, VarId};
+use grafc_logic::scan::{Guard, Statement, VarId};
 use rustc_hash::FxHashSet;
 use std::borrow::Cow;
 
 /// How formulas of one program are spelt.
 pub(super) struct Expressions<'p> {
     formulas: Formulas<C<'p>, CLevel>,
-    /// The variables that are read where all is written as it is.
-    read: FxHashSet<VarId>,
+    /// The variables that are read in the scan, and in what gives memory back.
+    read: [FxHashSet<VarId>; 2],
 }
 
 struct C<'p> {
@@ -40,13 +40,14 @@ impl<'p> Expressions<'p> {
     /// Measures all formulas.
     pub fn new(places: &'p Places<'p>) -> Self {
         let formulas = Formulas::new(C { places }, places.program.pool.ids());
-        let read = read(&formulas.notation);
+        let read = [false, true].map(|restoring| read(&formulas.notation, restoring));
         Expressions { formulas, read }
     }
 
-    /// Whether a variable is read anywhere: what a comparison asks that its types decide is not.
-    pub fn is_read(&self, v: VarId) -> bool {
-        self.read.contains(&v)
+    /// Whether a variable is read in the scan, or in what gives memory back: what a comparison asks that its types decide is
+    /// not.
+    pub fn is_read(&self, v: VarId, restoring: bool) -> bool {
+        self.read[usize::from(restoring)].contains(&v)
     }
 
     /// The columns that a formula takes on one line as the value of something.
@@ -112,21 +113,29 @@ impl<'p> Expressions<'p> {
     }
 }
 
-/// The variables that statements read, and what asks for active steps.
-fn read(c: &C) -> FxHashSet<VarId> {
+/// The variables that statements read: those of the scan, or those that give memory back.
+fn read(c: &C, restoring: bool) -> FxHashSet<VarId> {
     let program = c.places.program;
-    let mut found: FxHashSet<VarId> = program.repeat.iter().map(|repeat| repeat.again).collect();
-    let mut open: Vec<FormulaId> = program.steps.iter().map(|step| step.active).collect();
-    for statement in program.statements() {
-        match statement {
-            Statement::Heading(_) => {}
-            Statement::Assign { value, .. } => open.push(*value),
-            Statement::Divide(division) => open.extend([division.dividend, division.divisor]),
-            Statement::CallTimer { input, .. } => open.push(*input),
-            Statement::Case { of, .. } => {
-                found.insert(*of);
+    let counted = program.repeat.and_then(|repeat| repeat.limit).map(|limit| limit.count);
+    let mut found: FxHashSet<VarId> = program.repeat.iter().map(|repeat| repeat.again).chain(counted).collect();
+    let mut open: Vec<FormulaId> = Vec::new();
+    let [first, before, micro_step, after, back] = program.sections();
+    let mut blocks = if restoring { vec![back] } else { vec![first, before, micro_step, after] };
+    while let Some(block) = blocks.pop() {
+        for statement in block {
+            blocks.extend(statement.bodies());
+            match statement {
+                Statement::Heading(_) => {}
+                Statement::Assign { value, .. } => open.push(*value),
+                // By the constant 0 nothing is divided.
+                Statement::Divide(division) if program.guard(division) == Guard::Never => {}
+                Statement::Divide(division) => open.extend([division.dividend, division.divisor]),
+                Statement::CallTimer { input, .. } => open.push(*input),
+                Statement::Case { of, .. } => {
+                    found.insert(*of);
+                }
+                Statement::If { branches, .. } => open.extend(branches.iter().map(|(when, _)| *when)),
             }
-            Statement::If { branches, .. } => open.extend(branches.iter().map(|(when, _)| *when)),
         }
     }
     let mut seen = vec![false; program.pool.len()];

@@ -8,7 +8,7 @@ use grafc_logic::scan::{Program, VarId};
 
 /// Writes it.
 pub(super) fn write(out: &mut Writer, places: &Places, expressions: &Expressions) {
-    let statements = Statements { places, expressions };
+    let statements = Statements { places, expressions, restoring: false };
     let (program, chart) = (places.program, &places.names.chart);
     out.open(&format!(
         "const {chart}_outputs *{chart}_scan({chart} *chart, const {chart}_inputs *inputs, uint32_t now_ms)\n{{"
@@ -34,6 +34,7 @@ pub(super) fn write(out: &mut Writer, places: &Places, expressions: &Expressions
         out.blank();
         out.comment("what follows from memory that has been given back");
         out.open(&format!("static void restoring({chart} *chart)\n{{"));
+        let statements = Statements { restoring: true, ..statements };
         declare(out, &statements, &places.declared(true));
         out.blank();
         statements.block(out, &restoring.statements);
@@ -54,7 +55,7 @@ fn declare(out: &mut Writer, statements: &Statements, variables: &[VarId]) {
         let value = places.value(*v, grafc_formula::number::zero(variable.ty));
         out.line(&format!("{} {} = {value};", places.type_name(*v), places.read(*v)));
     }
-    for v in variables.iter().filter(|v| !statements.expressions.is_read(**v)) {
+    for v in variables.iter().filter(|v| !statements.expressions.is_read(**v, statements.restoring)) {
         // Comparisons that ask for it are decided without it.
         out.line(&format!("(void){};", places.read(*v)));
     }

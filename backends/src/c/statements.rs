@@ -12,6 +12,8 @@ use grafc_logic::scan::{Arm, Division, Guard, Statement, VarId, is_empty, origin
 pub(super) struct Statements<'p> {
     pub places: &'p Places<'p>,
     pub expressions: &'p Expressions<'p>,
+    /// Whether they give memory back.
+    pub restoring: bool,
 }
 
 impl Statements<'_> {
@@ -52,7 +54,7 @@ impl Statements<'_> {
 
     /// A constant that nobody reads, since comparisons that ask for it are decided without it.
     fn unread(&self, out: &mut Writer, target: VarId) {
-        if self.places.is_constant(target) && !self.expressions.is_read(target) {
+        if self.places.is_constant(target) && !self.expressions.is_read(target, self.restoring) {
             out.line(&format!("(void){};", self.places.read(target)));
         }
     }

@@ -69,8 +69,8 @@ fn traces_are_files_that_sim_replays() {
 
 #[test]
 fn what_is_open_ends_with_4() {
-    let sum = "input n : int\nvar sum : int\ninitial step 1 { sum := sum + n on activation }\nstep 2\n\
-               transition 1 -> 2 : [sum < 5]\ntransition 2 -> 1 : [sum > 5]\n";
+    let sum = "input n : real\nvar sum : real\ninitial step 1 { sum := sum + n on activation }\nstep 2\n\
+               transition 1 -> 2 : [sum < 5.0]\ntransition 2 -> 1 : [sum > 5.0]\n";
     let folder = Folder::new(&[("sum.gct", sum), ("round.gct", ROUND)]);
     let found = folder.run(&["verify", "sum.gct", "-q"]);
     found.ends(4, "");

@@ -201,7 +201,10 @@ impl<'text> Builder<'text> {
             match options.iter().find(|first| first.kind.word() == word) {
                 Some(first) => {
                     let fault = Diagnostic::new(Code::E0107, option.span, format!("`{word}` appears twice"));
-                    let fix = Fix::maybe("leave it out").delete(option.span);
+                    // With the blanks before it.
+                    let before = self.slice(0, option.span.start).trim_end().len();
+                    let whole = Span { start: u32::try_from(before).unwrap_or(option.span.start), ..option.span };
+                    let fix = Fix::maybe("leave it out").delete(whole);
                     let fault = fault.also(first.span, "first here").help("leave one of the two out").fix(fix);
                     self.fault(fault);
                 }

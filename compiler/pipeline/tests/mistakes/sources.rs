@@ -29,6 +29,9 @@ const OUT_OF_REACH: &[&str] = &[
     "an expansion may stand outside of the others",
     // In a file of scenarios.
     "what belongs to the chart stands in its own file",
+    // Of what a command line asks for.
+    "ask for nothing: the chart means what its heading says; or change the heading",
+    "leave `--{option}` out",
 ];
 
 /// The words of a help in the source, with `{…}` where something is put in.
