@@ -152,6 +152,15 @@ fn what_is_wrong_is_an_error_at_its_place() {
 }
 
 /// Files that are made to break readers: all end soon, with a report or an error.
+/// A text without a chart is told of at its first character, however many bytes that has.
+#[test]
+fn a_text_without_a_chart_is_told_of_at_a_character() {
+    for text in ["\u{7de}", "\u{1f600} no chart", "x", ""] {
+        holds(text, &grafc_import::import_all(FileId::default(), text, &Options::default()));
+        assert_eq!(faults(text).len(), 1, "{text:?}");
+    }
+}
+
 #[test]
 fn hostile_files_are_told_soon() {
     let wired = |kind: &str, local: usize, from: &[usize]| {

@@ -94,7 +94,8 @@ pub fn import_all(file: FileId, text: &str, options: &Options) -> (Vec<Imported>
             written.into_iter().collect()
         }
     } else {
-        let whole = Span::new(file, 0, text.len().min(1));
+        // Its first character.
+        let whole = Span::new(file, 0, text.chars().next().map_or(0, char::len_utf8));
         let project = iec_text::read(file, text, &mut diagnostics);
         charts_of(&project, whole, limit, options, &mut diagnostics)
     };
