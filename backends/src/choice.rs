@@ -121,3 +121,21 @@ impl Refusal {
         Refusal { what: what.into(), help: help.into() }
     }
 }
+
+/// What a target is that leaves nothing to choose.
+pub(crate) mod none {
+    use super::{Choice, Chosen, Refusal};
+
+    /// Nothing.
+    pub(crate) const CHOICES: &[&Choice] = &[];
+
+    /// What is usual.
+    pub(crate) fn options<T: Default>(_: &Chosen) -> Result<T, Refusal> {
+        Ok(T::default())
+    }
+
+    /// Nothing is said.
+    pub(crate) fn spelled<T>(_: &T) -> String {
+        String::new()
+    }
+}

@@ -1,7 +1,7 @@
 //! Formulas as expressions of some language, on one line: what all notations share.
 //!
 //! A [`Notation`] says what a formula looks like and where parentheses stand. The widths of all formulas are known
-//! beforehand, so that each is written once, flat or broken. Recursion is as deep as a formula, which [`crate::limits`]
+//! beforehand, so that each is written once, flat or broken into lines. Recursion is as deep as a formula, which [`crate::limits`]
 //! bounds.
 
 use crate::writer::Writer;
@@ -13,6 +13,9 @@ use std::borrow::Cow;
 pub(crate) trait Notation {
     /// What parentheses depend on.
     type Level: Copy;
+
+    /// So many operands stand below each other; more of them in groups in parentheses.
+    const LONGEST_CHAIN: usize = usize::MAX;
 
     /// What a formula looks like.
     fn shape(&self, id: FormulaId) -> Shape<'_, Self::Level>;
@@ -144,5 +147,69 @@ impl<N: Notation> Formulas<N, N::Level> {
         out.text(if wrap { "(" } else { "" });
         self.flat(out, id);
         out.text(if wrap { ")" } else { "" });
+    }
+
+    /// Writes a formula on lines of its own, `tail` behind the last.
+    pub fn lines(&self, out: &mut Writer, id: FormulaId, tail: &str) {
+        let shape = self.notation.shape(id);
+        match &shape.arrangement {
+            Arrangement::Infix(operator, operands) if out.indent() + self.width(id) + tail.len() > out.width() => {
+                self.chain(out, shape.level, operator, operands, tail);
+            }
+            Arrangement::Prefix(word, operand) if out.indent() + self.width(id) + tail.len() > out.width() => {
+                self.term(out, shape.level, 1, word, *operand, tail);
+            }
+            Arrangement::Atom(_) | Arrangement::Prefix(..) | Arrangement::Pieces(..) | Arrangement::Infix(..) => {
+                out.start();
+                self.flat(out, id);
+                out.text(tail);
+                out.end();
+            }
+        }
+    }
+
+    /// A term a line, each line but the first led by the operator; very many terms in groups.
+    fn chain(&self, out: &mut Writer, level: N::Level, operator: &str, operands: &[FormulaId], tail: &str) {
+        let lead = format!("{operator} ");
+        let tail_of = |last: bool| if last { tail } else { "" };
+        if operands.len() <= N::LONGEST_CHAIN {
+            for (place, operand) in operands.iter().enumerate() {
+                let lead = if place == 0 { "" } else { &lead };
+                self.term(out, level, place, lead, *operand, tail_of(place + 1 == operands.len()));
+            }
+            return;
+        }
+        let mut size = N::LONGEST_CHAIN;
+        while operands.len() > size * N::LONGEST_CHAIN {
+            size *= N::LONGEST_CHAIN;
+        }
+        let count = operands.len().div_ceil(size);
+        for (place, group) in operands.chunks(size).enumerate() {
+            let lead = if place == 0 { "" } else { &lead };
+            out.open(&format!("{lead}("));
+            self.chain(out, level, operator, group, "");
+            out.close(&format!("){}", tail_of(place + 1 == count)));
+        }
+    }
+
+    /// One operand on lines of its own.
+    fn term(&self, out: &mut Writer, parent: N::Level, place: usize, lead: &str, id: FormulaId, tail: &str) {
+        let wrap = self.needs_parentheses(parent, place, id);
+        if out.indent() + lead.len() + self.width(id) + 2 + tail.len() > out.width() {
+            if wrap {
+                out.open(&format!("{lead}("));
+                self.lines(out, id, "");
+                return out.close(&format!("){tail}"));
+            }
+            let shape = self.notation.shape(id);
+            if let Arrangement::Prefix(word, operand) = shape.arrangement {
+                return self.term(out, shape.level, 1, &format!("{lead}{word}"), operand, tail);
+            }
+        }
+        out.start();
+        out.text(lead);
+        self.operand(out, parent, place, id);
+        out.text(tail);
+        out.end();
     }
 }

@@ -4,6 +4,7 @@
 //! by the tables of [`keywords`]; [`comment`] makes every text of the user's harmless inside a comment.
 
 pub mod awl;
+mod braces;
 pub mod c;
 pub mod choice;
 pub mod comment;
@@ -28,6 +29,7 @@ mod target;
 pub mod tcpou;
 mod temporaries;
 mod transliterate;
+mod types;
 mod writer;
 mod xml;
 

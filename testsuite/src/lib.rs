@@ -4,6 +4,7 @@
 //! everything else is checked against it: the scan program, and the generated code as other tools run it.
 
 pub mod abc;
+pub mod agreement;
 pub mod binary;
 pub mod browser;
 pub mod charts;

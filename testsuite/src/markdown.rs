@@ -12,7 +12,10 @@
 //! | `iecst,excerpt=NAME` | all such blocks of a page together are the file that a command wrote, apart from empty lines |
 //! | `iecst,part=NAME` | stands in the file that a command wrote, perhaps indented |
 
+use crate::binary::grafc;
+use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// A fenced block.
 #[derive(Clone, Debug)]
@@ -59,7 +62,7 @@ impl FencedBlock {
 pub fn write_files(blocks: &[FencedBlock], folder: &Path) {
     for block in blocks {
         if let Some(name) = block.value("file") {
-            std::fs::write(folder.join(name), &block.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+            fs::write(folder.join(name), &block.text).unwrap_or_else(|e| panic!("{name}: {e}"));
         }
     }
 }
@@ -122,7 +125,7 @@ pub fn pages(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     let mut folders = vec![folder.to_path_buf()];
     while let Some(folder) = folders.pop() {
-        let entries = std::fs::read_dir(&folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
+        let entries = fs::read_dir(&folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
         for entry in entries {
             let path = entry.unwrap_or_else(|e| panic!("{}: {e}", folder.display())).path();
             if path.is_dir() {
@@ -134,6 +137,39 @@ pub fn pages(folder: &Path) -> Vec<PathBuf> {
     }
     found.sort();
     found
+}
+
+/// Does what a page shows: its files are written into a folder, and what its commands print there is what stands below them.
+/// What is no command of ours, `other` runs: what it prints, or nothing if that is not to be compared.
+///
+/// # Panics
+/// A command fails, or prints something else.
+pub fn play(page: &Path, mut other: impl FnMut(&Path, &str) -> Option<String>) {
+    let text = fs::read_to_string(page).unwrap_or_else(|error| panic!("{}: {error}", page.display()));
+    let blocks = blocks(&text);
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    write_files(&blocks, folder.path());
+    for block in blocks.iter().filter(|block| block.language == "console") {
+        for (command, shown) in block.commands() {
+            let found = match command.strip_prefix("grafc ") {
+                Some(arguments) => Some(printed(grafc().args(arguments.split(' ')), folder.path())),
+                None => other(folder.path(), &command),
+            };
+            let is_right = found.as_ref().is_none_or(|printed| matches(&shown, printed));
+            assert!(is_right, "`{command}` printed\n{}\nbut the page shows\n{shown}", found.unwrap_or_default());
+        }
+    }
+}
+
+/// What a command prints in a folder, warnings included.
+///
+/// # Panics
+/// It fails.
+pub fn printed(command: &mut Command, folder: &Path) -> String {
+    let output = command.current_dir(folder).output().unwrap_or_else(|e| panic!("{command:?}: {e}"));
+    let printed = String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned();
+    assert!(output.status.success(), "{command:?}: {}\n{printed}", output.status);
+    printed
 }
 
 #[cfg(test)]

@@ -6,7 +6,8 @@ use grafc_backends::awl;
 use grafc_logic::scan::evaluate::Evaluator;
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::{Evolution, Profile};
-use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
+use grafc_testsuite::agreement::Agreement;
+use grafc_testsuite::charts::{Case, cases, charts_folder, check, stimuli, vectors_folder};
 use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::executors::awlsim::{Tools, beyond, play_cycles, run};
 use grafc_testsuite::executors::jobs::Job;
@@ -22,39 +23,15 @@ fn encodings() -> impl Iterator<Item = Encoding> {
 /// S7-400 can hold are at least so many.
 fn agree(cases: &[Case], least: usize) {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let mut faults = Vec::new();
-    let mut jobs = Vec::new();
-    let mut run_cases = Vec::new();
+    let mut agreement = Agreement::default();
     for (case, encoding) in cases.iter().flat_map(|case| case.encodings().map(move |encoding| (case, encoding))) {
         let options = Options { profile: case.profile, encoding, simplify: true };
-        let prepared = check(&case.name, &case.text).and_then(|chart| {
-            let stimuli = stimuli(&case.name, &case.trace, &chart)?;
-            let program = compile(&chart, &options)?;
-            Ok((chart, Job { program, stimuli }))
-        });
-        match prepared {
-            Err(fault) => faults.push(format!("{}, {}:\n{fault}", case.name, encoding.name())),
-            Ok((_, job)) if beyond(&job).is_some() => {}
-            Ok((chart, job)) => {
-                jobs.push(job);
-                run_cases.push((case, encoding, chart));
-            }
-        }
+        agreement.case(case, encoding.name(), |chart| compile(chart, &options));
     }
-    for (((case, encoding, chart), job), result) in run_cases.iter().zip(&jobs).zip(run(&tools, &jobs)) {
-        let name = format!("{}, {}", case.name, encoding.name());
-        match result {
-            Err(fault) => faults.push(format!("{name}:\n{fault}")),
-            Ok(responses) => {
-                let actual = spell(chart, &job.stimuli, &responses);
-                if actual != case.expected {
-                    faults.push(format!("{name}:\nexpected\n{}actual\n{actual}", case.expected));
-                }
-            }
-        }
-    }
-    assert!(faults.is_empty(), "{} of {} fail\n{}", faults.len(), jobs.len(), faults.join("\n"));
-    assert!(jobs.len() >= least, "only {} were run", jobs.len());
+    agreement.retain(|job| beyond(job).is_none());
+    let count = agreement.count();
+    agreement.hold(usize::MAX, |jobs| run(&tools, jobs));
+    assert!(count >= least, "only {count} were run");
 }
 
 #[test]
@@ -96,10 +73,9 @@ fn overlapping_encodings_are_written_as_they_are() {
 fn random_charts_agree() {
     const COUNT: usize = 60;
     let Some(tools) = Tools::find_or_skip() else { return };
-    let mut jobs = Vec::new();
-    let mut drawn_charts = Vec::new();
+    let mut agreement = Agreement::default();
     for seed in 3000.. {
-        if jobs.len() == COUNT {
+        if agreement.count() == COUNT {
             break;
         }
         let drawn = checked(seed, if seed % 2 == 0 { ChartKind::Flat } else { ChartKind::Hierarchical });
@@ -109,23 +85,10 @@ fn random_charts_agree() {
         let stimuli = trace(seed, &drawn.chart, 25);
         let job = Job { program, stimuli };
         if beyond(&job).is_none() {
-            jobs.push(job);
-            drawn_charts.push((seed, drawn));
+            agreement.drawn(drawn, low_bound(profile(seed)), job);
         }
     }
-    let mut faults = Vec::new();
-    for (((seed, drawn), job), result) in drawn_charts.iter().zip(&jobs).zip(run(&tools, &jobs)) {
-        let expected = simulate(&drawn.chart, low_bound(profile(*seed)), &job.stimuli);
-        match result {
-            Err(fault) => faults.push(format!("seed {seed}: {fault}\n{}", drawn.text)),
-            Ok(actual) if first_difference(&expected, &actual).is_some() => {
-                let report = report(&drawn.chart, low_bound(profile(*seed)), &job.stimuli, &expected, &actual);
-                faults.push(format!("seed {seed}\n{}\n{report}", drawn.text));
-            }
-            Ok(_) => {}
-        }
-    }
-    assert!(faults.is_empty(), "{} of {} charts fail\n{}", faults.len(), jobs.len(), faults.join("\n"));
+    agreement.hold(usize::MAX, |jobs| run(&tools, jobs));
 }
 
 /// Arithmetic and comparisons at the ends of the types, against the simulator.

@@ -5,53 +5,33 @@
 
 use grafc_backends::c;
 use grafc_logic::Options;
-use grafc_model::chart::Chart;
-use grafc_testsuite::binary::{grafc, root};
-use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
-use grafc_testsuite::compare::{first_difference, report};
+use grafc_testsuite::agreement::Agreement;
+use grafc_testsuite::binary::root;
+use grafc_testsuite::charts::{Case, cases, charts_folder, check, vectors_folder};
 use grafc_testsuite::executors::c::{Tools, run};
 use grafc_testsuite::executors::jobs::Job;
-use grafc_testsuite::markdown::{blocks, matches, write_files};
-use grafc_testsuite::random::{ChartKind, Drawn, checked, profile, trace};
-use grafc_testsuite::runs::{compile_saved, simulate};
+use grafc_testsuite::markdown::play;
+use grafc_testsuite::random::{ChartKind, checked, profile, trace};
+use grafc_testsuite::runs::compile_saved;
 use grafc_testsuite::ways::exact;
 use std::fs;
 
 /// Charts in one program.
 const BATCH: usize = 100;
 
-/// Runs all cases, each in so many of the ways that must agree, and compares them with what is expected of them. A compiler
-/// takes a while for each source, so the ways take turns.
+/// Runs all cases, each in so many of the ways that must agree. A compiler takes a while for each source, so the ways take
+/// turns.
 fn agree(cases: &[Case], ways: usize) {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let mut faults = Vec::new();
-    let mut jobs = Vec::new();
-    let mut charts: Vec<(String, &Case, Chart)> = Vec::new();
+    let mut agreement = Agreement::default();
     for (turn, case) in cases.iter().enumerate() {
-        let chart = check(&case.name, &case.text).expect("a chart without errors");
-        let stimuli = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
         let all = case.ways();
         let count = all.len();
         for (way, options) in all.into_iter().cycle().skip(turn * ways % count).take(ways.min(count)) {
-            let program = compile_saved(&chart, &options).expect("a scan program");
-            jobs.push(Job { program, stimuli: stimuli.clone() });
-            charts.push((format!("{}, {way}", case.name), case, chart.clone()));
+            agreement.case(case, &way, |chart| compile_saved(chart, &options));
         }
     }
-    for (jobs, charts) in jobs.chunks(BATCH).zip(charts.chunks(BATCH)) {
-        for (((name, case, chart), job), result) in charts.iter().zip(jobs).zip(run(&tools, jobs)) {
-            match result {
-                Err(fault) => faults.push(format!("{name}:\n{fault}")),
-                Ok(responses) => {
-                    let actual = spell(chart, &job.stimuli, &responses);
-                    if actual != case.expected {
-                        faults.push(format!("{name}:\nexpected\n{}actual\n{actual}", case.expected));
-                    }
-                }
-            }
-        }
-    }
-    assert!(faults.is_empty(), "{} of {} fail\n{}", faults.len(), charts.len(), faults.join("\n"));
+    agreement.hold(BATCH, |jobs| run(&tools, jobs));
 }
 
 #[test]
@@ -68,29 +48,16 @@ fn charts_agree() {
 fn random_charts_agree() {
     let Some(tools) = Tools::find_or_skip() else { return };
     let kinds = [ChartKind::Hierarchical, ChartKind::Flat, ChartKind::Hierarchical, ChartKind::Plain];
-    let mut faults = Vec::new();
-    let drawn: Vec<Drawn> = (5000..5072).map(|seed| checked(seed, kinds[seed as usize % 4])).collect();
-    for drawn in drawn.chunks(BATCH) {
-        let job = |drawn: &Drawn| {
-            let ways = exact(profile(drawn.seed));
-            let (_, options): &(String, Options) = &ways[drawn.seed as usize % ways.len()];
-            let program = compile_saved(&drawn.chart, options).unwrap_or_else(|e| panic!("{}: {e}", drawn.seed));
-            Job { program, stimuli: trace(drawn.seed, &drawn.chart, 30) }
-        };
-        let jobs: Vec<Job> = drawn.iter().map(job).collect();
-        for ((drawn, job), result) in drawn.iter().zip(&jobs).zip(run(&tools, &jobs)) {
-            let expected = simulate(&drawn.chart, profile(drawn.seed), &job.stimuli);
-            match result {
-                Err(fault) => faults.push(format!("{}: {fault}\n{}", drawn.seed, drawn.text)),
-                Ok(actual) if first_difference(&expected, &actual).is_some() => {
-                    let said = report(&drawn.chart, profile(drawn.seed), &job.stimuli, &expected, &actual);
-                    faults.push(format!("{}: {said}\n{}", drawn.seed, drawn.text));
-                }
-                Ok(_) => {}
-            }
-        }
+    let mut agreement = Agreement::default();
+    for seed in 5000..5072 {
+        let drawn = checked(seed, kinds[seed as usize % 4]);
+        let ways = exact(profile(seed));
+        let (_, options) = &ways[seed as usize % ways.len()];
+        let program = compile_saved(&drawn.chart, options).unwrap_or_else(|e| panic!("{seed}: {e}"));
+        let stimuli = trace(seed, &drawn.chart, 30);
+        agreement.drawn(drawn, profile(seed), Job { program, stimuli });
     }
-    assert!(faults.is_empty(), "{} fail\n{}", faults.len(), faults.join("\n"));
+    agreement.hold(BATCH, |jobs| run(&tools, jobs));
 }
 
 /// What is a keyword, a macro or ours, what is no identifier, and what would end a comment or a string.
@@ -112,33 +79,21 @@ transition `*/ \"` -> 1 : not `??/`
 #[test]
 fn the_program_of_the_page_does_what_it_shows() {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let page = fs::read_to_string(root().join("docs/c.md")).expect("the page");
-    let blocks = blocks(&page);
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    write_files(&blocks, folder.path());
     let mut programs = 0;
-    for block in blocks.iter().filter(|block| block.language == "console") {
-        for (command, shown) in block.commands() {
-            let words: Vec<&str> = command.split(' ').collect();
-            let printed = match words[..] {
-                ["grafc", ref arguments @ ..] => {
-                    let run = grafc().args(arguments).current_dir(folder.path()).output();
-                    assert!(run.expect("grafc").status.success(), "{command}");
-                    String::new()
-                }
-                ["cc", ref arguments @ ..] => {
-                    tools.compile(folder.path(), arguments).unwrap_or_else(|said| panic!("{said}"));
-                    String::new()
-                }
-                [program] => {
-                    programs += 1;
-                    tools.play(folder.path(), program).unwrap_or_else(|said| panic!("{said}"))
-                }
-                _ => panic!("`{command}`: the test knows no such command"),
-            };
-            assert!(matches(&shown, &printed), "`{command}` printed\n{printed}\nbut the page shows\n{shown}");
-        }
-    }
+    play(&root().join("docs/c.md"), |folder, command| {
+        let printed = match command.split_once(' ') {
+            Some(("cc", arguments)) => {
+                let arguments: Vec<&str> = arguments.split(' ').collect();
+                tools.compile(folder, &arguments).map(|()| String::new())
+            }
+            None => {
+                programs += 1;
+                tools.play(folder, command)
+            }
+            Some(_) => Err("the test knows no such command".to_owned()),
+        };
+        Some(printed.unwrap_or_else(|said| panic!("`{command}`: {said}")))
+    });
     assert_eq!(programs, 1, "programs that were run");
 }
 

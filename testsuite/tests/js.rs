@@ -6,11 +6,12 @@ use grafc_backends::{Target, js};
 use grafc_diagnostics::FileId;
 use grafc_logic::scan::Observed;
 use grafc_logic::{Encoding, Options};
-use grafc_testsuite::binary::{grafc, root};
-use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
+use grafc_testsuite::agreement::Agreement;
+use grafc_testsuite::binary::root;
+use grafc_testsuite::charts::{Case, cases, charts_folder, check, stimuli, vectors_folder};
 use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::executors::js::{Tools, Typescript, run};
-use grafc_testsuite::markdown::{blocks, matches, write_files};
+use grafc_testsuite::markdown::play;
 use grafc_testsuite::runs::compile_observed;
 use std::fs;
 
@@ -20,27 +21,14 @@ const BATCH: usize = 200;
 /// Runs all cases in all ways that must agree, and with all that can be shown, and compares them with what is expected.
 fn agree(cases: &[Case]) {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let (mut faults, mut jobs, mut about) = (Vec::new(), Vec::new(), Vec::new());
+    let mut agreement = Agreement::default();
     for case in cases {
-        let chart = check(&case.name, &case.text).expect("a chart without errors");
-        let stimuli = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
         for (place, (way, options)) in case.ways().into_iter().enumerate() {
             let observed = if place % 2 == 0 { Observed::Transitions } else { Observed::All };
-            let program = compile_observed(&chart, &options, observed).expect("a scan program");
-            jobs.push(Job { program, stimuli: stimuli.clone() });
-            about.push((format!("{}, {way}", case.name), case, chart.clone()));
+            agreement.case(case, &way, |chart| compile_observed(chart, &options, observed));
         }
     }
-    for (jobs, about) in jobs.chunks(BATCH).zip(about.chunks(BATCH)) {
-        for (((name, case, chart), job), result) in about.iter().zip(jobs).zip(run(&tools, jobs)) {
-            let actual = result.map(|responses| spell(chart, &job.stimuli, &responses));
-            if actual.as_ref() != Ok(&case.expected) {
-                let actual = actual.unwrap_or_else(|fault| fault);
-                faults.push(format!("{name}:\nexpected\n{}actual\n{actual}", case.expected));
-            }
-        }
-    }
-    assert!(faults.is_empty(), "{} of {} fail\n{}", faults.len(), about.len(), faults.join("\n"));
+    agreement.hold(BATCH, |jobs| run(&tools, jobs));
 }
 
 #[test]
@@ -77,28 +65,14 @@ fn overlapping_encodings_are_written_as_they_are() {
 #[test]
 fn the_programs_of_the_page_do_what_it_shows() {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let page = fs::read_to_string(root().join("docs/javascript.md")).expect("the page");
-    let blocks = blocks(&page);
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    write_files(&blocks, folder.path());
     let mut programs = 0;
-    for block in blocks.iter().filter(|block| block.language == "console") {
-        for (command, shown) in block.commands() {
-            let printed = match command.split_once(' ') {
-                Some(("grafc", arguments)) => {
-                    let run = grafc().args(arguments.split(' ')).current_dir(folder.path()).output();
-                    assert!(run.expect("grafc").status.success(), "{command}");
-                    String::new()
-                }
-                Some(("node", script)) => {
-                    programs += 1;
-                    tools.play(folder.path(), script).unwrap_or_else(|said| panic!("{said}"))
-                }
-                Some(_) | None => panic!("`{command}`: the test knows no such command"),
-            };
-            assert!(matches(&shown, &printed), "`{command}` printed\n{printed}\nbut the page shows\n{shown}");
+    play(&root().join("docs/javascript.md"), |folder, command| match command.split_once(' ') {
+        Some(("node", script)) => {
+            programs += 1;
+            Some(tools.play(folder, script).unwrap_or_else(|said| panic!("{said}")))
         }
-    }
+        Some(_) | None => panic!("`{command}`: the test knows no such command"),
+    });
     assert!(programs >= 3, "only {programs} programs were run");
 }
 

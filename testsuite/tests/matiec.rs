@@ -6,13 +6,13 @@
 use grafc_logic::scan::evaluate::Evaluator;
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::{Evolution, Profile};
+use grafc_testsuite::agreement::Agreement;
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
-use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::executors::matiec::{Language, Tools, miscalculates, run};
 use grafc_testsuite::random::profile;
 use grafc_testsuite::random::{ChartKind, checked, trace};
-use grafc_testsuite::runs::{compile, simulate};
+use grafc_testsuite::runs::compile;
 
 /// The encodings that are exact, with formulas shortened.
 fn encodings() -> impl Iterator<Item = Encoding> {
@@ -22,37 +22,12 @@ fn encodings() -> impl Iterator<Item = Encoding> {
 /// Runs all cases in all encodings that must agree and compares them with what is expected of them.
 fn agree(language: Language, cases: &[Case]) {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let mut faults = Vec::new();
-    let mut jobs = Vec::new();
-    let mut run_cases = Vec::new();
+    let mut agreement = Agreement::default();
     for (case, encoding) in cases.iter().flat_map(|case| case.encodings().map(move |encoding| (case, encoding))) {
         let options = Options { profile: case.profile, encoding, simplify: true };
-        let prepared = check(&case.name, &case.text).and_then(|chart| {
-            let stimuli = stimuli(&case.name, &case.trace, &chart)?;
-            let program = compile(&chart, &options)?;
-            Ok((chart, Job { program, stimuli }))
-        });
-        match prepared {
-            Err(fault) => faults.push(format!("{}, {}:\n{fault}", case.name, encoding.name())),
-            Ok((chart, job)) => {
-                jobs.push(job);
-                run_cases.push((case, encoding, chart));
-            }
-        }
+        agreement.case(case, encoding.name(), |chart| compile(chart, &options));
     }
-    for (((case, encoding, chart), job), result) in run_cases.iter().zip(&jobs).zip(run(&tools, language, &jobs)) {
-        let name = format!("{}, {}", case.name, encoding.name());
-        match result {
-            Err(fault) => faults.push(format!("{name}:\n{fault}")),
-            Ok(responses) => {
-                let actual = spell(chart, &job.stimuli, &responses);
-                if actual != case.expected {
-                    faults.push(format!("{name}:\nexpected\n{}actual\n{actual}", case.expected));
-                }
-            }
-        }
-    }
-    assert!(faults.is_empty(), "{} of {} fail\n{}", faults.len(), jobs.len(), faults.join("\n"));
+    agreement.hold(usize::MAX, |jobs| run(&tools, language, jobs));
 }
 
 #[test]
@@ -144,10 +119,9 @@ fn random_charts_agree_as_instruction_lists() {
 /// Charts drawn from seeds that begin at one, compared with the simulator call by call.
 fn random_charts(language: Language, first: u64, count: usize) {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let mut jobs = Vec::new();
-    let mut drawn_charts = Vec::new();
+    let mut agreement = Agreement::default();
     for seed in first.. {
-        if jobs.len() == count {
+        if agreement.count() == count {
             break;
         }
         let drawn = checked(seed, if seed % 2 == 0 { ChartKind::Flat } else { ChartKind::Hierarchical });
@@ -158,20 +132,7 @@ fn random_charts(language: Language, first: u64, count: usize) {
         let options = Options { profile: profile(seed), encoding, simplify: true };
         let program = compile(&drawn.chart, &options).unwrap_or_else(|e| panic!("seed {seed}: {e}\n{}", drawn.text));
         let stimuli = trace(seed, &drawn.chart, 30);
-        jobs.push(Job { program, stimuli });
-        drawn_charts.push((seed, drawn));
+        agreement.drawn(drawn, profile(seed), Job { program, stimuli });
     }
-    let mut faults = Vec::new();
-    for (((seed, drawn), job), result) in drawn_charts.iter().zip(&jobs).zip(run(&tools, language, &jobs)) {
-        let expected = simulate(&drawn.chart, profile(*seed), &job.stimuli);
-        match result {
-            Err(fault) => faults.push(format!("seed {seed}: {fault}\n{}", drawn.text)),
-            Ok(actual) if first_difference(&expected, &actual).is_some() => {
-                let report = report(&drawn.chart, profile(*seed), &job.stimuli, &expected, &actual);
-                faults.push(format!("seed {seed}\n{}\n{report}", drawn.text));
-            }
-            Ok(_) => {}
-        }
-    }
-    assert!(faults.is_empty(), "{} of {} charts fail\n{}", faults.len(), jobs.len(), faults.join("\n"));
+    agreement.hold(usize::MAX, |jobs| run(&tools, language, jobs));
 }

@@ -3,14 +3,13 @@
 //! Every warning of rustc is a fault. Each chart is also saved and restored on the way, and its clock wraps around.
 
 use grafc_logic::{Encoding, Options};
-use grafc_model::chart::Chart;
-use grafc_model::reaction::Response;
-use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
+use grafc_testsuite::agreement::Agreement;
+use grafc_testsuite::charts::{Case, cases, charts_folder, check, stimuli, vectors_folder};
 use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::executors::rust::{Tools, run};
 use grafc_testsuite::random::profile;
-use grafc_testsuite::random::{ChartKind, Drawn, checked, trace};
+use grafc_testsuite::random::{ChartKind, checked, trace};
 use grafc_testsuite::runs::{compile_saved, simulate};
 use grafc_testsuite::scaling::SHAPES;
 use grafc_testsuite::ways::exact;
@@ -21,32 +20,13 @@ const BATCH: usize = 100;
 /// Runs all cases in all ways that must agree and compares them with what is expected of them.
 fn agree(cases: &[Case]) {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let mut faults = Vec::new();
-    let mut jobs = Vec::new();
-    let mut charts: Vec<(String, &Case, Chart)> = Vec::new();
+    let mut agreement = Agreement::default();
     for case in cases {
-        let chart = check(&case.name, &case.text).expect("a chart without errors");
-        let stimuli = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
         for (way, options) in case.ways() {
-            let program = compile_saved(&chart, &options).expect("a scan program");
-            jobs.push(Job { program, stimuli: stimuli.clone() });
-            charts.push((format!("{}, {way}", case.name), case, chart.clone()));
+            agreement.case(case, &way, |chart| compile_saved(chart, &options));
         }
     }
-    for (jobs, charts) in jobs.chunks(BATCH).zip(charts.chunks(BATCH)) {
-        for (((name, case, chart), job), result) in charts.iter().zip(jobs).zip(run(&tools, jobs)) {
-            match result {
-                Err(fault) => faults.push(format!("{name}:\n{fault}")),
-                Ok(responses) => {
-                    let actual = spell(chart, &job.stimuli, &responses);
-                    if actual != case.expected {
-                        faults.push(format!("{name}:\nexpected\n{}actual\n{actual}", case.expected));
-                    }
-                }
-            }
-        }
-    }
-    assert!(faults.is_empty(), "{} of {} fail\n{}", faults.len(), charts.len(), faults.join("\n"));
+    agreement.hold(BATCH, |jobs| run(&tools, jobs));
 }
 
 #[test]
@@ -63,35 +43,16 @@ fn charts_agree() {
 fn random_charts_agree() {
     let Some(tools) = Tools::find_or_skip() else { return };
     let kinds = [ChartKind::Hierarchical, ChartKind::Flat, ChartKind::Hierarchical, ChartKind::Plain];
-    let mut faults = Vec::new();
-    let seeds: Vec<u64> = (3000..3120).collect();
-    for seeds in seeds.chunks(BATCH) {
-        let drawn: Vec<Drawn> = seeds.iter().map(|seed| checked(*seed, kinds[*seed as usize % 4])).collect();
-        let job = |drawn: &Drawn| {
-            let ways = exact(profile(drawn.seed));
-            let (_, options): &(String, Options) = &ways[drawn.seed as usize % ways.len()];
-            let program = compile_saved(&drawn.chart, options).unwrap_or_else(|e| panic!("{}: {e}", drawn.seed));
-            Job { program, stimuli: trace(drawn.seed, &drawn.chart, 30) }
-        };
-        let jobs: Vec<Job> = drawn.iter().map(job).collect();
-        for ((drawn, job), result) in drawn.iter().zip(&jobs).zip(run(&tools, &jobs)) {
-            faults.extend(fault(drawn, job, result));
-        }
+    let mut agreement = Agreement::default();
+    for seed in 3000..3120 {
+        let drawn = checked(seed, kinds[seed as usize % 4]);
+        let ways = exact(profile(seed));
+        let (_, options) = &ways[seed as usize % ways.len()];
+        let program = compile_saved(&drawn.chart, options).unwrap_or_else(|e| panic!("{seed}: {e}"));
+        let stimuli = trace(seed, &drawn.chart, 30);
+        agreement.drawn(drawn, profile(seed), Job { program, stimuli });
     }
-    assert!(faults.is_empty(), "{} charts fail\n{}", faults.len(), faults.join("\n"));
-}
-
-/// What is wrong with a run.
-fn fault(drawn: &Drawn, job: &Job, result: Result<Vec<Response>, String>) -> Option<String> {
-    let profile = profile(drawn.seed);
-    let expected = simulate(&drawn.chart, profile, &job.stimuli);
-    match result {
-        Err(fault) => Some(format!("seed {}: {fault}\n{}", drawn.seed, drawn.text)),
-        Ok(actual) => first_difference(&expected, &actual).map(|_| {
-            let report = report(&drawn.chart, profile, &job.stimuli, &expected, &actual);
-            format!("seed {}\n{}\n{report}", drawn.seed, drawn.text)
-        }),
-    }
+    agreement.hold(BATCH, |jobs| run(&tools, jobs));
 }
 
 /// Large charts are parted into functions and tables, and of many steps runs are looked at. Each shape has more than 1,000

@@ -69,47 +69,7 @@ impl<'p> Expressions<'p> {
 
     /// Writes a formula on lines of its own, `tail` behind the last.
     pub fn lines(&self, out: &mut Writer, id: FormulaId, tail: &str) {
-        let shape = self.formulas.notation.shape(id);
-        match &shape.arrangement {
-            Arrangement::Infix(operator, operands) if out.indent() + self.width(id) + tail.len() > out.width() => {
-                let lead = format!("{operator} ");
-                for (place, operand) in operands.iter().enumerate() {
-                    let lead = if place == 0 { "" } else { &lead };
-                    let tail = if place + 1 == operands.len() { tail } else { "" };
-                    self.term(out, shape.level, place, lead, *operand, tail);
-                }
-            }
-            Arrangement::Prefix(word, operand) if out.indent() + self.width(id) + tail.len() > out.width() => {
-                self.term(out, shape.level, 1, word, *operand, tail);
-            }
-            Arrangement::Atom(_) | Arrangement::Prefix(..) | Arrangement::Pieces(..) | Arrangement::Infix(..) => {
-                out.start();
-                self.flat(out, id);
-                out.text(tail);
-                out.end();
-            }
-        }
-    }
-
-    /// One operand on lines of its own.
-    fn term(&self, out: &mut Writer, parent: CLevel, place: usize, lead: &str, id: FormulaId, tail: &str) {
-        let wrap = self.formulas.needs_parentheses(parent, place, id);
-        if out.indent() + lead.len() + self.formulas.width(id) + 2 + tail.len() > out.width() {
-            if wrap {
-                out.open(&format!("{lead}("));
-                self.lines(out, id, "");
-                return out.close(&format!("){tail}"));
-            }
-            let shape = self.formulas.notation.shape(id);
-            if let Arrangement::Prefix(word, operand) = shape.arrangement {
-                return self.term(out, shape.level, 1, &format!("{lead}{word}"), operand, tail);
-            }
-        }
-        out.start();
-        out.text(lead);
-        self.formulas.operand(out, parent, place, id);
-        out.text(tail);
-        out.end();
+        self.formulas.lines(out, id, tail);
     }
 }
 

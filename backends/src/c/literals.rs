@@ -1,10 +1,11 @@
 //! Types and constants.
 
+use crate::types::shortest;
 use ecow::{EcoString, eco_format};
 use grafc_formula::{Type, Value};
 
-/// A type of the chart.
-pub(super) fn type_name(ty: Type) -> &'static str {
+/// A type of the chart in C.
+pub fn type_name(ty: Type) -> &'static str {
     match ty {
         Type::Bool => "bool",
         Type::Int => "int16_t",
@@ -27,16 +28,6 @@ pub(super) fn word(ty: Type) -> &'static str {
         Type::Udint => "udint",
         Type::Time => "time",
         Type::Bool | Type::Real | Type::Lreal => "",
-    }
-}
-
-/// The bytes of a type where it is saved.
-pub(super) fn size(ty: Type) -> usize {
-    match ty {
-        Type::Bool => 1,
-        Type::Int | Type::Uint => 2,
-        Type::Dint | Type::Udint | Type::Real => 4,
-        Type::Lreal | Type::Time => 8,
     }
 }
 
@@ -77,14 +68,10 @@ fn whole(n: i64, ty: Type) -> EcoString {
     }
 }
 
-/// The shortest form that is read back as the same number of the type.
+/// A number as a literal of its type.
 fn real(x: f64, ty: Type) -> EcoString {
-    match ty {
-        Type::Real => eco_format!("{:?}f", x as f32),
-        Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Lreal | Type::Time => {
-            eco_format!("{x:?}")
-        }
-    }
+    let suffix = if ty == Type::Real { "f" } else { "" };
+    eco_format!("{}{suffix}", shortest(x, ty))
 }
 
 #[cfg(test)]

@@ -30,6 +30,7 @@ use crate::writer::{self, Writer};
 use expressions::Expressions;
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::scan::Program;
+pub use literals::type_name;
 pub use names::CNames;
 use places::Places;
 use text::comment;

@@ -18,8 +18,98 @@ const fn helper(name: &'static str, about: &'static str, text: &'static str) -> 
     Helper { name, about, text }
 }
 
-/// All of them, each behind those that it calls.
-const HELPERS: &[Helper] = &[
+/// Sum, difference, product and negative of a type, which wrap around.
+macro_rules! wrapping {
+    ($word:literal, $ty:literal, $unsigned:literal, $to:literal, $end:literal) => {
+        &[
+            wrapping!(@of "add", "+", $word, $ty, $unsigned, $to, $end),
+            wrapping!(@of "sub", "-", $word, $ty, $unsigned, $to, $end),
+            wrapping!(@of "mul", "*", $word, $ty, $unsigned, $to, $end),
+            helper(
+                concat!("neg_", $word),
+                "",
+                concat!("static ", $ty, " neg_", $word, "(", $ty, " a)\n{\n    return ", $to, "0u - ", $unsigned, "a", $end, ";\n}"),
+            ),
+        ]
+    };
+    (@of $name:literal, $sign:literal, $word:literal, $ty:literal, $unsigned:literal, $to:literal, $end:literal) => {
+        helper(
+            concat!($name, "_", $word),
+            "",
+            concat!(
+                "static ", $ty, " ", $name, "_", $word, "(", $ty, " a, ", $ty, " b)\n{\n    return ",
+                $to, $unsigned, "a ", $sign, " ", $unsigned, "b", $end, ";\n}"
+            ),
+        )
+    };
+}
+
+/// Quotient and remainder, as they are written.
+macro_rules! division {
+    ($word:literal, $ty:literal, $about:literal, $quotient:literal, $remainder:literal) => {
+        &[
+            helper(
+                concat!("div_", $word),
+                concat!("by what is not 0", $about),
+                concat!(
+                    "static ",
+                    $ty,
+                    " div_",
+                    $word,
+                    "(",
+                    $ty,
+                    " a, ",
+                    $ty,
+                    " b)\n{\n    return ",
+                    $quotient,
+                    ";\n}"
+                ),
+            ),
+            helper(
+                concat!("rem_", $word),
+                "by what is not 0",
+                concat!(
+                    "static ",
+                    $ty,
+                    " rem_",
+                    $word,
+                    "(",
+                    $ty,
+                    " a, ",
+                    $ty,
+                    " b)\n{\n    return ",
+                    $remainder,
+                    ";\n}"
+                ),
+            ),
+        ]
+    };
+}
+
+/// A real number as its bits, and back.
+macro_rules! bits {
+    ($word:literal, $ty:literal, $bits:literal) => {
+        &[
+            // A number may have fewer bits than there is room for.
+            bits!(@of concat!("bits_of_", $word), $bits, $ty, "value", "bits", "    both.bits = 0u;\n", $ty, $bits),
+            bits!(@of concat!($word, "_of_bits"), $ty, $bits, "bits", "value", "", $ty, $bits),
+        ]
+    };
+    (@of $name:expr, $to:literal, $from:literal, $given:literal, $asked:literal, $first:literal, $ty:literal, $bits:literal) => {
+        helper(
+            $name,
+            "",
+            concat!(
+                "static ", $to, " ", $name, "(", $from, " ", $given, ")\n{\n    union {\n        ", $ty,
+                " value;\n        ", $bits, " bits;\n    } both;\n\n", $first, "    both.", $given, " = ", $given,
+                ";\n    return both.", $asked, ";\n}"
+            ),
+        )
+    };
+}
+
+/// Bits as numbers.
+const CONVERSIONS: &[Helper] = &[
     helper(
         "to_int",
         "16 bits as a number with a sign",
@@ -54,246 +144,10 @@ const HELPERS: &[Helper] = &[
     return bits <= (uint64_t)INT64_MAX ? (int64_t)bits : -1 - (int64_t)(UINT64_MAX - bits);
 }",
     ),
-    helper(
-        "add_int",
-        "",
-        "static int16_t add_int(int16_t a, int16_t b)
-{
-    return to_int((uint32_t)a + (uint32_t)b);
-}",
-    ),
-    helper(
-        "sub_int",
-        "",
-        "static int16_t sub_int(int16_t a, int16_t b)
-{
-    return to_int((uint32_t)a - (uint32_t)b);
-}",
-    ),
-    helper(
-        "mul_int",
-        "",
-        "static int16_t mul_int(int16_t a, int16_t b)
-{
-    return to_int((uint32_t)a * (uint32_t)b);
-}",
-    ),
-    helper(
-        "div_int",
-        "by what is not 0",
-        "static int16_t div_int(int16_t a, int16_t b)
-{
-    return to_int((uint32_t)((int32_t)a / (int32_t)b));
-}",
-    ),
-    helper(
-        "rem_int",
-        "by what is not 0",
-        "static int16_t rem_int(int16_t a, int16_t b)
-{
-    return (int16_t)((int32_t)a % (int32_t)b);
-}",
-    ),
-    helper(
-        "neg_int",
-        "",
-        "static int16_t neg_int(int16_t a)
-{
-    return to_int(0u - (uint32_t)a);
-}",
-    ),
-    helper(
-        "add_dint",
-        "",
-        "static int32_t add_dint(int32_t a, int32_t b)
-{
-    return to_dint((uint32_t)a + (uint32_t)b);
-}",
-    ),
-    helper(
-        "sub_dint",
-        "",
-        "static int32_t sub_dint(int32_t a, int32_t b)
-{
-    return to_dint((uint32_t)a - (uint32_t)b);
-}",
-    ),
-    helper(
-        "mul_dint",
-        "",
-        "static int32_t mul_dint(int32_t a, int32_t b)
-{
-    return to_dint((uint32_t)a * (uint32_t)b);
-}",
-    ),
-    helper(
-        "neg_dint",
-        "",
-        "static int32_t neg_dint(int32_t a)
-{
-    return to_dint(0u - (uint32_t)a);
-}",
-    ),
-    helper(
-        "div_dint",
-        "by what is not 0; the least number divided by -1 wraps around to itself",
-        "static int32_t div_dint(int32_t a, int32_t b)
-{
-    return b == -1 ? to_dint(0u - (uint32_t)a) : a / b;
-}",
-    ),
-    helper(
-        "rem_dint",
-        "by what is not 0",
-        "static int32_t rem_dint(int32_t a, int32_t b)
-{
-    return b == -1 ? 0 : a % b;
-}",
-    ),
-    helper(
-        "add_uint",
-        "",
-        "static uint16_t add_uint(uint16_t a, uint16_t b)
-{
-    return to_uint((uint32_t)a + b);
-}",
-    ),
-    helper(
-        "sub_uint",
-        "",
-        "static uint16_t sub_uint(uint16_t a, uint16_t b)
-{
-    return to_uint((uint32_t)a - b);
-}",
-    ),
-    helper(
-        "mul_uint",
-        "",
-        "static uint16_t mul_uint(uint16_t a, uint16_t b)
-{
-    return to_uint((uint32_t)a * b);
-}",
-    ),
-    helper(
-        "div_uint",
-        "by what is not 0",
-        "static uint16_t div_uint(uint16_t a, uint16_t b)
-{
-    return to_uint((uint32_t)a / b);
-}",
-    ),
-    helper(
-        "rem_uint",
-        "by what is not 0",
-        "static uint16_t rem_uint(uint16_t a, uint16_t b)
-{
-    return to_uint((uint32_t)a % b);
-}",
-    ),
-    helper(
-        "neg_uint",
-        "",
-        "static uint16_t neg_uint(uint16_t a)
-{
-    return to_uint(0u - (uint32_t)a);
-}",
-    ),
-    helper(
-        "add_udint",
-        "",
-        "static uint32_t add_udint(uint32_t a, uint32_t b)
-{
-    return a + b;
-}",
-    ),
-    helper(
-        "sub_udint",
-        "",
-        "static uint32_t sub_udint(uint32_t a, uint32_t b)
-{
-    return a - b;
-}",
-    ),
-    helper(
-        "mul_udint",
-        "",
-        "static uint32_t mul_udint(uint32_t a, uint32_t b)
-{
-    return a * b;
-}",
-    ),
-    helper(
-        "div_udint",
-        "by what is not 0",
-        "static uint32_t div_udint(uint32_t a, uint32_t b)
-{
-    return a / b;
-}",
-    ),
-    helper(
-        "rem_udint",
-        "by what is not 0",
-        "static uint32_t rem_udint(uint32_t a, uint32_t b)
-{
-    return a % b;
-}",
-    ),
-    helper(
-        "neg_udint",
-        "",
-        "static uint32_t neg_udint(uint32_t a)
-{
-    return 0u - a;
-}",
-    ),
-    helper(
-        "add_time",
-        "",
-        "static int64_t add_time(int64_t a, int64_t b)
-{
-    return to_time((uint64_t)a + (uint64_t)b);
-}",
-    ),
-    helper(
-        "sub_time",
-        "",
-        "static int64_t sub_time(int64_t a, int64_t b)
-{
-    return to_time((uint64_t)a - (uint64_t)b);
-}",
-    ),
-    helper(
-        "mul_time",
-        "",
-        "static int64_t mul_time(int64_t a, int64_t b)
-{
-    return to_time((uint64_t)a * (uint64_t)b);
-}",
-    ),
-    helper(
-        "neg_time",
-        "",
-        "static int64_t neg_time(int64_t a)
-{
-    return to_time(0u - (uint64_t)a);
-}",
-    ),
-    helper(
-        "div_time",
-        "by what is not 0; the least number divided by -1 wraps around to itself",
-        "static int64_t div_time(int64_t a, int64_t b)
-{
-    return b == -1 ? to_time(0u - (uint64_t)a) : a / b;
-}",
-    ),
-    helper(
-        "rem_time",
-        "by what is not 0",
-        "static int64_t rem_time(int64_t a, int64_t b)
-{
-    return b == -1 ? 0 : a % b;
-}",
-    ),
+];
+
+/// Delays.
+const DELAYS: &[Helper] = &[
     helper(
         "delay_run",
         "brings a delay up to date with what it delays",
@@ -324,6 +178,10 @@ const HELPERS: &[Helper] = &[
     return delay->running && delay->elapsed >= preset;
 }",
     ),
+];
+
+/// Memory as bytes.
+const MEMORY: &[Helper] = &[
     helper(
         "put",
         "the lowest bytes of a number, the lowest first; what stands behind them",
@@ -400,76 +258,60 @@ const HELPERS: &[Helper] = &[
     return take(&end, 4u) == checksum(bytes, count - 4u);
 }",
     ),
-    helper(
-        "bits_of_real",
-        "",
-        "static uint32_t bits_of_real(float value)
-{
-    union {
-        float value;
-        uint32_t bits;
-    } both;
-
-    both.value = value;
-    return both.bits;
-}",
-    ),
-    helper(
-        "real_of_bits",
-        "",
-        "static float real_of_bits(uint32_t bits)
-{
-    union {
-        float value;
-        uint32_t bits;
-    } both;
-
-    both.bits = bits;
-    return both.value;
-}",
-    ),
-    helper(
-        "bits_of_lreal",
-        "",
-        "static uint64_t bits_of_lreal(double value)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } both;
-
-    both.bits = 0u;
-    both.value = value;
-    return both.bits;
-}",
-    ),
-    helper(
-        "lreal_of_bits",
-        "",
-        "static double lreal_of_bits(uint64_t bits)
-{
-    union {
-        double value;
-        uint64_t bits;
-    } both;
-
-    both.bits = bits;
-    return both.value;
-}",
-    ),
 ];
+
+/// All of them, each behind those that it calls.
+const HELPERS: &[&[Helper]] = &[
+    CONVERSIONS,
+    wrapping!("int", "int16_t", "(uint32_t)", "to_int(", ")"),
+    wrapping!("dint", "int32_t", "(uint32_t)", "to_dint(", ")"),
+    wrapping!("uint", "uint16_t", "(uint32_t)", "to_uint(", ")"),
+    wrapping!("udint", "uint32_t", "", "", ""),
+    wrapping!("time", "int64_t", "(uint64_t)", "to_time(", ")"),
+    division!(
+        "int",
+        "int16_t",
+        "",
+        "to_int((uint32_t)((int32_t)a / (int32_t)b))",
+        "(int16_t)((int32_t)a % (int32_t)b)"
+    ),
+    division!(
+        "dint",
+        "int32_t",
+        "; the least number divided by -1 wraps around to itself",
+        "b == -1 ? to_dint(0u - (uint32_t)a) : a / b",
+        "b == -1 ? 0 : a % b"
+    ),
+    division!("uint", "uint16_t", "", "to_uint((uint32_t)a / b)", "to_uint((uint32_t)a % b)"),
+    division!("udint", "uint32_t", "", "a / b", "a % b"),
+    division!(
+        "time",
+        "int64_t",
+        "; the least number divided by -1 wraps around to itself",
+        "b == -1 ? to_time(0u - (uint64_t)a) : a / b",
+        "b == -1 ? 0 : a % b"
+    ),
+    DELAYS,
+    MEMORY,
+    bits!("real", "float", "uint32_t"),
+    bits!("lreal", "double", "uint64_t"),
+];
+
+fn all() -> impl DoubleEndedIterator<Item = &'static Helper> {
+    HELPERS.iter().copied().flatten()
+}
 
 /// Writes those that some code calls, and those that these call.
 pub(super) fn write(out: &mut Writer, code: &str, names: &CNames) {
     let mut called = words(code);
     // Each calls those before it alone.
-    for helper in HELPERS.iter().rev() {
+    for helper in all().rev() {
         if called.contains(helper.name) {
             called.extend(words(helper.text));
         }
     }
     let prefix = format!("{}_delay", names.chart);
-    for helper in HELPERS.iter().filter(|helper| called.contains(helper.name)) {
+    for helper in all().filter(|helper| called.contains(helper.name)) {
         out.blank();
         out.comment(helper.about);
         out.line(&helper.text.replace("CHART_delay", &prefix));
@@ -519,12 +361,12 @@ mod tests {
 
     #[test]
     fn each_calls_those_before_it_alone() {
-        for (place, helper) in HELPERS.iter().enumerate() {
+        for (place, helper) in all().enumerate() {
             assert!(
                 helper.text.contains(&format!(" {}(", helper.name))
                     || helper.text.contains(&format!("*{}(", helper.name))
             );
-            let later = HELPERS[place + 1..].iter().find(|other| words(helper.text).contains(other.name));
+            let later = all().skip(place + 1).find(|other| words(helper.text).contains(other.name));
             assert!(later.is_none(), "{} calls what stands behind it", helper.name);
         }
     }

@@ -3,9 +3,10 @@
 //!
 //! A fingerprint of the program, the values one after the other, the lowest byte first, a checksum.
 
-use super::literals::{size, type_name};
+use super::literals::type_name;
 use super::places::Places;
 use super::scan::restores;
+use crate::types::size;
 use crate::writer::Writer;
 use grafc_formula::{Type, Value};
 use grafc_logic::scan::{Exclusive, Program, Role, TimerId, VarId};

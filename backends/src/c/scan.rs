@@ -3,6 +3,7 @@
 use super::expressions::Expressions;
 use super::places::Places;
 use super::statements::Statements;
+use crate::braces::Braces as _;
 use crate::writer::Writer;
 use grafc_logic::scan::{Program, VarId};
 

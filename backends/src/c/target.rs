@@ -1,7 +1,7 @@
 //! C as a target.
 
 use super::Options;
-use crate::choice::{Choice, Chosen, Refusal};
+pub(crate) use crate::choice::none::{CHOICES, options, spelled};
 use crate::output::{Output, Source};
 use grafc_diagnostics::Diagnostics;
 
@@ -10,15 +10,6 @@ pub(crate) const TITLE: &str = "C99, without library and heap, with a header bes
 pub(crate) const EXTENSION: &str = "c";
 pub(crate) const BESIDE: &[(&str, &str)] = &[("c", "h")];
 pub(crate) const MAPPED: bool = true;
-pub(crate) const CHOICES: &[&Choice] = &[];
-
-pub(crate) fn options(_: &Chosen) -> Result<Options, Refusal> {
-    Ok(Options::default())
-}
-
-pub(crate) fn spelled(_: &Options) -> String {
-    String::new()
-}
 
 pub(crate) fn emit(source: &mut dyn Source, options: &Options) -> Result<Output, Diagnostics> {
     let wants_map = source.wants_map();

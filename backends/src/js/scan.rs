@@ -4,6 +4,7 @@ use super::expressions::Expressions;
 use super::places::Places;
 use super::statements::Statements;
 use super::text::quoted;
+use crate::braces::Braces as _;
 use crate::temporaries::{PARTS, parts};
 use crate::writer::Writer;
 use grafc_formula::{Formula, FormulaId};

@@ -3,10 +3,11 @@
 use super::expressions::{Expressions, wrapped};
 use super::places::Places;
 use super::text::comment;
-use crate::writer::{Writer, column_of};
+use crate::braces::Braces;
+use crate::writer::Writer;
 use ecow::{EcoString, eco_format};
 use grafc_formula::{FormulaId, Type};
-use grafc_logic::scan::{Arm, Division, Guard, Statement, VarId, is_empty, origin_of, origin_of_end};
+use grafc_logic::scan::{Division, Guard, Origins, Program, TimerId, VarId};
 
 /// Writes statements.
 pub(super) struct Statements<'p> {
@@ -14,49 +15,26 @@ pub(super) struct Statements<'p> {
     pub expressions: &'p Expressions<'p>,
 }
 
-impl Statements<'_> {
-    /// A block. Statements nest no deeper than lowering nests them.
-    pub fn block(&self, out: &mut Writer, statements: &[Statement]) {
-        // The column of the remarks of this run of assignments, and where the run ends.
-        let (mut column, mut end) = (0, 0);
-        for (place, statement) in statements.iter().enumerate() {
-            let outer = out.inner_origin(statement.origin());
-            match statement {
-                Statement::Heading(heading) => {
-                    out.blank();
-                    out.comment(&comment(&self.places.program.heading(*heading)));
-                }
-                Statement::Assign { target, value, origin, told } => {
-                    if place >= end {
-                        (column, end) = self.remark_column(out, statements, place);
-                    }
-                    self.about(out, *target, *value);
-                    let remark = self.places.program.remark(*origin, *told);
-                    self.assign(out, *target, *value, &remark.map(|text| comment(&text)).unwrap_or_default(), column);
-                }
-                Statement::Divide(division) => {
-                    self.about(out, division.target, division.dividend);
-                    self.divide(out, division);
-                }
-                Statement::CallTimer { timer, input, .. } => {
-                    let head = format!("run({}, ", self.places.timer(*timer));
-                    self.enclosed(out, &head, *input, ", now);");
-                }
-                Statement::Case { of, arms } => self.case(out, *of, arms),
-                Statement::If { branches, otherwise } => self.branch(out, branches, otherwise),
-            }
-            out.origin(outer);
-        }
+impl Braces for Statements<'_> {
+    const EQUAL: &'static str = "===";
+    const HAS_DEFAULT: bool = false;
+
+    fn program(&self) -> &Program {
+        self.places.program
     }
 
-    /// What an assignment is about, beside what it comes from.
-    fn about(&self, out: &mut Writer, target: VarId, value: FormulaId) {
-        if let Some(origins) = &self.places.origins {
-            out.also(origins.written(&self.places.program.pool, target, value));
-        }
+    fn origins(&self) -> Option<&Origins> {
+        self.places.origins.as_ref()
     }
 
-    /// The left side of an assignment, which declares what is written once.
+    fn comment(&self, text: &str) -> String {
+        comment(text)
+    }
+
+    fn read(&self, v: VarId) -> &EcoString {
+        self.places.read(v)
+    }
+
     fn target(&self, target: VarId) -> EcoString {
         let name = self.places.read(target);
         match self.places.local(target) {
@@ -65,64 +43,36 @@ impl Statements<'_> {
         }
     }
 
-    /// The columns of `target = value;`.
-    fn length(&self, indent: usize, target: VarId, value: FormulaId) -> usize {
-        (indent + self.target(target).len() + " = ;".len()).saturating_add(self.expressions.width(value))
+    fn label(&self, _: VarId, value: i64) -> EcoString {
+        eco_format!("{value}")
     }
 
-    /// Where the remarks of the assignments from `start` on begin, and the place after the last of them.
-    fn remark_column(&self, out: &Writer, statements: &[Statement], start: usize) -> (usize, usize) {
-        let mut column = 0;
-        for (place, statement) in statements.iter().enumerate().skip(start) {
-            let Statement::Assign { target, value, origin, told } = statement else {
-                return (column_of(column), place);
-            };
-            let length = self.length(out.indent(), *target, *value);
-            if self.places.program.says(*origin, *told) && length <= out.furthest_remark() {
-                column = column.max(length);
-            }
-        }
-        (column_of(column), statements.len())
+    fn width(&self, _: VarId, value: FormulaId) -> usize {
+        self.expressions.width(value)
     }
 
-    fn assign(&self, out: &mut Writer, target: VarId, value: FormulaId, remark: &str, column: usize) {
-        let length = self.length(out.indent(), target, value);
-        if length > out.width() {
-            out.comment(remark);
-            out.line(&format!("{} =", self.target(target)));
-            out.enter();
-            self.expressions.lines(out, value, ";");
-            out.leave();
-            return;
-        }
-        let behind = !remark.is_empty() && out.fits_behind(length.max(column), remark);
-        if !behind {
-            out.comment(remark);
-        }
-        out.start();
-        out.text(&self.target(target));
-        out.text(" = ");
+    fn flat(&self, out: &mut Writer, _: VarId, value: FormulaId) {
         self.expressions.flat(out, value);
-        out.text(";");
-        if behind {
-            out.trailing_comment(length, column, remark);
-        }
-        out.end();
     }
 
-    /// `head value tail`, the value on lines of its own where it is long.
-    fn enclosed(&self, out: &mut Writer, head: &str, value: FormulaId, tail: &str) {
-        if (out.indent() + head.len() + tail.len()).saturating_add(self.expressions.width(value)) <= out.width() {
-            out.start();
-            out.text(head);
-            self.expressions.flat(out, value);
-            out.text(tail);
-            return out.end();
-        }
-        out.open(head.trim_end());
-        self.expressions.lines(out, value, "");
-        out.leave();
-        out.line(tail);
+    fn lines(&self, out: &mut Writer, _: VarId, value: FormulaId) {
+        self.expressions.lines(out, value, ";");
+    }
+
+    fn width_of_condition(&self, condition: FormulaId) -> usize {
+        self.expressions.width(condition)
+    }
+
+    fn flat_condition(&self, out: &mut Writer, condition: FormulaId) {
+        self.expressions.flat(out, condition);
+    }
+
+    fn lines_of_condition(&self, out: &mut Writer, condition: FormulaId) {
+        self.expressions.lines(out, condition, "");
+    }
+
+    fn timer(&self, timer: TimerId) -> (String, &'static str) {
+        (format!("run({}, ", self.places.timer(timer)), ", now);")
     }
 
     /// A division under its guard. What a processor may stop at is no fault here: a quotient wraps around.
@@ -151,70 +101,5 @@ impl Statements<'_> {
         out.close("}");
     }
 
-    /// An arm a value, with what the value stands for beside it; a single arm is an `if`.
-    fn case(&self, out: &mut Writer, of: VarId, arms: &[Arm]) {
-        let single = arms.len() == 1;
-        if !single {
-            out.open(&format!("switch ({}) {{", self.places.read(of)));
-        }
-        for arm in arms {
-            let outer = out.inner_origin(arm.origin);
-            let remark =
-                self.places.program.remark(arm.origin, arm.told).map(|text| comment(&text)).unwrap_or_default();
-            let head = if single {
-                format!("if ({} === {}) {{", self.places.read(of), arm.value)
-            } else {
-                format!("case {}:", arm.value)
-            };
-            let length = out.indent() + head.len();
-            let behind = !remark.is_empty() && out.fits_behind(length, &remark);
-            if !behind {
-                out.comment(&remark);
-            }
-            out.start();
-            out.text(&head);
-            if behind {
-                out.trailing_comment(length, length, &remark);
-            }
-            out.end();
-            out.enter();
-            self.block(out, &arm.body);
-            if single {
-                out.close("}");
-            } else {
-                out.line("break;");
-                out.leave();
-            }
-            out.origin(outer);
-        }
-        if !single {
-            out.close("}");
-        }
-    }
-
-    fn branch(&self, out: &mut Writer, branches: &[(FormulaId, Vec<Statement>)], otherwise: &[Statement]) {
-        let mut head = "if (";
-        for (condition, body) in branches {
-            let outer = out.inner_origin(origin_of(body));
-            self.enclosed(out, head, *condition, ") {");
-            out.enter();
-            self.block(out, body);
-            out.leave();
-            out.origin(outer);
-            head = "} else if (";
-        }
-        if branches.is_empty() {
-            return self.block(out, otherwise);
-        }
-        if !is_empty(otherwise) {
-            let outer = out.inner_origin(origin_of(otherwise));
-            out.open("} else {");
-            self.block(out, otherwise);
-            out.leave();
-            out.origin(outer);
-        }
-        let outer = out.inner_origin(origin_of_end(branches, otherwise));
-        out.line("}");
-        out.origin(outer);
-    }
+    fn assigned(&self, _: &mut Writer, _: VarId) {}
 }

@@ -1,5 +1,6 @@
 //! Types and constants.
 
+use crate::types::shortest;
 use ecow::{EcoString, eco_format};
 use grafc_formula::{Type, Value};
 
@@ -18,23 +19,13 @@ pub(super) fn type_name(ty: Type) -> &'static str {
     }
 }
 
-/// The bytes of a type, and what its address is a multiple of.
-pub(super) fn size(ty: Type) -> usize {
-    match ty {
-        Type::Bool => 1,
-        Type::Int | Type::Uint => 2,
-        Type::Dint | Type::Udint | Type::Real => 4,
-        Type::Lreal | Type::Time => 8,
-    }
-}
-
 /// A constant where its type is known from what stands around it.
 pub(super) fn literal(value: Value, ty: Type) -> EcoString {
     match (value, ty) {
         (Value::Bool(b), _) => eco_format!("{b}"),
-        (Value::Int(n), Type::Real | Type::Lreal) => real(n as f64, ty),
+        (Value::Int(n), Type::Real | Type::Lreal) => shortest(n as f64, ty),
         (Value::Int(n) | Value::Time(n), _) => whole(n),
-        (Value::Real(x), _) => real(x, ty),
+        (Value::Real(x), _) => shortest(x, ty),
     }
 }
 
@@ -58,16 +49,6 @@ fn whole(n: i64) -> EcoString {
         out.push(digit);
     }
     out
-}
-
-/// The shortest form that is read back as the same number of the type.
-fn real(x: f64, ty: Type) -> EcoString {
-    match ty {
-        Type::Real => eco_format!("{:?}", x as f32),
-        Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Lreal | Type::Time => {
-            eco_format!("{x:?}")
-        }
-    }
 }
 
 #[cfg(test)]

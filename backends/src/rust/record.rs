@@ -2,8 +2,8 @@
 //!
 //! What is written here serves all memory (`saved`) and what is retained over a restart (`retained`).
 
-use super::literals::size;
 use super::places::Places;
+use crate::types::size;
 use crate::writer::Writer;
 use grafc_logic::scan::{Program, TimerId, VarId};
 

@@ -1,9 +1,9 @@
 //! How many bytes a chart takes in memory.
 
-use super::literals::size;
 use super::memory::{self, WORD, words};
 use super::names::RustNames;
 use super::places::Places;
+use crate::types::size;
 use grafc_logic::scan::{Program, Role};
 
 /// A timer: an `i64`, a `u32`, a `bool`.

@@ -9,9 +9,6 @@ use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::Program;
 use std::borrow::Cow;
 
-/// Some compilers recurse along a chain of terms; longer ones are written in groups.
-const LONGEST_CHAIN: usize = 200;
-
 /// How formulas of one program are spelt.
 pub(super) struct Expressions<'p> {
     formulas: Formulas<StructuredText<'p>, StLevel>,
@@ -75,77 +72,16 @@ impl<'p> Expressions<'p> {
         self.formulas.level(id)
     }
 
-    fn shape(&self, id: FormulaId) -> Shape<'_, StLevel> {
-        self.formulas.notation.shape(id)
-    }
-
     /// Writes a formula on lines of its own, `tail` behind the last.
     pub fn lines(&self, out: &mut Writer, id: FormulaId, tail: &str) {
-        let shape = self.shape(id);
-        match &shape.arrangement {
-            Arrangement::Infix(operator, operands) if out.indent() + self.width(id) + tail.len() > out.width() => {
-                self.chain(out, shape.level, operator, operands, tail);
-            }
-            Arrangement::Prefix(word, operand) if out.indent() + self.width(id) + tail.len() > out.width() => {
-                self.term(out, shape.level, 1, word, *operand, tail);
-            }
-            Arrangement::Atom(_) | Arrangement::Prefix(..) | Arrangement::Pieces(..) | Arrangement::Infix(..) => {
-                out.start();
-                self.flat(out, id);
-                out.text(tail);
-                out.end();
-            }
-        }
-    }
-
-    /// A term a line, each line but the first led by the operator; very many terms in groups.
-    fn chain(&self, out: &mut Writer, level: StLevel, operator: &str, operands: &[FormulaId], tail: &str) {
-        let lead = format!("{operator} ");
-        let tail_of = |last: bool| if last { tail } else { "" };
-        if operands.len() <= LONGEST_CHAIN {
-            for (place, operand) in operands.iter().enumerate() {
-                let lead = if place == 0 { "" } else { &lead };
-                self.term(out, level, place, lead, *operand, tail_of(place + 1 == operands.len()));
-            }
-            return;
-        }
-        let mut size = LONGEST_CHAIN;
-        while operands.len() > size * LONGEST_CHAIN {
-            size *= LONGEST_CHAIN;
-        }
-        let count = operands.len().div_ceil(size);
-        for (place, group) in operands.chunks(size).enumerate() {
-            let lead = if place == 0 { "" } else { &lead };
-            out.open(&format!("{lead}("));
-            self.chain(out, level, operator, group, "");
-            out.close(&format!("){}", tail_of(place + 1 == count)));
-        }
-    }
-
-    /// One operand on lines of its own.
-    fn term(&self, out: &mut Writer, parent: StLevel, place: usize, lead: &str, id: FormulaId, tail: &str) {
-        let wrap = self.formulas.needs_parentheses(parent, place, id);
-        if out.indent() + lead.len() + self.width(id) + 2 + tail.len() > out.width() {
-            if wrap {
-                out.open(&format!("{lead}("));
-                self.lines(out, id, "");
-                return out.close(&format!("){tail}"));
-            }
-            let shape = self.shape(id);
-            if let Arrangement::Prefix(word, operand) = shape.arrangement {
-                return self.term(out, shape.level, 1, &format!("{lead}{word}"), operand, tail);
-            }
-        }
-        out.start();
-        out.text(lead);
-        self.formulas.operand(out, parent, place, id);
-        out.text(tail);
-        out.end();
+        self.formulas.lines(out, id, tail);
     }
 }
 
 impl Notation for StructuredText<'_> {
     type Level = StLevel;
+    /// Some compilers recurse along a chain of terms.
+    const LONGEST_CHAIN: usize = 200;
 
     fn needs_parentheses(&self, parent: StLevel, place: usize, operand: StLevel) -> bool {
         match (operand, parent) {

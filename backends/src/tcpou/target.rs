@@ -1,7 +1,7 @@
 //! A program organisation unit of TwinCAT as a target.
 
 use super::Options;
-use crate::choice::{Choice, Chosen, Refusal};
+pub(crate) use crate::choice::none::{CHOICES, options, spelled};
 use crate::output::{Output, Source};
 use grafc_diagnostics::Diagnostics;
 
@@ -10,16 +10,6 @@ pub(crate) const TITLE: &str = "A TwinCAT 3 program organisation unit";
 pub(crate) const EXTENSION: &str = "TcPOU";
 pub(crate) const BESIDE: &[(&str, &str)] = &[];
 pub(crate) const MAPPED: bool = false;
-/// The form leaves no choice.
-pub(crate) const CHOICES: &[&Choice] = &[];
-
-pub(crate) fn options(_: &Chosen) -> Result<Options, Refusal> {
-    Ok(Options::default())
-}
-
-pub(crate) fn spelled(_: &Options) -> String {
-    String::new()
-}
 
 pub(crate) fn emit(source: &mut dyn Source, options: &Options) -> Result<Output, Diagnostics> {
     super::emit(source.program()?, options).map(Output::from)

@@ -1,7 +1,7 @@
 //! The C code that plays traces and prints what [`crate::executors::jobs`] reads.
 
 use crate::executors::jobs::{flag_name, flags, outputs};
-use grafc_backends::c::CNames;
+use grafc_backends::c::{CNames, type_name};
 use grafc_logic::scan::{Flag, Program, Role};
 use grafc_model::chart::{Type, Value};
 use grafc_model::reaction::Stimulus;
@@ -147,19 +147,6 @@ fn printed(ty: Type, place: &str) -> String {
         // So many digits give a number back exactly.
         Type::Real => format!("printf(\" %.9g\", (double){place})"),
         Type::Lreal => format!("printf(\" %.17g\", {place})"),
-    }
-}
-
-fn type_name(ty: Type) -> &'static str {
-    match ty {
-        Type::Bool => "bool",
-        Type::Int => "int16_t",
-        Type::Dint => "int32_t",
-        Type::Uint => "uint16_t",
-        Type::Udint => "uint32_t",
-        Type::Real => "float",
-        Type::Lreal => "double",
-        Type::Time => "int64_t",
     }
 }
 

@@ -78,17 +78,8 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     if let Some(language) = args.emit {
         return emitted(&args, language);
     }
-    let begun = Instant::now();
-    let mut report = Report::default();
-    let mut found = None;
-    if let Some(document) = report.document(&args.chart)? {
-        report.diagnostics.append(document.diagnostics().clone());
-        let asked = args.profile.asked()?;
-        report.diagnostics.append(super::against(&document, &asked));
-        let asked = Some(asked.profile()).filter(|_| !report.has_errors());
-        found = asked.and_then(|profile| verified(&document, profile, begun + Duration::from_secs(args.time)));
-    }
-    let exit = report.tell(args.quiet.messages(Format::Human));
+    let end = Instant::now() + Duration::from_secs(args.time);
+    let (exit, found) = of_chart(&args, |document, profile| verified(document, profile, end))?;
     let Some((name, verified)) = found else { return Ok(exit) };
     if let Some(trace) = &verified.barred {
         return Err(super::barred(trace.rows.last().and_then(|row| row.steps.as_deref()).unwrap_or_default()));
@@ -114,6 +105,18 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
 fn emitted(args: &Arguments, language: emit::Language) -> Result<Exit, Failure> {
     let output = args.output.clone().unwrap_or(Stream::Standard);
     refuse_output_over_input(&output, [&args.chart])?;
+    let (exit, made) = of_chart(args, program)?;
+    if let Some(program) = made {
+        Stream::write_all(&[(&output, emit::text(&program, language)?)])?;
+    }
+    Ok(exit)
+}
+
+/// What is made of the chart, if it has no errors; what is wrong with it is told.
+fn of_chart<T>(
+    args: &Arguments,
+    make: impl FnOnce(&Document, Profile) -> Option<T>,
+) -> Result<(Exit, Option<T>), Failure> {
     let mut report = Report::default();
     let mut made = None;
     if let Some(document) = report.document(&args.chart)? {
@@ -121,13 +124,9 @@ fn emitted(args: &Arguments, language: emit::Language) -> Result<Exit, Failure> 
         let asked = args.profile.asked()?;
         report.diagnostics.append(super::against(&document, &asked));
         let asked = Some(asked.profile()).filter(|_| !report.has_errors());
-        made = asked.and_then(|profile| program(&document, profile));
+        made = asked.and_then(|profile| make(&document, profile));
     }
-    let exit = report.tell(args.quiet.messages(Format::Human));
-    if let Some(program) = made {
-        Stream::write_all(&[(&output, emit::text(&program, language)?)])?;
-    }
-    Ok(exit)
+    Ok((report.tell(args.quiet.messages(Format::Human)), made))
 }
 
 /// A fault that is shown counts before what is open.
