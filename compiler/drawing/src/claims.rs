@@ -1,7 +1,7 @@
 //! What is claimed of the chart, as a table in the margin: a row a claim, in the order of the text, each with its keyword, what
 //! its author calls it, and its body as written.
 
-use crate::font::{COMMENT, TEXT, shown, width};
+use crate::font::{COMMENT, TEXT, shown, width, wrapped};
 use crate::panel::Panel;
 use crate::picture::{Anchor, Group, Shape, Style};
 use grafc_layout::{Bounds, Point};
@@ -58,8 +58,8 @@ pub(crate) fn claims(chart: &Tables, most: i32) -> Vec<Panel> {
 
 fn row(claim: &Claim, place: usize) -> Row<'_> {
     let named = claim.text.as_deref().map(|text| format!("\"{}\"", shown(text)));
-    let text = named.map(|text| lines(&text, COMMENT, MOST)).unwrap_or_default();
-    Row { claim, place, text, body: lines(&shown(&claim.written), TEXT, MOST_BODY) }
+    let text = named.map(|text| wrapped(&text, COMMENT, MOST)).unwrap_or_default();
+    Row { claim, place, text, body: wrapped(&shown(&claim.written), TEXT, MOST_BODY) }
 }
 
 fn table(rows: &[Row<'_>], columns: [i32; 3], high: i32) -> Panel {
@@ -93,22 +93,4 @@ fn table(rows: &[Row<'_>], columns: [i32; 3], high: i32) -> Panel {
         top += height;
     }
     Panel { groups: vec![group], bounds: Bounds { left: 0, top: 0, right: wide, bottom: high } }
-}
-
-/// A text in lines no wider than `most`, as far as it has blanks.
-fn lines(text: &str, size: i32, most: i32) -> Vec<String> {
-    let blank = width(" ", size);
-    let mut lines: Vec<(String, i32)> = Vec::new();
-    for word in text.split_whitespace() {
-        let own = width(word, size);
-        match lines.last_mut() {
-            Some((line, wide)) if *wide + blank + own <= most => {
-                line.push(' ');
-                line.push_str(word);
-                *wide += blank + own;
-            }
-            Some(_) | None => lines.push((word.to_string(), own)),
-        }
-    }
-    lines.into_iter().map(|(line, _)| line).collect()
 }

@@ -43,6 +43,24 @@ pub fn width(text: &str, size: i32) -> i32 {
     pixels(units(text), size) + 1
 }
 
+/// A text in lines no wider than `most`, as far as it has blanks to be broken at.
+pub(crate) fn wrapped(text: &str, size: i32, most: i32) -> Vec<String> {
+    // A blank is a little more than a quarter of the size.
+    const BLANK: i32 = 3;
+    let mut lines: Vec<(String, i64)> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some((line, wide)) if pixels(*wide, size) + 1 + width(word, size) + BLANK <= most => {
+                line.push(' ');
+                line.push_str(word);
+                *wide += units(" ") + units(word);
+            }
+            Some(_) | None => lines.push((word.to_string(), units(word))),
+        }
+    }
+    lines.into_iter().map(|(line, _)| line).collect()
+}
+
 /// The width of a text in units of the font, which can be added.
 pub(crate) fn units(text: &str) -> i64 {
     text.chars().map(|c| i64::from(advance(c))).sum()

@@ -1,7 +1,7 @@
 //! Comments \[30\]: in quotation marks beside their element.
 
 use super::action::Blocks;
-use crate::font::{COMMENT, shown, width};
+use crate::font::{COMMENT, shown, width, wrapped};
 use crate::picture::{Anchor, Shape};
 
 /// A comment that is wider is broken at blanks.
@@ -25,16 +25,7 @@ impl Comment {
 
     pub(crate) fn no_wider(text: &str, most: i32) -> Comment {
         let text = format!("\"{}\"", shown(text));
-        let mut lines: Vec<String> = Vec::new();
-        for word in text.split_whitespace() {
-            match lines.last_mut() {
-                Some(line) if width(line, COMMENT) + width(word, COMMENT) + 3 <= most => {
-                    line.push(' ');
-                    line.push_str(word);
-                }
-                Some(_) | None => lines.push(word.to_string()),
-            }
-        }
+        let lines = wrapped(&text, COMMENT, most);
         let widest = lines.iter().map(|line| width(line, COMMENT)).max().unwrap_or(0);
         Comment { width: widest, height: LINE * lines.len() as i32, lines }
     }

@@ -1,5 +1,6 @@
 //! `grafc generate-tests`: tests that cover what a chart can come to, with what the rules make of them.
 
+use super::{beyond, followed};
 use crate::Exit;
 use crate::arguments::{Period, ProfileArguments, QuietArgument, period};
 use crate::report::{Failure, Format, Report};
@@ -9,8 +10,9 @@ use grafc::Document;
 use grafc::files::{self, print};
 use grafc_logic::scan::Observed;
 use grafc_logic::{Options, compile_observed};
+use grafc_model::reaction::Asked;
 use grafc_testing::{Certified, Cover, certify};
-use grafc_verify::{Beyond, Times, moves};
+use grafc_verify::{Times, moves};
 use std::path::{Path, PathBuf};
 
 const AFTER_HELP: &str = "\
@@ -91,12 +93,10 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         }
     };
     let mut report = Report::default();
-    let mut made = None;
-    if let Some(document) = report.document(&args.chart)? {
-        report.diagnostics.append(document.diagnostics().clone());
-        report.diagnostics.append(super::against(&document, &args.profile.asked()?));
-        made = if report.has_errors() { None } else { tests(&document, &args)? };
-    }
+    let made = match followed(&mut report, &args.chart, &args.profile)? {
+        Some((document, asked)) => tests(&document, &asked, &args)?,
+        None => None,
+    };
     let exit = report.tell(args.quiet.messages(Format::Human));
     let Some(made) = made else { return Ok(exit) };
     let name = args.chart.chart_name();
@@ -122,16 +122,14 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
 }
 
 /// The tests, if the chart has no errors.
-fn tests(document: &Document, args: &Arguments) -> Result<Option<Certified>, Failure> {
+fn tests(document: &Document, asked: &Asked, args: &Arguments) -> Result<Option<Certified>, Failure> {
     let (Some(chart), Some(analysis)) = (document.chart(), document.analysis()) else { return Ok(None) };
-    let mut profile = args.profile.asked()?.profile();
-    if args.profile.bound_as_known() {
+    let mut profile = asked.profile();
+    if asked.bound_as_known {
         profile = grafc::known_bound(chart, profile);
     }
     let options = Options { profile, ..Options::default() };
     let (program, _) = compile_observed(analysis.clone(), &options, Observed::Transitions);
-    let beyond =
-        |beyond: Beyond| Failure::Open(beyond.to_string(), "compare it with constants, or leave it out".to_string());
     let Period(period) = args.scan;
     let real = moves(&program, Times::Real(period), args.max).map_err(beyond)?;
     let free = moves(&program, Times::Free, args.max).map_err(beyond)?;

@@ -18,11 +18,15 @@ pub mod stats;
 pub mod test;
 pub mod verify;
 
-use crate::report::Failure;
+use crate::arguments::ProfileArguments;
+use crate::report::{Failure, Report};
 use crate::stream::Stream;
 use grafc::Document;
 use grafc_diagnostics::Diagnostics;
-use grafc_model::reaction::Asked;
+use grafc_logic::scan::{Claimed, Observed, Program};
+use grafc_logic::{Extras, Options, compile_with};
+use grafc_model::reaction::{Asked, Profile};
+use grafc_verify::Beyond;
 
 /// Standard input can be read once.
 fn refuse_second_standard_input<'a>(streams: impl IntoIterator<Item = &'a Stream>) -> Result<(), Failure> {
@@ -49,6 +53,32 @@ fn refuse_output_over_input<'a>(output: &Stream, inputs: impl IntoIterator<Item 
 /// What is asked for otherwise than the heading of a chart says, if there is a chart.
 fn against(document: &Document, asked: &Asked) -> Diagnostics {
     document.chart().map(|chart| chart.options.against(asked)).unwrap_or_default()
+}
+
+/// A chart and what is asked for, if neither it nor that has errors; what is wrong is reported.
+fn followed(
+    report: &mut Report,
+    chart: &Stream,
+    profile: &ProfileArguments,
+) -> Result<Option<(Document, Asked)>, Failure> {
+    let Some(document) = report.document(chart)? else { return Ok(None) };
+    report.diagnostics.append(document.diagnostics().clone());
+    let asked = profile.asked()?;
+    report.diagnostics.append(against(&document, &asked));
+    Ok((!report.has_errors()).then_some((document, asked)))
+}
+
+/// The program of a chart with its claims, for who follows it state by state.
+fn with_claims(document: &Document, profile: Profile) -> Option<Program> {
+    let analysis = document.analysis()?;
+    let options = Options { profile, ..Options::default() };
+    let extras = Extras { saved: true, observed: Observed::Transitions, claims: Claimed::All };
+    Some(compile_with(analysis.clone(), &options, extras).0)
+}
+
+/// What cannot be followed.
+fn beyond(beyond: Beyond) -> Failure {
+    Failure::Open(beyond.to_string(), "compare it with constants, or leave it out".to_string())
 }
 
 /// The assumptions of a chart allow no inputs in a situation, or at the start if no steps are named.

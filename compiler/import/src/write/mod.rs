@@ -10,6 +10,7 @@ mod blocks;
 mod declarations;
 mod effects;
 mod maker;
+mod meaning;
 mod outcome;
 mod parts;
 mod resolve;
@@ -17,6 +18,7 @@ mod selection;
 mod steps;
 mod terms;
 mod text;
+mod typed;
 mod variables;
 
 use crate::naming::{Taken, clean, spell, spell_label};

@@ -5,17 +5,13 @@ mod json;
 mod picture;
 mod text;
 
-use super::{against, refuse_output_over_input};
+use super::{beyond, followed, refuse_output_over_input, with_claims};
 use crate::Exit;
 use crate::arguments::{ProfileArguments, QuietArgument};
 use crate::report::{Failure, Format, Report};
 use crate::stream::Stream;
 use clap::{Args, ValueEnum};
-use grafc::Document;
-use grafc_diagnostics::Diagnostics;
-use grafc_logic::scan::{ClaimKind, Claimed, Observed};
-use grafc_logic::{Extras, Options, compile_with};
-use grafc_model::reaction::Asked;
+use grafc_logic::scan::{ClaimKind, Program};
 use grafc_verify::{Beyond, Graph, Of, graph};
 
 const AFTER_HELP: &str = "\
@@ -87,18 +83,13 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let output = args.output.clone().unwrap_or(Stream::Standard);
     refuse_output_over_input(&output, [&args.chart])?;
     let mut report = Report::default();
-    let mut found = None;
-    if let Some(document) = report.document(&args.chart)? {
-        let diagnostics;
-        (found, diagnostics) = explored(&document, &args.profile.asked()?, args.of.of(), args.max);
-        report.diagnostics.append(diagnostics);
-    }
+    let followed = followed(&mut report, &args.chart, &args.profile)?;
+    let program = followed.and_then(|(document, asked)| with_claims(&document, asked.profile()));
+    let found = program.map(|program| explored(program, args.of.of(), args.max));
     let exit = report.tell(args.quiet.messages(Format::Human));
     match found {
         None => Ok(exit),
-        Some(Err(beyond)) => {
-            Err(Failure::Open(beyond.to_string(), "compare it with constants, or leave it out".to_string()))
-        }
+        Some(Err(found)) => Err(beyond(found)),
         Some(Ok(graph)) if graph.barred.is_some() => Err(super::barred(graph.barred.as_deref().unwrap_or_default())),
         Some(Ok(graph)) => {
             let text = match args.format {
@@ -113,19 +104,11 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     }
 }
 
-type Explored = Option<Result<Graph, Beyond>>;
-
-/// The graph, if the chart has no errors.
-fn explored(document: &Document, asked: &Asked, of: Of, most: usize) -> (Explored, Diagnostics) {
-    let mut diagnostics = document.diagnostics().clone();
-    diagnostics.append(against(document, asked));
-    let Some(analysis) = document.analysis().filter(|_| !diagnostics.has_errors()) else { return (None, diagnostics) };
-    let options = Options { profile: asked.profile(), ..Options::default() };
-    let extras = Extras { saved: true, observed: Observed::Transitions, claims: Claimed::All };
-    let (mut program, _) = compile_with(analysis.clone(), &options, extras);
+/// The graph.
+fn explored(mut program: Program, of: Of, most: usize) -> Result<Graph, Beyond> {
     // What is claimed of states changes nothing of what leads to what.
     program.claims.retain(|claim| claim.kind == ClaimKind::Assume);
-    (Some(graph(&program, of, most)), diagnostics)
+    graph(&program, of, most)
 }
 
 /// The label of a node: its steps, and what else it is made of, a line each.

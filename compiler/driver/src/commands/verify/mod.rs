@@ -7,7 +7,7 @@ mod junit;
 mod said;
 mod traces;
 
-use super::refuse_output_over_input;
+use super::{followed, refuse_output_over_input, with_claims};
 use crate::Exit;
 use crate::arguments::{ProfileArguments, QuietArgument};
 use crate::progress::Progress;
@@ -17,8 +17,6 @@ use crate::stream::Stream;
 use clap::{Args, ValueEnum};
 use grafc::Document;
 use grafc::files::print;
-use grafc_logic::scan::{Claimed, Observed, Program};
-use grafc_logic::{Extras, Options, compile_with};
 use grafc_model::reaction::Profile;
 use grafc_verify::{Answer, Limit, Method, Subject, Verified, verify};
 use std::path::PathBuf;
@@ -105,7 +103,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
 fn emitted(args: &Arguments, language: emit::Language) -> Result<Exit, Failure> {
     let output = args.output.clone().unwrap_or(Stream::Standard);
     refuse_output_over_input(&output, [&args.chart])?;
-    let (exit, made) = of_chart(args, program)?;
+    let (exit, made) = of_chart(args, with_claims)?;
     if let Some(program) = made {
         Stream::write_all(&[(&output, emit::text(&program, language)?)])?;
     }
@@ -118,14 +116,8 @@ fn of_chart<T>(
     make: impl FnOnce(&Document, Profile) -> Option<T>,
 ) -> Result<(Exit, Option<T>), Failure> {
     let mut report = Report::default();
-    let mut made = None;
-    if let Some(document) = report.document(&args.chart)? {
-        report.diagnostics.append(document.diagnostics().clone());
-        let asked = args.profile.asked()?;
-        report.diagnostics.append(super::against(&document, &asked));
-        let asked = Some(asked.profile()).filter(|_| !report.has_errors());
-        made = asked.and_then(|profile| make(&document, profile));
-    }
+    let followed = followed(&mut report, &args.chart, &args.profile)?;
+    let made = followed.and_then(|(document, asked)| make(&document, asked.profile()));
     Ok((report.tell(args.quiet.messages(Format::Human)), made))
 }
 
@@ -142,7 +134,7 @@ fn of(verified: &Verified) -> Exit {
 
 /// The answers, if the chart has no errors, and its name.
 fn verified(document: &Document, profile: Profile, end: Instant) -> Option<(String, Verified)> {
-    let program = program(document, profile)?;
+    let program = with_claims(document, profile)?;
     let chart = document.chart()?;
     let interrupt = Interrupt::awaited();
     let mut progress = Progress::of_search();
@@ -157,12 +149,4 @@ fn verified(document: &Document, profile: Profile, end: Instant) -> Option<(Stri
     };
     let verified = verify(Subject { chart, program: &program, profile }, Method::Auto, &mut stop);
     Some((program.name.clone(), verified))
-}
-
-/// The program, if the chart has no errors.
-fn program(document: &Document, profile: Profile) -> Option<Program> {
-    let analysis = document.analysis()?;
-    let options = Options { profile, ..Options::default() };
-    let extras = Extras { saved: true, observed: Observed::Transitions, claims: Claimed::All };
-    Some(compile_with(analysis.clone(), &options, extras).0)
 }
