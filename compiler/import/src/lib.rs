@@ -15,7 +15,6 @@
 //! walks are loops, nothing is quadratic, and what is kept and written grows with the file at most linearly.
 
 mod agrafe;
-mod capabilities;
 mod chart;
 mod code;
 mod iec_text;

@@ -112,11 +112,7 @@ impl Bound {
         let Bound::Whole(n) = self else { return None };
         let (least, most) = match ty {
             Type::Bool => (0, 1),
-            Type::Int => (i16::MIN.into(), i16::MAX.into()),
-            Type::Dint => (i32::MIN.into(), i32::MAX.into()),
-            Type::Uint => (0, u16::MAX.into()),
-            Type::Udint => (0, u32::MAX.into()),
-            Type::Time | Type::Real | Type::Lreal => (i64::MIN, i64::MAX),
+            _ => ty.whole_range().unwrap_or((i64::MIN, i64::MAX)),
         };
         if n <= least {
             Some(true)

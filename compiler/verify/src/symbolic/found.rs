@@ -56,6 +56,13 @@ pub(super) struct Looking<'l, 'p> {
     pub(super) findings: &'l mut FxHashMap<Goal, Finding>,
 }
 
+impl Looking<'_, '_> {
+    /// All states were looked at: what was not seen never happens.
+    pub(super) fn none_is_left(&mut self) {
+        self.findings.extend(self.facts.drain(..).map(|fact| (Goal::Fact(fact), Finding::Never)));
+    }
+}
+
 impl Found {
     pub(super) fn new(relation: Relation, program: &Program) -> Found {
         let no = relation.bits.all.mk_false();
@@ -192,13 +199,8 @@ impl Found {
         let mut reactions = Reactions::default();
         let mut heads = enter;
         while !heads.is_false() {
-            // All that come back to what they were come back for ever (R9).
-            if reactions.heads.contains(&heads) {
-                reactions.is_endless = true;
-                break;
-            }
-            // Nor is there an end to what takes more than the bound.
-            if reactions.heads.len() >= self.most as usize {
+            // All that come back to what they were come back for ever (R9), and what takes more than the bound is given up.
+            if reactions.heads.contains(&heads) || reactions.heads.len() >= self.most as usize {
                 reactions.is_endless = true;
                 break;
             }

@@ -106,9 +106,7 @@ impl<'p> Symbolic<'p> {
                 if !found.explore(MOST_WIDE, &mut looking, sets)? {
                     return Err(Halt::Limit(Limit::Numbers));
                 }
-                for fact in looking.facts {
-                    self.findings.insert(Goal::Fact(fact), Finding::Never);
-                }
+                looking.none_is_left();
                 if !found.is_endless {
                     self.findings.insert(Goal::Fact(Fact::Livelock), Finding::Never);
                 }
@@ -117,13 +115,9 @@ impl<'p> Symbolic<'p> {
             let explored = found.explore(usize::MAX, &mut looking, sets);
             self.searched.states = found.count();
             explored?;
-            for fact in looking.facts {
-                self.findings.insert(Goal::Fact(fact), Finding::Never);
-            }
+            looking.none_is_left();
         } else {
-            for fact in std::mem::take(&mut looking.facts) {
-                self.findings.insert(Goal::Fact(fact), Finding::Never);
-            }
+            looking.none_is_left();
         }
         self.searched.limit = None;
         self.barred = found.barred(&mut machine, sets)?;
