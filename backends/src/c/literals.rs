@@ -31,15 +31,11 @@ pub(super) fn word(ty: Type) -> &'static str {
     }
 }
 
-/// The least and the greatest whole number of a type.
+/// The least and the greatest whole number of a type; times are numbers of 64 bits.
 pub(super) fn range(ty: Type) -> Option<(i64, i64)> {
     match ty {
-        Type::Int => Some((i16::MIN.into(), i16::MAX.into())),
-        Type::Dint => Some((i32::MIN.into(), i32::MAX.into())),
-        Type::Uint => Some((0, u16::MAX.into())),
-        Type::Udint => Some((0, u32::MAX.into())),
         Type::Time => Some((i64::MIN, i64::MAX)),
-        Type::Bool | Type::Real | Type::Lreal => None,
+        _ => ty.whole_range(),
     }
 }
 

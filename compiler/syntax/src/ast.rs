@@ -366,6 +366,49 @@ pub enum Type {
     Time,
 }
 
+impl Type {
+    /// The keyword.
+    pub fn keyword(self) -> &'static str {
+        match self {
+            Type::Bool => "bool",
+            Type::Int => "int",
+            Type::Dint => "dint",
+            Type::Uint => "uint",
+            Type::Udint => "udint",
+            Type::Real => "real",
+            Type::Lreal => "lreal",
+            Type::Time => "time",
+        }
+    }
+
+    /// Whether it is one of the four types of whole numbers.
+    pub fn is_whole(self) -> bool {
+        self.whole_range().is_some()
+    }
+
+    /// The smallest and the greatest value of a type of whole numbers.
+    pub fn whole_range(self) -> Option<(i64, i64)> {
+        match self {
+            Type::Int => Some((i64::from(i16::MIN), i64::from(i16::MAX))),
+            Type::Dint => Some((i64::from(i32::MIN), i64::from(i32::MAX))),
+            Type::Uint => Some((0, i64::from(u16::MAX))),
+            Type::Udint => Some((0, i64::from(u32::MAX))),
+            Type::Bool | Type::Real | Type::Lreal | Type::Time => None,
+        }
+    }
+
+    /// Whether every value of it is a value of another type.
+    pub fn widens_to(self, to: Type) -> bool {
+        let wider: &[Type] = match self {
+            Type::Int => &[Type::Dint, Type::Real, Type::Lreal],
+            Type::Uint => &[Type::Dint, Type::Udint, Type::Real, Type::Lreal],
+            Type::Dint | Type::Udint | Type::Real => &[Type::Lreal],
+            Type::Bool | Type::Lreal | Type::Time => &[],
+        };
+        self == to || wider.contains(&to)
+    }
+}
+
 /// `grafcet X9/G4 "comment" { … }`.
 #[derive(Clone, Debug)]
 pub struct Grafcet {

@@ -7,10 +7,11 @@
 use super::maker::{Action, Maker, Scope};
 use super::outcome::Effects;
 use super::resolve::{Environment, Loss, Site};
-use super::terms::{Amount, TermId, TermKind, Ty, VarId};
+use super::terms::{Amount, TermId, TermKind, VarId};
 use crate::code::tree::{Argument, ExprId, ExprKind};
 use crate::{doubtful, lost};
 use grafc_diagnostics::Span;
+use grafc_syntax::ast::Type;
 
 /// A block that is known.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -83,7 +84,7 @@ impl Maker<'_> {
         match (block, pin.as_str()) {
             (Standard::Rise | Standard::Fall, "Q") => self.edge(block, &key, instance, span).map(Some),
             (Standard::OnDelay | Standard::OffDelay, "Q") => {
-                let id = self.variables.helper(&format!("{key}.Q"), Ty::Bool, variable.span);
+                let id = self.variables.helper(&format!("{key}.Q"), Type::Bool, variable.span);
                 Ok(Some(self.read(id, span)))
             }
             (Standard::CountUp | Standard::CountDown, "CV") => {
@@ -95,14 +96,14 @@ impl Maker<'_> {
                 let value = self.read(id, span);
                 let sign = if block == Standard::CountUp { " >= " } else { " <= " };
                 let limit = if block == Standard::CountUp {
-                    self.preset(&key, "PV", Ty::Int, span)?
+                    self.preset(&key, "PV", Type::Int, span)?
                 } else {
-                    self.terms.add(TermKind::Integer(0), Some(Ty::Int), span)
+                    self.terms.add(TermKind::Integer(0), Some(Type::Int), span)
                 };
                 Ok(Some(self.terms.logic(TermKind::Pair(sign, value, limit), span)))
             }
             (Standard::SetReset | Standard::ResetSet, "Q1") => {
-                let id = self.variables.helper(&format!("{key}.Q1"), Ty::Bool, variable.span);
+                let id = self.variables.helper(&format!("{key}.Q1"), Type::Bool, variable.span);
                 Ok(Some(self.read(id, span)))
             }
             _ => Err(Loss { why: why(), span }),
@@ -116,7 +117,7 @@ impl Maker<'_> {
     }
 
     fn counter(&mut self, key: &str, span: Span) -> VarId {
-        self.variables.helper(&format!("{key}.CV"), Ty::Int, span)
+        self.variables.helper(&format!("{key}.CV"), Type::Int, span)
     }
 
     /// An argument of the call of a block, and where its names are looked up.
@@ -127,7 +128,7 @@ impl Maker<'_> {
         Some((named?.value, call.scope.clone()))
     }
 
-    fn preset(&mut self, key: &str, pin: &str, ty: Ty, span: Span) -> Result<TermId, Loss> {
+    fn preset(&mut self, key: &str, pin: &str, ty: Type, span: Span) -> Result<TermId, Loss> {
         let Some((id, scope)) = self.argument(key, pin) else {
             return Err(Loss { why: format!("nobody gives `{key}` its `{pin}`"), span });
         };
@@ -189,16 +190,16 @@ impl Maker<'_> {
                     return Err(Loss { why: "charts have no edge of what holds an edge".into(), span });
                 }
                 let id = self.counter(&key, span);
-                let value = self.terms.add(TermKind::Variable(id), Some(Ty::Int), span);
-                let one = self.terms.add(TermKind::Integer(1), Some(Ty::Int), span);
+                let value = self.terms.add(TermKind::Variable(id), Some(Type::Int), span);
+                let one = self.terms.add(TermKind::Integer(1), Some(Type::Int), span);
                 let (next, most, fresh) = if up {
-                    let most = self.preset(&key, "PV", Ty::Int, span).ok();
-                    let next = self.terms.add(TermKind::Pair(" + ", value, one), Some(Ty::Int), span);
-                    (next, most.map(|most| (" < ", most)), self.terms.add(TermKind::Integer(0), Some(Ty::Int), span))
+                    let most = self.preset(&key, "PV", Type::Int, span).ok();
+                    let next = self.terms.add(TermKind::Pair(" + ", value, one), Some(Type::Int), span);
+                    (next, most.map(|most| (" < ", most)), self.terms.add(TermKind::Integer(0), Some(Type::Int), span))
                 } else {
-                    let zero = self.terms.add(TermKind::Integer(0), Some(Ty::Int), span);
-                    let next = self.terms.add(TermKind::Pair(" - ", value, one), Some(Ty::Int), span);
-                    (next, Some((" > ", zero)), self.preset(&key, "PV", Ty::Int, span)?)
+                    let zero = self.terms.add(TermKind::Integer(0), Some(Type::Int), span);
+                    let next = self.terms.add(TermKind::Pair(" - ", value, one), Some(Type::Int), span);
+                    (next, Some((" > ", zero)), self.preset(&key, "PV", Type::Int, span)?)
                 };
                 let edge = self.terms.logic(TermKind::Rise(count), span);
                 let not = self.terms.not(reset);
@@ -221,7 +222,7 @@ impl Maker<'_> {
                 let set_first = block == Standard::SetReset;
                 let set = pin(self, if set_first { "S1" } else { "S" })?;
                 let reset = pin(self, if set_first { "R" } else { "R1" })?;
-                let id = self.variables.helper(&format!("{key}.Q1"), Ty::Bool, span);
+                let id = self.variables.helper(&format!("{key}.Q1"), Type::Bool, span);
                 let (first, second) = if set_first { (set, reset) } else { (reset, set) };
                 let not = self.terms.not(first);
                 let second = self.terms.and(not, second);
@@ -314,7 +315,7 @@ impl Maker<'_> {
         match &self.project.code.exprs[id].kind {
             ExprKind::Duration(ms) => Ok(Amount::Ms(*ms)),
             _ => {
-                let cases = self.value(id, Ty::Time, site, &Environment::default())?;
+                let cases = self.value(id, Type::Time, site, &Environment::default())?;
                 let [(_, value)] = cases.as_slice() else { return Err(loss()) };
                 match self.terms.terms[*value].kind {
                     TermKind::Duration(ms) => Ok(Amount::Ms(ms)),

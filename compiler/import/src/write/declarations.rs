@@ -4,12 +4,13 @@
 //! somebody else does.
 
 use super::maker::Maker;
-use super::terms::{Ty, VarId};
+use super::terms::VarId;
 use super::variables::Var;
 use crate::code::tree::ExprKind;
 use crate::naming::clean;
 use crate::sfc::Section;
 use crate::{changed, doubtful, lost};
+use grafc_syntax::ast::Type;
 use rustc_hash::FxHashSet;
 
 /// A declaration as it is written.
@@ -92,7 +93,7 @@ impl Maker<'_> {
             Some(Section::Local) if is_set => "var",
             // From here on nothing sets it.
             Some(Section::Output) if !used.read => "output",
-            Some(Section::Local) if has_value && variable.ty != Ty::Bool && !at_input => {
+            Some(Section::Local) if has_value && variable.ty != Type::Bool && !at_input => {
                 let message = format!("`{path}` is a constant now: nothing in the chart sets it");
                 self.diagnostics.push(doubtful(span, message).note("if somebody else sets it, make it an `input`"));
                 "const"
@@ -126,13 +127,13 @@ impl Maker<'_> {
         let (ty, span, path) = (variable.ty, variable.span, variable.path.clone());
         let value = &self.project.code.exprs[variable.initial?].kind;
         let text = match (value, ty) {
-            (ExprKind::Bool(true), Ty::Bool) | (ExprKind::Integer(1), Ty::Bool) => "true".to_string(),
-            (ExprKind::Bool(false), Ty::Bool) | (ExprKind::Integer(0), Ty::Bool) => return None,
+            (ExprKind::Bool(true), Type::Bool) | (ExprKind::Integer(1), Type::Bool) => "true".to_string(),
+            (ExprKind::Bool(false), Type::Bool) | (ExprKind::Integer(0), Type::Bool) => return None,
             (ExprKind::Integer(0), _) if !variable.constant && ty.is_whole() && !variable.used.delays => return None,
             (ExprKind::Integer(number), ty) if ty.is_whole() => number.to_string(),
-            (ExprKind::Integer(number), Ty::Real | Ty::Lreal) => format!("{number}.0"),
-            (ExprKind::Real(number), Ty::Real | Ty::Lreal) => number.clone(),
-            (ExprKind::Duration(ms), Ty::Time) => super::text::duration(*ms),
+            (ExprKind::Integer(number), Type::Real | Type::Lreal) => format!("{number}.0"),
+            (ExprKind::Real(number), Type::Real | Type::Lreal) => number.clone(),
+            (ExprKind::Duration(ms), Type::Time) => super::text::duration(*ms),
             (ExprKind::Path(name), ty) if ty.is_whole() && self.constants.contains_key(&name.to_lowercase()) => {
                 self.constants[&name.to_lowercase()].to_string()
             }
@@ -150,10 +151,10 @@ impl Maker<'_> {
         let address = variable.address.clone()?.to_ascii_uppercase();
         let (span, path) = (variable.span, variable.path.clone());
         let size = match variable.ty {
-            Ty::Bool => 'X',
-            Ty::Int | Ty::Uint => 'W',
-            Ty::Dint | Ty::Udint | Ty::Real | Ty::Time => 'D',
-            Ty::Lreal => 'L',
+            Type::Bool => 'X',
+            Type::Int | Type::Uint => 'W',
+            Type::Dint | Type::Udint | Type::Real | Type::Time => 'D',
+            Type::Lreal => 'L',
         };
         let mut letters = address.chars().skip(1);
         let area = letters.next();
@@ -209,5 +210,5 @@ impl Maker<'_> {
 }
 
 fn variable_type(variable: &Var) -> &'static str {
-    variable.ty.word()
+    variable.ty.keyword()
 }

@@ -9,10 +9,11 @@ use super::blocks::BlockUse;
 use super::maker::Maker;
 use super::outcome::Effects;
 use super::resolve::{Cases, Environment, Loss, Site};
-use super::terms::{TermId, TermKind, Ty, VarId};
+use super::terms::{TermId, TermKind, VarId};
 use crate::code::tree::{Argument, ExprId, ExprKind, Statement, StatementKind};
 use crate::sfc::Body;
 use grafc_diagnostics::Span;
+use grafc_syntax::ast::Type;
 use rustc_hash::FxHashMap;
 
 /// How deep actions may call each other.
@@ -237,7 +238,7 @@ impl<'a> Maker<'a> {
         for &(from, to) in values {
             let mut range = Vec::new();
             for (guard, chosen) in &selector {
-                let ty = self.terms.terms[*chosen].ty.unwrap_or(Ty::Dint);
+                let ty = self.terms.terms[*chosen].ty.unwrap_or(Type::Dint);
                 let none = Environment::default();
                 let ends = [from, to]
                     .map(|end| self.value(end, ty, &site, &none).ok().and_then(|cases| cases.first().copied()));

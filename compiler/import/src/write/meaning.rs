@@ -2,8 +2,9 @@
 
 use super::maker::Maker;
 use super::resolve::{Cases, Environment, Loss, MOST_CASES, Site};
-use super::terms::{TermId, TermKind, Ty, VarId};
+use super::terms::{TermId, TermKind, VarId};
 use grafc_diagnostics::Span;
+use grafc_syntax::ast::Type;
 
 /// What a path means.
 enum Meaning {
@@ -16,7 +17,7 @@ impl Maker<'_> {
     pub(super) fn path(
         &mut self,
         path: &str,
-        wanted: Ty,
+        wanted: Type,
         span: Span,
         site: &Site,
         environment: &Environment,
@@ -26,7 +27,7 @@ impl Maker<'_> {
             Meaning::Term(term) => {
                 let ty = self.terms.terms[term].ty;
                 if ty.is_some_and(|ty| !ty.widens_to(wanted)) {
-                    return Err(Loss { why: format!("`{path}` is not of type `{}`", wanted.word()), span });
+                    return Err(Loss { why: format!("`{path}` is not of type `{}`", wanted.keyword()), span });
                 }
                 return Ok(self.certain(term));
             }
@@ -34,7 +35,7 @@ impl Maker<'_> {
         };
         let ty = self.variables.list[id].ty;
         if !ty.widens_to(wanted) {
-            let why = format!("`{path}` is of type `{}`, and `{}` is wanted", ty.word(), wanted.word());
+            let why = format!("`{path}` is of type `{}`, and `{}` is wanted", ty.keyword(), wanted.keyword());
             return Err(Loss { why, span });
         }
         self.variables.list[id].used.read = true;
@@ -56,7 +57,7 @@ impl Maker<'_> {
         if cases.len() > MOST_CASES {
             return Err(Loss { why: "its value depends on too many cases".into(), span });
         }
-        if ty == Ty::Bool {
+        if ty == Type::Bool {
             let merged = self.merged(cases);
             return Ok(self.certain(merged));
         }
@@ -64,14 +65,14 @@ impl Maker<'_> {
     }
 
     /// The variable that is set by a path.
-    pub fn target(&mut self, path: &str, ty: Option<Ty>, span: Span, site: &Site) -> Result<VarId, Loss> {
+    pub fn target(&mut self, path: &str, ty: Option<Type>, span: Span, site: &Site) -> Result<VarId, Loss> {
         match self.meaning(path, ty, span, site)? {
             Meaning::Variable(id) => Ok(id),
             Meaning::Term(_) => Err(Loss { why: format!("`{path}` is no variable that can be set"), span }),
         }
     }
 
-    fn meaning(&mut self, path: &str, wanted: Option<Ty>, span: Span, site: &Site) -> Result<Meaning, Loss> {
+    fn meaning(&mut self, path: &str, wanted: Option<Type>, span: Span, site: &Site) -> Result<Meaning, Loss> {
         if path.contains('?') || path.contains('^') {
             return Err(Loss {
                 why: format!("`{path}`: charts have no pointers, nor arrays whose place is computed"),
@@ -97,7 +98,7 @@ impl Maker<'_> {
         if let Some(id) = self.variables.find(path) {
             return Ok(Meaning::Variable(id));
         }
-        let id = self.variables.assumed(path, wanted.unwrap_or(Ty::Bool), span);
+        let id = self.variables.assumed(path, wanted.unwrap_or(Type::Bool), span);
         Ok(Meaning::Variable(id))
     }
 
@@ -122,7 +123,7 @@ impl Maker<'_> {
         Ok(Some(match (flag.as_str(), site.own) {
             ("x", Some((own, active))) if own == step => self.terms.constant(active, span),
             ("x", _) => self.terms.logic(TermKind::Active(step), span),
-            _ => self.terms.add(TermKind::Time(step), Some(Ty::Time), span),
+            _ => self.terms.add(TermKind::Time(step), Some(Type::Time), span),
         }))
     }
 

@@ -23,7 +23,7 @@ mod variables;
 
 use crate::naming::{Taken, clean, spell, spell_label};
 use crate::sfc::Project;
-use crate::{Dialect, capabilities, changed};
+use crate::{Dialect, changed};
 use declarations::Declaration;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use index_vec::IndexVec;
@@ -135,11 +135,7 @@ impl<'a> Writer<'a> {
 
     fn chart(mut self, unit: usize, declarations: &[Declaration], transitions: &[Written]) -> Option<String> {
         let name = spell(&clean(&self.maker.project.units[unit].name));
-        let options = if capabilities::HEAD_OPTIONS { " evolution scan" } else { "" };
-        if !capabilities::HEAD_OPTIONS {
-            self.text.push("// a step a scan: give `--evolution scan`\n");
-        }
-        self.text.push(&format!("chart {name}{options}\n"));
+        self.text.push(&format!("chart {name} evolution scan\n"));
         for keyword in ["input", "output", "var", "const"] {
             self.text.push("\n");
             for declaration in declarations.iter().filter(|declaration| declaration.keyword == keyword) {
@@ -180,7 +176,7 @@ impl<'a> Writer<'a> {
         if let Some(comment) = &variable.comment {
             line.push_str(&format!(" \"{}\"", quoted(comment)));
         }
-        line.push_str(&format!(" : {}", variable.ty.word()));
+        line.push_str(&format!(" : {}", variable.ty.keyword()));
         if let Some(address) = &declaration.address {
             line.push_str(&format!(" at {address}"));
         }

@@ -205,7 +205,7 @@ impl<'a> Maker<'a> {
                                 None
                             } else {
                                 let path = format!("{}{name}.on", inner.prefix);
-                                let on = self.variables.helper(&path, super::terms::Ty::Bool, association.span);
+                                let on = self.variables.helper(&path, grafc_syntax::ast::Type::Bool, association.span);
                                 self.variables.list[on].used.read = true;
                                 Some(self.terms.logic(super::terms::TermKind::Variable(on), association.span))
                             }

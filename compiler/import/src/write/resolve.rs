@@ -5,9 +5,10 @@
 //! several, each with its guard. The walk has its own stack.
 
 use super::maker::{Maker, Scope};
-use super::terms::{TermId, TermKind, Ty, VarId};
+use super::terms::{TermId, TermKind, VarId};
 use crate::code::tree::{Direction, ExprId, ExprKind, Operator};
 use grafc_diagnostics::Span;
+use grafc_syntax::ast::Type;
 use rustc_hash::FxHashMap;
 
 /// Values, each with the guard under which it is taken. The guards exclude each other.
@@ -37,22 +38,22 @@ pub struct Site {
 impl Maker<'_> {
     /// A condition.
     pub fn condition(&mut self, id: ExprId, site: &Site, environment: &Environment) -> Result<TermId, Loss> {
-        let cases = self.value(id, Ty::Bool, site, environment)?;
+        let cases = self.value(id, Type::Bool, site, environment)?;
         Ok(self.merged(cases))
     }
 
     /// The cases of a value of some type.
-    pub fn value(&mut self, root: ExprId, ty: Ty, site: &Site, environment: &Environment) -> Result<Cases, Loss> {
+    pub fn value(&mut self, root: ExprId, ty: Type, site: &Site, environment: &Environment) -> Result<Cases, Loss> {
         let project = self.project;
         let code = &project.code;
         enum Task {
-            Enter(ExprId, Ty),
-            Leave(ExprId, Ty),
+            Enter(ExprId, Type),
+            Leave(ExprId, Type),
         }
         let mut tasks = vec![Task::Enter(root, ty)];
         let mut done: Vec<Cases> = Vec::new();
         // Networks share what is wired to several inputs; it is made once.
-        let mut known: FxHashMap<(ExprId, Ty), Cases> = FxHashMap::default();
+        let mut known: FxHashMap<(ExprId, Type), Cases> = FxHashMap::default();
         while let Some(task) = tasks.pop() {
             match task {
                 Task::Enter(id, wanted) => {
@@ -63,17 +64,17 @@ impl Maker<'_> {
                     let expr = &code.exprs[id];
                     let inner = match &expr.kind {
                         ExprKind::Binary(operator, a, b) if operator.compares() => {
-                            self.type_of_either(*a, *b, site).unwrap_or(Ty::Dint)
+                            self.type_of_either(*a, *b, site).unwrap_or(Type::Dint)
                         }
-                        ExprKind::Not(_) | ExprKind::Edge(..) => Ty::Bool,
-                        ExprKind::Binary(operator, ..) if operator.is_logic() => Ty::Bool,
+                        ExprKind::Not(_) | ExprKind::Edge(..) => Type::Bool,
+                        ExprKind::Binary(operator, ..) if operator.is_logic() => Type::Bool,
                         _ => wanted,
                     };
                     let is_logic = matches!(&expr.kind, ExprKind::Not(_) | ExprKind::Edge(..) | ExprKind::Bool(_))
                         || matches!(&expr.kind, ExprKind::Binary(o, ..) if o.is_logic() || o.compares());
-                    if is_logic && wanted != Ty::Bool {
+                    if is_logic && wanted != Type::Bool {
                         return Err(Loss {
-                            why: format!("a Boolean stands where `{}` is wanted", wanted.word()),
+                            why: format!("a Boolean stands where `{}` is wanted", wanted.keyword()),
                             span: expr.span,
                         });
                     }
@@ -117,7 +118,7 @@ impl Maker<'_> {
     fn made(
         &mut self,
         id: ExprId,
-        wanted: Ty,
+        wanted: Type,
         mut operands: Vec<Cases>,
         site: &Site,
         environment: &Environment,
@@ -129,17 +130,17 @@ impl Maker<'_> {
         let kind = match &expr.kind {
             ExprKind::Bool(value) => TermKind::Bool(*value),
             // `x := 1` sets a Boolean.
-            ExprKind::Integer(number @ (0 | 1)) if wanted == Ty::Bool => TermKind::Bool(*number == 1),
+            ExprKind::Integer(number @ (0 | 1)) if wanted == Type::Bool => TermKind::Bool(*number == 1),
             ExprKind::Integer(number) if wanted.is_whole() => TermKind::Integer(*number),
-            ExprKind::Integer(number) if matches!(wanted, Ty::Real | Ty::Lreal) => {
+            ExprKind::Integer(number) if matches!(wanted, Type::Real | Type::Lreal) => {
                 TermKind::Real(format!("{number}.0"))
             }
-            ExprKind::Integer(_) => return loss(format!("a number stands where `{}` is wanted", wanted.word())),
-            ExprKind::Real(number) if matches!(wanted, Ty::Real | Ty::Lreal) => TermKind::Real(number.clone()),
-            ExprKind::Real(_) => return loss(format!("a fraction stands where `{}` is wanted", wanted.word())),
-            ExprKind::Duration(ms) if wanted == Ty::Time => TermKind::Duration(*ms),
+            ExprKind::Integer(_) => return loss(format!("a number stands where `{}` is wanted", wanted.keyword())),
+            ExprKind::Real(number) if matches!(wanted, Type::Real | Type::Lreal) => TermKind::Real(number.clone()),
+            ExprKind::Real(_) => return loss(format!("a fraction stands where `{}` is wanted", wanted.keyword())),
+            ExprKind::Duration(ms) if wanted == Type::Time => TermKind::Duration(*ms),
             // Times multiplied by numbers.
-            ExprKind::Duration(_) => return loss(format!("a time stands where `{}` is wanted", wanted.word())),
+            ExprKind::Duration(_) => return loss(format!("a time stands where `{}` is wanted", wanted.keyword())),
             ExprKind::Path(path) => return self.path(path, wanted, span, site, environment),
             ExprKind::Call(..) => return Ok(operands.pop().unwrap_or_default()),
             ExprKind::Unknown(why) => return loss(why.clone()),
@@ -194,7 +195,7 @@ impl Maker<'_> {
         found || !all
     }
 
-    fn pair(&mut self, operator: Operator, wanted: Ty, left: Cases, right: Cases, span: Span) -> Result<Cases, Loss> {
+    fn pair(&mut self, operator: Operator, wanted: Type, left: Cases, right: Cases, span: Span) -> Result<Cases, Loss> {
         if operator.is_logic() {
             let (a, b) = (self.merged(left), self.merged(right));
             let term = match operator {
@@ -221,7 +222,7 @@ impl Maker<'_> {
                         Operator::Divide => " / ",
                         _ => " mod ",
                     };
-                    if wanted == Ty::Bool {
+                    if wanted == Type::Bool {
                         return Err(Loss { why: "a number stands where a condition is wanted".into(), span });
                     }
                     self.terms.add(TermKind::Pair(sign, a, b), Some(wanted), span)
@@ -238,7 +239,7 @@ impl Maker<'_> {
 
     /// A comparison; Booleans are compared by logic.
     fn comparison(&mut self, operator: Operator, a: TermId, b: TermId, span: Span) -> Result<TermId, Loss> {
-        if self.terms.terms[a].ty == Some(Ty::Bool) || self.terms.terms[b].ty == Some(Ty::Bool) {
+        if self.terms.terms[a].ty == Some(Type::Bool) || self.terms.terms[b].ty == Some(Type::Bool) {
             let is_equal = match operator {
                 Operator::Equal => true,
                 Operator::NotEqual => false,

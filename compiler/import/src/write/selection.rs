@@ -5,9 +5,10 @@
 
 use super::maker::Maker;
 use super::resolve::{Environment, Site};
-use super::terms::{StepId, TermId, TermKind, Ty};
+use super::terms::{StepId, TermId, TermKind};
 use crate::{Dialect, changed, doubtful, lost};
 use grafc_diagnostics::Span;
+use grafc_syntax::ast::Type;
 use rustc_hash::FxHashMap;
 
 /// A transition as it is written.
@@ -41,10 +42,10 @@ impl Maker<'_> {
                         let message = format!("the condition of a transition is lost: {}", loss.why);
                         let note = format!("the input `{name}` stands in its place");
                         self.diagnostics.push(lost(loss.span, message).note(note));
-                        let id = self.variables.assumed(&name, Ty::Bool, span);
+                        let id = self.variables.assumed(&name, Type::Bool, span);
                         self.variables.list[id].used.read = true;
                         self.said.insert(format!("input {}", name.to_lowercase()));
-                        self.terms.add(TermKind::Variable(id), Some(Ty::Bool), span)
+                        self.terms.add(TermKind::Variable(id), Some(Type::Bool), span)
                     }
                 };
                 let ids = |steps: &[usize]| steps.iter().map(|&step| StepId::new(first + step)).collect();

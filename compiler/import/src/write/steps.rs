@@ -8,11 +8,12 @@ use super::effects::Done;
 use super::maker::{Action, Maker, Scope, When};
 use super::outcome::{Effects, Lost};
 use super::resolve::{Environment, Site};
-use super::terms::{Amount, StepId, TermId, TermKind, Ty, VarId};
+use super::terms::{Amount, StepId, TermId, TermKind, VarId};
 use crate::code::tree::ExprId;
 use crate::sfc::{Association, Qualifier, Target};
-use crate::{Dialect, capabilities, doubtful, lost};
+use crate::{Dialect, doubtful, lost};
 use grafc_diagnostics::Span;
+use grafc_syntax::ast::Type;
 
 /// A Boolean variable as an action of a step.
 pub struct Named {
@@ -121,8 +122,8 @@ impl<'a> Maker<'a> {
             self.step_texts[step].lost.push(format!("action {name}"));
             return;
         }
-        match self.target(name, Some(Ty::Bool), span, &site) {
-            Ok(variable) if self.variables.list[variable].ty == Ty::Bool => {
+        match self.target(name, Some(Type::Bool), span, &site) {
+            Ok(variable) if self.variables.list[variable].ty == Type::Bool => {
                 if association.qualifier != Qualifier::N
                     && !matches!(association.qualifier, Qualifier::L | Qualifier::D)
                 {
@@ -164,10 +165,10 @@ impl<'a> Maker<'a> {
             self.diagnostics.push(lost(span, "an action is lost: its qualifier wants a time, and it has none"));
             return None;
         };
-        match self.value(time, Ty::Time, site, &Environment::default()) {
+        match self.value(time, Type::Time, site, &Environment::default()) {
             Ok(cases) => {
                 let (_, time) = *cases.first()?;
-                let elapsed = self.terms.add(TermKind::Time(step), Some(Ty::Time), span);
+                let elapsed = self.terms.add(TermKind::Time(step), Some(Type::Time), span);
                 Some(self.terms.logic(TermKind::Pair(sign, elapsed, time), span))
             }
             Err(loss) => {
@@ -207,7 +208,7 @@ impl<'a> Maker<'a> {
         }
         let span = self.terms.terms[value].span;
         let unconditional = self.terms.is(guard, true);
-        let is_bool = self.variables.list[variable].ty == Ty::Bool;
+        let is_bool = self.variables.list[variable].ty == Type::Bool;
         let constant = !self.has(value, |kind| {
             !matches!(kind, TermKind::Bool(_) | TermKind::Integer(_) | TermKind::Real(_) | TermKind::Duration(_))
         });
@@ -217,17 +218,8 @@ impl<'a> Maker<'a> {
         match when {
             When::EachScan(called) => {
                 let guard = called.map_or(guard, |called| self.terms.and(called, guard));
-                if capabilities::EACH_SCAN {
-                    let guard = (!self.terms.is(guard, true)).then_some(guard);
-                    push(self, value, When::EachScan(guard));
-                } else if constant && self.terms.is(guard, true) {
-                    push(self, value, When::Activation);
-                } else {
-                    let name = self.variables.list[variable].path.clone();
-                    let message =
-                        format!("what sets `{name}` in each scan is lost, because charts have no such actions yet");
-                    self.diagnostics.push(lost(span, message));
-                }
+                let guard = self.terms.unless_always(guard);
+                push(self, value, When::EachScan(guard));
             }
             // At the exit, a constant that the step has set all the time changes nothing.
             When::Deactivation
@@ -237,13 +229,13 @@ impl<'a> Maker<'a> {
                     && self.sets(step, variable, value) => {}
             When::Activation | When::Deactivation if unconditional => push(self, value, when),
             When::Activation | When::Deactivation if is_bool => {
-                let old = self.terms.add(TermKind::Variable(variable), Some(Ty::Bool), span);
+                let old = self.terms.add(TermKind::Variable(variable), Some(Type::Bool), span);
                 let not = self.terms.not(guard);
                 let (new, kept) = (self.terms.and(guard, value), self.terms.and(not, old));
                 let value = self.terms.or(new, kept);
                 push(self, value, when);
             }
-            When::Activation if capabilities::EACH_SCAN && !initial => {
+            When::Activation if !initial => {
                 // In the scan of its activation a step was not active before.
                 let active = self.terms.logic(TermKind::Active(step), span);
                 let not = self.terms.not(active);
@@ -292,7 +284,7 @@ impl<'a> Maker<'a> {
             }
             return;
         }
-        let on = self.variables.helper(&format!("{}{name}.on", scope.prefix), Ty::Bool, span);
+        let on = self.variables.helper(&format!("{}{name}.on", scope.prefix), Type::Bool, span);
         self.variables.list[on].used.stored = true;
         let set = !matches!(association.qualifier, Qualifier::R);
         if matches!(association.qualifier, Qualifier::SD | Qualifier::DS | Qualifier::SL) {
@@ -310,20 +302,14 @@ impl<'a> Maker<'a> {
         self.diagnostics
             .push(doubtful(span, message).note("a chart sees in each scan what was stored in the scan before"));
         self.variables.list[on].used.read = true;
-        let guard = self.terms.add(TermKind::Variable(on), Some(Ty::Bool), span);
+        let guard = self.terms.add(TermKind::Variable(on), Some(Type::Bool), span);
         self.in_each_scan(vec![Done { site: Site { scope, part, own: None }, guard, statements }]);
     }
 
     /// What is stored in each scan in which a guard holds, whatever step is active.
     fn always_stored(&mut self, variable: VarId, value: TermId, guard: TermId) {
-        if capabilities::EACH_SCAN {
-            let guard = (!self.terms.is(guard, true)).then_some(guard);
-            self.always.push(Action::Stored { variable, value, when: When::EachScan(guard) });
-            return;
-        }
-        let (name, span) = (self.variables.list[variable].path.clone(), self.terms.terms[value].span);
-        let message = format!("what sets `{name}` in each scan is lost, because charts have no such actions yet");
-        self.diagnostics.push(lost(span, message));
+        let guard = self.terms.unless_always(guard);
+        self.always.push(Action::Stored { variable, value, when: When::EachScan(guard) });
     }
 
     /// Writes the actions that are Boolean variables, now that all that is read and stored is known.
@@ -332,7 +318,7 @@ impl<'a> Maker<'a> {
             let used = self.variables.list[action.variable].used;
             let initial = self.parts[action.site.part].chart.steps[self.steps[action.step].step].initial;
             // Who reads it in the next scan would see a continuous action a scan too early.
-            let early = capabilities::EACH_SCAN && used.read && (initial || action.qualifier.is_timed());
+            let early = used.read && (initial || action.qualifier.is_timed());
             self.variables.list[action.variable].used.stored |= early;
             if self.variables.list[action.variable].used.stored {
                 self.named_stored(&action, initial);
@@ -399,7 +385,7 @@ impl<'a> Maker<'a> {
             Qualifier::P0 | Qualifier::Exit => {
                 self.step_texts[step].actions.push(Action::Stored { variable, value: yes, when: When::Deactivation });
                 if self.once(format!("pulse {}", variable.index())) {
-                    let old = self.terms.add(TermKind::Variable(variable), Some(Ty::Bool), span);
+                    let old = self.terms.add(TermKind::Variable(variable), Some(Type::Bool), span);
                     self.always_stored(variable, no, old);
                 }
             }
@@ -413,7 +399,7 @@ impl<'a> Maker<'a> {
         let chart = self.parts[action.site.part].chart;
         let alone = self.parts.len() == 1 && chart.is_sequential() && !initial;
         let yes = self.terms.constant(true, action.span);
-        if alone || !capabilities::EACH_SCAN {
+        if alone {
             self.step_texts[step].actions.push(Action::Stored { variable, value, when: When::Activation });
         } else {
             let called = self.parts[action.site.part].called;
@@ -446,21 +432,21 @@ impl<'a> Maker<'a> {
             }
         };
         let path = format!("{}.set", self.variables.list[variable].path);
-        let latch = self.variables.helper(&path, Ty::Bool, span);
+        let latch = self.variables.helper(&path, Type::Bool, span);
         self.variables.list[latch].used.stored = true;
         self.variables.list[latch].used.read = true;
         let (yes, no) = (self.terms.constant(true, span), self.terms.constant(false, span));
         self.step_texts[step].actions.push(Action::Stored { variable: latch, value: yes, when: When::Activation });
-        let operand = self.terms.add(TermKind::Variable(latch), Some(Ty::Bool), span);
+        let operand = self.terms.add(TermKind::Variable(latch), Some(Type::Bool), span);
         let delay = TermKind::Delay { on: Some(amount), operand, off: None::<Amount> };
         let over = self.terms.logic(delay, span);
         // A delay is a condition, and what is stored is a value: a variable between them.
         let over_path = format!("{}.over", self.variables.list[variable].path);
-        let name = self.variables.helper(&over_path, Ty::Bool, span);
+        let name = self.variables.helper(&over_path, Type::Bool, span);
         self.variables.list[name].used.by_name = true;
         self.variables.list[name].used.read = true;
         self.always.push(Action::Continuous { variable: name, condition: Some(over) });
-        let passed = self.terms.add(TermKind::Variable(name), Some(Ty::Bool), span);
+        let passed = self.terms.add(TermKind::Variable(name), Some(Type::Bool), span);
         if action.qualifier == Qualifier::SD {
             self.always_stored(variable, yes, passed);
         } else {

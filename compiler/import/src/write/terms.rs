@@ -3,6 +3,7 @@
 //! They lie in one list, operands before what is made of them.
 
 use grafc_diagnostics::Span;
+use grafc_syntax::ast::Type;
 use index_vec::{IndexVec, define_index_type};
 use rustc_hash::FxHashMap;
 
@@ -21,58 +22,11 @@ define_index_type! {
     pub struct StepId = u32;
 }
 
-/// The type of a term.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Ty {
-    Bool,
-    Int,
-    Dint,
-    Uint,
-    Udint,
-    Real,
-    Lreal,
-    Time,
-}
-
-impl Ty {
-    /// How it is written.
-    pub fn word(self) -> &'static str {
-        match self {
-            Ty::Bool => "bool",
-            Ty::Int => "int",
-            Ty::Dint => "dint",
-            Ty::Uint => "uint",
-            Ty::Udint => "udint",
-            Ty::Real => "real",
-            Ty::Lreal => "lreal",
-            Ty::Time => "time",
-        }
-    }
-
-    /// Whether it is a whole number.
-    pub fn is_whole(self) -> bool {
-        matches!(self, Ty::Int | Ty::Dint | Ty::Uint | Ty::Udint)
-    }
-
-    /// Whether all its values are values of another type.
-    pub fn widens_to(self, other: Ty) -> bool {
-        use Ty::{Bool, Dint, Int, Lreal, Real, Time, Udint, Uint};
-        self == other
-            || match self {
-                Int => matches!(other, Dint | Real | Lreal),
-                Uint => matches!(other, Udint | Dint | Real | Lreal),
-                Dint | Udint => other == Lreal,
-                Real => other == Lreal,
-                Bool | Lreal | Time => false,
-            }
-    }
-}
-
 /// A term.
 pub struct Term {
     pub kind: TermKind,
     /// None of a whole number that adapts to what it meets.
-    pub ty: Option<Ty>,
+    pub ty: Option<Type>,
     pub span: Span,
 }
 
@@ -114,7 +68,7 @@ pub enum Amount {
 #[derive(Default)]
 pub struct Terms {
     pub terms: IndexVec<TermId, Term>,
-    known: FxHashMap<(TermKind, Option<Ty>), TermId>,
+    known: FxHashMap<(TermKind, Option<Type>), TermId>,
 }
 
 /// How many factors of a product are looked at.
@@ -122,7 +76,7 @@ const FACTORS: usize = 32;
 
 impl Terms {
     /// Adds a term, if it is not there yet; then its place is that of the first.
-    pub fn add(&mut self, kind: TermKind, ty: Option<Ty>, span: Span) -> TermId {
+    pub fn add(&mut self, kind: TermKind, ty: Option<Type>, span: Span) -> TermId {
         let terms = &mut self.terms;
         *self
             .known
@@ -132,12 +86,17 @@ impl Terms {
 
     /// Adds a Boolean term.
     pub fn logic(&mut self, kind: TermKind, span: Span) -> TermId {
-        self.add(kind, Some(Ty::Bool), span)
+        self.add(kind, Some(Type::Bool), span)
     }
 
     /// A constant.
     pub fn constant(&mut self, value: bool, span: Span) -> TermId {
         self.logic(TermKind::Bool(value), span)
+    }
+
+    /// A condition, if it is not always true.
+    pub fn unless_always(&self, condition: TermId) -> Option<TermId> {
+        (!self.is(condition, true)).then_some(condition)
     }
 
     /// Whether it is a certain constant.

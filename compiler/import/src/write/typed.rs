@@ -2,10 +2,10 @@
 
 use super::maker::Maker;
 use super::resolve::{Loss, Site};
-use super::terms::Ty;
 use super::variables::elementary;
 use crate::code::tree::{Argument, ExprId, ExprKind};
 use grafc_diagnostics::Span;
+use grafc_syntax::ast::Type;
 
 /// How many parts of a comparison are looked at for a type.
 const PARTS: usize = 64;
@@ -28,17 +28,17 @@ impl Maker<'_> {
     }
 
     /// The type of what one of two operands certainly is.
-    pub(super) fn type_of_either(&self, a: ExprId, b: ExprId, site: &Site) -> Option<Ty> {
+    pub(super) fn type_of_either(&self, a: ExprId, b: ExprId, site: &Site) -> Option<Type> {
         let code = &self.project.code;
         let mut stack = vec![b, a];
-        let mut found: Option<Ty> = None;
+        let mut found: Option<Type> = None;
         for _ in 0..PARTS {
             let Some(id) = stack.pop() else { break };
             let ty = match &code.exprs[id].kind {
-                ExprKind::Bool(_) | ExprKind::Not(_) | ExprKind::Edge(..) => Some(Ty::Bool),
-                ExprKind::Binary(operator, ..) if operator.is_logic() || operator.compares() => Some(Ty::Bool),
-                ExprKind::Real(_) => Some(Ty::Lreal),
-                ExprKind::Duration(_) => Some(Ty::Time),
+                ExprKind::Bool(_) | ExprKind::Not(_) | ExprKind::Edge(..) => Some(Type::Bool),
+                ExprKind::Binary(operator, ..) if operator.is_logic() || operator.compares() => Some(Type::Bool),
+                ExprKind::Real(_) => Some(Type::Lreal),
+                ExprKind::Duration(_) => Some(Type::Time),
                 ExprKind::Path(path) => self.type_of_path(path, site),
                 ExprKind::Call(name, _) => {
                     name.rsplit_once("_TO_").or(name.rsplit_once("_to_")).and_then(|(_, to)| elementary(to))
@@ -60,16 +60,16 @@ impl Maker<'_> {
     }
 
     /// The type of a value by its form, if that tells.
-    pub fn type_of_value(&self, id: ExprId, site: &Site) -> Option<Ty> {
+    pub fn type_of_value(&self, id: ExprId, site: &Site) -> Option<Type> {
         self.type_of_either(id, id, site)
     }
 
     /// The type of what a `CASE` chooses by.
-    pub fn type_of_selector(&self, id: ExprId, site: &Site) -> Ty {
-        self.type_of_value(id, site).filter(|ty| ty.is_whole()).unwrap_or(Ty::Dint)
+    pub fn type_of_selector(&self, id: ExprId, site: &Site) -> Type {
+        self.type_of_value(id, site).filter(|ty| ty.is_whole()).unwrap_or(Type::Dint)
     }
 
-    fn type_of_path(&self, path: &str, site: &Site) -> Option<Ty> {
+    fn type_of_path(&self, path: &str, site: &Site) -> Option<Type> {
         let known = self.variables.find(&format!("{}{path}", site.scope.prefix)).or_else(|| self.variables.find(path));
         if let Some(id) = known {
             return Some(self.variables.list[id].ty);
@@ -79,8 +79,8 @@ impl Maker<'_> {
             && self.step(site.part, first).is_some()
         {
             return match rest.trim_start_matches('_').to_ascii_lowercase().as_str() {
-                "x" => Some(Ty::Bool),
-                "t" => Some(Ty::Time),
+                "x" => Some(Type::Bool),
+                "t" => Some(Type::Time),
                 _ => None,
             };
         }
@@ -99,9 +99,9 @@ impl Maker<'_> {
     }
 
     /// A type by its name; enumerations are numbers.
-    pub(super) fn type_named(&self, name: &str) -> Option<Ty> {
+    pub(super) fn type_named(&self, name: &str) -> Option<Type> {
         let is_enumeration = || self.project.enumerations.iter().any(|e| e.name.eq_ignore_ascii_case(name));
-        elementary(name).or_else(|| is_enumeration().then_some(Ty::Int))
+        elementary(name).or_else(|| is_enumeration().then_some(Type::Int))
     }
 
     /// The operand of a conversion that loses nothing, with the type that it has.
@@ -109,9 +109,9 @@ impl Maker<'_> {
         &self,
         name: &str,
         arguments: &[Argument],
-        wanted: Ty,
+        wanted: Type,
         span: Span,
-    ) -> Result<(ExprId, Ty), Loss> {
+    ) -> Result<(ExprId, Type), Loss> {
         let upper = name.to_ascii_uppercase();
         let from_to = upper.split_once("_TO_").map(|(from, to)| (elementary(from), elementary(to)));
         let [argument] = arguments else {

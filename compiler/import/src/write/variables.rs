@@ -1,9 +1,10 @@
 //! The variables of a chart: found under the names by which the file calls them, and what is done with them.
 
-use super::terms::{Ty, VarId};
+use super::terms::VarId;
 use crate::code::tree::ExprId;
 use crate::sfc::{Section, Variable};
 use grafc_diagnostics::Span;
+use grafc_syntax::ast::Type;
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
@@ -11,7 +12,7 @@ use rustc_hash::FxHashMap;
 pub struct Var {
     /// By which the file calls it, with what stands before it.
     pub path: String,
-    pub ty: Ty,
+    pub ty: Type,
     /// Where it is declared; none if nobody declares it.
     pub section: Option<Section>,
     pub initial: Option<ExprId>,
@@ -51,7 +52,7 @@ impl Variables {
     }
 
     /// Adds a variable of a declaration under a path.
-    pub fn declared(&mut self, path: &str, ty: Ty, variable: &Variable) -> VarId {
+    pub fn declared(&mut self, path: &str, ty: Type, variable: &Variable) -> VarId {
         self.add(Var {
             path: path.to_string(),
             ty,
@@ -67,7 +68,7 @@ impl Variables {
     }
 
     /// Adds a variable that nobody declares.
-    pub fn assumed(&mut self, path: &str, ty: Ty, span: Span) -> VarId {
+    pub fn assumed(&mut self, path: &str, ty: Type, span: Span) -> VarId {
         self.add(Var {
             path: path.to_string(),
             ty,
@@ -83,7 +84,7 @@ impl Variables {
     }
 
     /// Adds a variable that the import needs.
-    pub fn helper(&mut self, path: &str, ty: Ty, span: Span) -> VarId {
+    pub fn helper(&mut self, path: &str, ty: Type, span: Span) -> VarId {
         if let Some(id) = self.find(path) {
             return id;
         }
@@ -101,16 +102,16 @@ impl Variables {
 }
 
 /// The type of a declaration; none if charts do not have it.
-pub fn elementary(ty: &str) -> Option<Ty> {
+pub fn elementary(ty: &str) -> Option<Type> {
     Some(match ty.to_ascii_uppercase().as_str() {
-        "BOOL" | "SAFEBOOL" | "BIT" => Ty::Bool,
-        "SINT" | "INT" => Ty::Int,
-        "USINT" | "UINT" | "BYTE" | "WORD" => Ty::Uint,
-        "DINT" | "LINT" => Ty::Dint,
-        "UDINT" | "DWORD" | "ULINT" | "LWORD" => Ty::Udint,
-        "REAL" => Ty::Real,
-        "LREAL" => Ty::Lreal,
-        "TIME" | "LTIME" => Ty::Time,
+        "BOOL" | "SAFEBOOL" | "BIT" => Type::Bool,
+        "SINT" | "INT" => Type::Int,
+        "USINT" | "UINT" | "BYTE" | "WORD" => Type::Uint,
+        "DINT" | "LINT" => Type::Dint,
+        "UDINT" | "DWORD" | "ULINT" | "LWORD" => Type::Udint,
+        "REAL" => Type::Real,
+        "LREAL" => Type::Lreal,
+        "TIME" | "LTIME" => Type::Time,
         _ => return None,
     })
 }

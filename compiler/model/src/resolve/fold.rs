@@ -73,7 +73,7 @@ pub fn apply(expr: &Expr, value: impl Fn(ExprId) -> Option<Value>) -> Result<Opt
             None => None,
         },
         ExprKind::Widen(a) => match value(a) {
-            Some(Value::Int(a)) if !types::is_whole(expr.ty) => Some(Value::Real(a as f64)),
+            Some(Value::Int(a)) if !expr.ty.is_whole() => Some(Value::Real(a as f64)),
             same => same,
         },
     })
@@ -105,7 +105,7 @@ fn arithmetic(expr: &Expr, op: Arithmetic, a: Value, b: Value) -> Result<Value, 
 
 /// A whole number or a time as its type holds it.
 fn whole(expr: &Expr, value: i128) -> Result<Value, Box<Diagnostic>> {
-    let (least, most) = types::whole_range(expr.ty).unwrap_or(types::TIME_RANGE);
+    let (least, most) = expr.ty.whole_range().unwrap_or(types::TIME_RANGE);
     let value = i64::try_from(value).ok().filter(|v| (least..=most).contains(v)).ok_or_else(|| out_of_range(expr))?;
     Ok(if expr.ty == Type::Time { Value::Time(value) } else { Value::Int(value) })
 }

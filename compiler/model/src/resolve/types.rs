@@ -5,58 +5,22 @@ use grafc_syntax::ast::BinaryOp;
 
 /// The keyword of a type.
 pub fn name(ty: Type) -> &'static str {
-    match ty {
-        Type::Bool => "bool",
-        Type::Int => "int",
-        Type::Dint => "dint",
-        Type::Uint => "uint",
-        Type::Udint => "udint",
-        Type::Real => "real",
-        Type::Lreal => "lreal",
-        Type::Time => "time",
-    }
-}
-
-/// Whether it is one of the four types of whole numbers.
-pub fn is_whole(ty: Type) -> bool {
-    whole_range(ty).is_some()
+    ty.keyword()
 }
 
 /// Whether one can do arithmetic with it, `time` left aside.
 pub fn is_number(ty: Type) -> bool {
-    is_whole(ty) || matches!(ty, Type::Real | Type::Lreal)
-}
-
-/// The smallest and the greatest value of a type of whole numbers.
-pub fn whole_range(ty: Type) -> Option<(i64, i64)> {
-    match ty {
-        Type::Int => Some((i64::from(i16::MIN), i64::from(i16::MAX))),
-        Type::Dint => Some((i64::from(i32::MIN), i64::from(i32::MAX))),
-        Type::Uint => Some((0, i64::from(u16::MAX))),
-        Type::Udint => Some((0, i64::from(u32::MAX))),
-        Type::Bool | Type::Real | Type::Lreal | Type::Time => None,
-    }
+    ty.is_whole() || matches!(ty, Type::Real | Type::Lreal)
 }
 
 /// The smallest and the greatest `time`, in milliseconds: what 32 bits hold on every target.
 pub const TIME_RANGE: (i64, i64) = (i32::MIN as i64, i32::MAX as i64);
 
-/// Whether every value of `from` is a value of `to`.
-pub fn widens(from: Type, to: Type) -> bool {
-    let wider: &[Type] = match from {
-        Type::Int => &[Type::Dint, Type::Real, Type::Lreal],
-        Type::Uint => &[Type::Dint, Type::Udint, Type::Real, Type::Lreal],
-        Type::Dint | Type::Udint | Type::Real => &[Type::Lreal],
-        Type::Bool | Type::Lreal | Type::Time => &[],
-    };
-    from == to || wider.contains(&to)
-}
-
 /// The narrowest type that both widen to; whole numbers stay whole if they can.
 pub fn join(a: Type, b: Type) -> Option<Type> {
     const NARROW_FIRST: [Type; 8] =
         [Type::Bool, Type::Time, Type::Int, Type::Uint, Type::Dint, Type::Udint, Type::Real, Type::Lreal];
-    NARROW_FIRST.into_iter().find(|&ty| widens(a, ty) && widens(b, ty))
+    NARROW_FIRST.into_iter().find(|&ty| a.widens_to(ty) && b.widens_to(ty))
 }
 
 /// The value of a variable that was given none (IEC 60848, 4.8.3).
@@ -123,8 +87,8 @@ mod tests {
 
     #[test]
     fn nothing_widens_with_a_loss() {
-        assert!(!widens(Type::Dint, Type::Real), "a single holds 24 bits");
-        assert!(!widens(Type::Int, Type::Udint), "a negative number has no place there");
-        assert!(!widens(Type::Lreal, Type::Real));
+        assert!(!Type::Dint.widens_to(Type::Real), "a single holds 24 bits");
+        assert!(!Type::Int.widens_to(Type::Udint), "a negative number has no place there");
+        assert!(!Type::Lreal.widens_to(Type::Real));
     }
 }

@@ -17,17 +17,15 @@ pub(super) fn parse_value(text: &str, ty: Type) -> Result<Value, String> {
                 _ => Err("`0`, `1`, `FALSE` or `TRUE`".to_string()),
             }
         }
-        Type::Int => whole(text, i64::from(i16::MIN), i64::from(i16::MAX)),
-        Type::Dint => whole(text, i64::from(i32::MIN), i64::from(i32::MAX)),
-        Type::Uint => whole(text, 0, i64::from(u16::MAX)),
-        Type::Udint => whole(text, 0, i64::from(u32::MAX)),
+        Type::Int | Type::Dint | Type::Uint | Type::Udint => whole(text, ty),
         Type::Real => real(text, true).ok_or_else(|| "a number that single precision can hold".to_string()),
         Type::Lreal => real(text, false).ok_or_else(|| "a number that double precision can hold".to_string()),
         Type::Time => time(text).ok_or_else(|| "whole milliseconds, or a duration such as `1s500ms`".to_string()),
     }
 }
 
-fn whole(text: &str, least: i64, greatest: i64) -> Result<Value, String> {
+fn whole(text: &str, ty: Type) -> Result<Value, String> {
+    let (least, greatest) = ty.whole_range().unwrap_or((i64::MIN, i64::MAX));
     integer(text)
         .filter(|number| (least..=greatest).contains(number))
         .map(Value::Int)

@@ -107,7 +107,7 @@ impl Work<'_, '_, '_> {
                 }
             }
             (OwnKind::Known(from), Need::Value(to)) => {
-                if !types::widens(from, to) {
+                if !from.widens_to(to) {
                     let message = format!("{} is `{}`, not `{}`", self.spell(node), types::name(from), types::name(to));
                     let diagnostic = Diagnostic::new(Code::E0205, written.span, message);
                     let diagnostic = match types::is_number(from) && types::is_number(to) {
@@ -139,7 +139,7 @@ impl Work<'_, '_, '_> {
             }
             (OwnKind::Whole, Need::Value(Type::Bool)) if matches!(written.kind, ExprKind::Integer(0 | 1)) => {}
             (kind @ (OwnKind::Whole | OwnKind::Fraction), Need::Value(to)) => {
-                let adapts = types::is_whole(to) && kind == OwnKind::Whole || matches!(to, Type::Real | Type::Lreal);
+                let adapts = to.is_whole() && kind == OwnKind::Whole || matches!(to, Type::Real | Type::Lreal);
                 if !adapts {
                     let diagnostic = Diagnostic::new(
                         Code::E0205,
@@ -169,15 +169,16 @@ impl Work<'_, '_, '_> {
     /// The error on a literal that its type cannot hold. `-32768` is one number, not 32768 negated.
     fn out_of_range(&self, node: usize, ty: Type) -> Option<Diagnostic> {
         let fits = match self.literal(node)? {
-            Literal::Whole(value) => types::whole_range(ty)
-                .is_none_or(|(least, most)| (i128::from(least)..=i128::from(most)).contains(&value)),
+            Literal::Whole(value) => {
+                ty.whole_range().is_none_or(|(least, most)| (i128::from(least)..=i128::from(most)).contains(&value))
+            }
             Literal::Fraction(value) => types::real(ty, value).is_some(),
         };
         (!fits).then(|| {
             let span = self.written(node).span;
             let diagnostic =
                 Diagnostic::new(Code::E0210, span, format!("the number does not fit `{}`", types::name(ty)));
-            match types::whole_range(ty) {
+            match ty.whole_range() {
                 Some((least, most)) => diagnostic.note(format!("`{}` goes from {least} to {most}", types::name(ty))),
                 None => diagnostic,
             }

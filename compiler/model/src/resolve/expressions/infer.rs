@@ -145,7 +145,7 @@ impl Work<'_, '_, '_> {
             OwnKind::Known(ty) => {
                 // Two whole numbers that only meet as reals would divide otherwise than either does.
                 let both_whole = counts(a) && counts(b);
-                types::is_number(ty) && (types::is_whole(ty) || op != BinaryOp::Modulo && !both_whole)
+                types::is_number(ty) && (ty.is_whole() || op != BinaryOp::Modulo && !both_whole)
             }
             OwnKind::Fraction => op != BinaryOp::Modulo,
             OwnKind::Whole | OwnKind::Faulty => true,
@@ -217,7 +217,7 @@ const OF_TIMES: &str = "times are added, subtracted and compared with times, mul
 /// Whether it is a whole number.
 fn counts(kind: OwnKind) -> bool {
     match kind {
-        OwnKind::Known(ty) => types::is_whole(ty),
+        OwnKind::Known(ty) => ty.is_whole(),
         OwnKind::Whole => true,
         OwnKind::Fraction | OwnKind::Faulty => false,
     }
