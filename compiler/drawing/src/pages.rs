@@ -72,6 +72,17 @@ impl Room {
         self.misses(bounds) <= times
     }
 
+    /// How many times as large a page has to be for all of these: so many, or as little more as is needed.
+    fn enough(self, sizes: &[Bounds], times: f64) -> f64 {
+        let holds = |times: f64| {
+            let (wide, high) = (on_paper(self.wide, times), on_paper(self.high, times));
+            let bottoms =
+                shelves(sizes, APART, wide).into_iter().zip(sizes).map(|(place, size)| place.y + size.height());
+            bottoms.max().unwrap_or(0) <= high && sizes.iter().all(|size| size.width() <= wide)
+        };
+        std::iter::successors(Some(times), |times| Some(times * 1.02)).find(|times| holds(*times)).unwrap_or(times)
+    }
+
     /// How many times a page would have to be as large as it is.
     fn misses(self, bounds: Bounds) -> f64 {
         let across = f64::from(bounds.width()) / f64::from(self.wide);
@@ -216,11 +227,10 @@ impl Items<'_> {
         let mut items: Vec<Option<Item>> = items.into_iter().map(Some).collect();
         let mut sheets = Vec::with_capacity(pages.len());
         for (number, filled) in pages.iter().enumerate() {
-            let mut sheet = empty(room, filled.times);
-            let wide = on_paper(room.wide, filled.times);
-            let edge = on_paper(EDGE, filled.times);
-            for (item, place) in filled.items.iter().zip(shelves(&filled.sizes, APART, wide)) {
-                let Some(Item { title, content, .. }) = items[*item].take() else { continue };
+            let mut panels = Vec::with_capacity(filled.items.len());
+            let mut sizes = Vec::with_capacity(filled.items.len());
+            for item in &filled.items {
+                let Some(Item { title, content, size }) = items[*item].take() else { continue };
                 let panel = match content {
                     Content::Whole(panel) => panel,
                     Content::Piece { part, elements: own, number: piece, of } => {
@@ -234,6 +244,15 @@ impl Items<'_> {
                         Panel::alone(elements, part, drawn, Some((piece, of)))
                     }
                 };
+                // With shorter labels links may go other ways, and take more room than was measured.
+                let (wide, high) = (size.width().max(panel.bounds.width()), size.height().max(panel.bounds.height()));
+                sizes.push(Bounds { left: 0, top: 0, right: wide, bottom: high });
+                panels.push((title, panel));
+            }
+            let times = room.enough(&sizes, filled.times);
+            let mut sheet = empty(room, times);
+            let (wide, edge) = (on_paper(room.wide, times), on_paper(EDGE, times));
+            for ((title, panel), place) in panels.into_iter().zip(shelves(&sizes, APART, wide)) {
                 let by = Point { x: edge + place.x - panel.bounds.left, y: edge + place.y - panel.bounds.top };
                 sheet.picture.groups.extend(panel.groups.into_iter().map(|group| shifted(group, by)));
                 if sheet.parts.last() != Some(&title) {
