@@ -195,16 +195,14 @@ pub(crate) trait Braces {
             if single {
                 out.close("}");
             } else {
-                out.line("break;");
-                out.leave();
+                leave_arm(out);
             }
             out.origin(outer);
         }
         if !single {
             if Self::HAS_DEFAULT {
                 out.open("default:");
-                out.line("break;");
-                out.leave();
+                leave_arm(out);
             }
             out.close("}");
         }
@@ -235,4 +233,10 @@ pub(crate) trait Braces {
         out.line("}");
         out.origin(outer);
     }
+}
+
+/// Behind the last statement of an arm.
+fn leave_arm(out: &mut Writer) {
+    out.line("break;");
+    out.leave();
 }

@@ -10,7 +10,7 @@ const SHARED: At = At::anywhere(Part::Shared);
 pub(super) const FAULTS: &[Fault] = &[
     Fault {
         name: "text-without-parentheses",
-        at: SHARED,
+        at: SHARED.within("operand"),
         breaks: "no operand stands in parentheses",
         text: "self.needs_parentheses(parent, place, id)",
         instead: "false",

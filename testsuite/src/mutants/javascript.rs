@@ -49,7 +49,7 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "js-arms-fall-through",
-        at: JS,
+        at: At::anywhere(Part::Braces).within("leave_arm"),
         breaks: "the arm of a step goes on into the next one",
         text: "out.line(\"break;\");",
         instead: "",

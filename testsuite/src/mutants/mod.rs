@@ -56,11 +56,13 @@ pub enum Part {
     JavaScript,
     /// What backends share.
     Shared,
+    /// What the languages with braces share.
+    Braces,
 }
 
 impl Part {
     /// All of them.
-    pub const ALL: [Part; 9] = [
+    pub const ALL: [Part; 10] = [
         Part::Compiler,
         Part::StructuredText,
         Part::InstructionList,
@@ -70,6 +72,7 @@ impl Part {
         Part::Rust,
         Part::JavaScript,
         Part::Shared,
+        Part::Braces,
     ];
 
     /// Where it lies, from the root of the workspace.
@@ -83,7 +86,7 @@ impl Part {
             Part::Chart => &["backends/src/plcopen/sfc"],
             Part::Rust => &["backends/src/rust"],
             Part::JavaScript => &["backends/src/js"],
-            Part::Shared => &["backends/src"],
+            Part::Shared | Part::Braces => &["backends/src"],
         }
     }
 }

@@ -92,7 +92,7 @@ pub fn suites(fault: &Fault) -> &'static [Suite] {
         Part::StatementList => STATEMENT_LIST,
         Part::Ladder => LADDER,
         Part::Chart => CHART,
-        Part::JavaScript => JAVASCRIPT,
+        Part::JavaScript | Part::Braces => JAVASCRIPT,
         Part::Rust | Part::Shared => RUST,
     }
 }
