@@ -8,6 +8,7 @@
 //! The flag DIV0 is left out: passes have no say in it.
 
 mod expressions;
+mod pulses;
 
 pub use expressions::same;
 use expressions::{Context, Expressions, Memory, Reading, convert};
@@ -17,6 +18,7 @@ use grafc_model::chart::{
 use grafc_model::reaction::{Evolution, Flags, LivelockOutputs, Profile, Response, Stimulus};
 use grafc_net::net::{Fact, Forced, Net};
 use index_vec::IndexVec;
+use pulses::Pulses;
 
 type Active = IndexVec<StepId, bool>;
 
@@ -146,10 +148,15 @@ impl<'a> NetSteps<'a> {
         let marked: Active = self.net.places.iter().map(|place| place.initial).collect();
         if self.has(Fact::SettledStart) {
             self.active = marked;
+            self.memory.saved = self.net.places.iter().map(|place| place.saved).collect();
+            self.memory.frozen = self.net.grafcets.iter().map(|grafcet| grafcet.starts_frozen).collect();
             self.flags.force_conflict = self.net.conflict_at_start;
         } else {
             let none: Active = marked.iter().map(|_| false).collect();
-            self.active = self.settle(&none, marked, true);
+            let below = pulses::below_children(self.net);
+            let marked: Active =
+                marked.iter_enumerated().map(|(s, m)| *m && !below[self.net.places[s].grafcet]).collect();
+            self.active = self.settle(&none, marked, Phase::Start(&below));
         }
         self.net.places.indices().for_each(|s| self.memory.activated(s, t));
         if self.profile.initial_actions {
@@ -173,15 +180,23 @@ impl<'a> NetSteps<'a> {
         cleared_ones().flat_map(|t| &self.pre[t]).for_each(|s| next[*s] = false);
         cleared_ones().flat_map(|t| &self.post[t]).for_each(|s| next[*s] = true);
         let before = self.active.clone();
-        let next = self.settle(&before, next, false);
+        // What is read until the end of the micro-step is read of the state before it.
+        let levels = self.read(Reading::Levels, t);
+        let memory = self.memory.clone();
+        let given = |event| match event {
+            Event::Event(s, e) => before[s] && cx.holds(e) && (input_event || !levels.holds(e)),
+            Event::Clearing(t) => cleared[t],
+            Event::Deactivation(_) | Event::Activation(_) | Event::EachScan(..) => false,
+        };
+        let given: Vec<bool> = net.pulses.iter().map(|pulse| given(pulse.event)).collect();
+        let next = self.settle(&before, next, Phase::Evolution(&given));
 
         // R7, by kinds: E, D, T, A; and apart from them S.
-        let level = |e| self.read(Reading::Levels, t).holds(e);
         let mut triggered: Vec<(u8, usize)> = Vec::new();
         let mut each_scan = Vec::new();
         for (i, action) in net.stored.iter().enumerate() {
             let (kind, happened) = match action.event {
-                Event::Event(s, e) => (0, before[s] && cx.holds(e) && (input_event || !level(e))),
+                Event::Event(s, e) => (0, before[s] && cx.holds(e) && (input_event || !levels.holds(e))),
                 Event::Deactivation(s) => (1, before[s] && !next[s]),
                 Event::Clearing(t) => (2, cleared[t]),
                 Event::Activation(s) => (3, next[s] && !before[s]),
@@ -200,7 +215,7 @@ impl<'a> NetSteps<'a> {
         let triggered: Vec<usize> = triggered.into_iter().map(|(_, i)| i).collect();
         let mut stored = self.allocate(&triggered, &cx);
         if !each_scan.is_empty() {
-            let after = self.expressions.read_again(&self.active, &self.variables, &self.memory, t, &cx);
+            let after = self.expressions.read_again(&self.active, &self.variables, &memory, t, &cx);
             stored |= self.allocate(&each_scan, &after);
         }
 
@@ -211,7 +226,7 @@ impl<'a> NetSteps<'a> {
         self.active = next;
         let edge = self.memory.keep_edges(&cx);
         self.memory.keep_delays(&cx);
-        moved || stored || edge
+        moved || stored || edge || memory.saved != self.memory.saved || memory.frozen != self.memory.frozen
     }
 
     /// R3
@@ -221,6 +236,10 @@ impl<'a> NetSteps<'a> {
         self.pre[id].iter().all(|s| self.active[*s])
             && within.is_none_or(|e| self.active[e])
             && !self.frozen(transition.grafcet)
+            && !self.memory.frozen[transition.grafcet]
+            && (!self.net.grafcets[transition.grafcet].child
+                || !self.pre[id].is_empty()
+                || self.net.grafcets[transition.grafcet].steps.iter().any(|s| self.active[*s]))
             && cx.holds(transition.condition)
     }
 
@@ -242,25 +261,37 @@ impl<'a> NetSteps<'a> {
     }
 
     /// R5, place by place.
-    fn settle(&mut self, before: &Active, mut next: Active, start: bool) -> Active {
+    fn settle(&mut self, before: &Active, mut next: Active, phase: Phase) -> Active {
         let net = self.net;
+        let none = vec![false; net.pulses.len()];
+        let (given, start) = match phase {
+            Phase::Start(below) => (&none[..], Some(below)),
+            Phase::Evolution(given) => (given, None),
+        };
+        let mut pulses = Pulses::new(net, given);
         for g in &net.hierarchy {
             let grafcet = &net.grafcets[*g];
             let within = |s: StepId| net.places[s].within.or(grafcet.enclosing_step);
             for s in &grafcet.steps {
                 let Some(e) = within(*s) else { continue };
-                let linked = !before[e] && net.places[*s].activated && !(start && net.places[e].initial);
+                let is_start = start.is_some_and(|below| net.places[e].initial && !below[net.places[e].grafcet]);
+                let linked = !before[e] && net.places[*s].activated && !is_start;
                 next[*s] = next[e] && (next[*s] || linked);
             }
             if grafcet.steps.first().and_then(|s| within(*s)).is_some_and(|e| !next[e]) {
+                pulses.forget(*g, &mut self.memory);
                 continue;
             }
+            self.flags.force_conflict |= pulses.act(*g, before, &mut next, &mut self.memory);
             let in_force: Vec<&Forced> =
                 self.orders[*g].iter().filter(|(step, _)| next[*step]).map(|(_, forced)| forced).collect();
             let Some(first) = in_force.first() else { continue };
             self.flags.force_conflict |= in_force.iter().any(|other| other != first);
             match first {
-                Forced::Steps(steps) => grafcet.steps.iter().for_each(|s| next[*s] = steps.contains(s)),
+                Forced::Steps(steps) => {
+                    grafcet.steps.iter().for_each(|s| next[*s] = steps.contains(s));
+                    pulses.forget(*g, &mut self.memory);
+                }
                 Forced::Current => {}
             }
         }
@@ -310,6 +341,14 @@ impl<'a> NetSteps<'a> {
     fn has(&self, fact: Fact) -> bool {
         self.net.facts.contains(&fact)
     }
+}
+
+/// When a situation is settled.
+enum Phase<'a> {
+    /// At the start, with the grafcets that are children or enclosed in one.
+    Start(&'a IndexVec<GrafcetId, bool>),
+    /// In a micro-step, with what pulse orders wait for.
+    Evolution(&'a [bool]),
 }
 
 /// R2: the orders on a grafcet, ranked already or not.

@@ -325,3 +325,24 @@ fn a_list_of_steps_is_broken_behind_a_comma() {
     let lines: Vec<String> = texts(picture, "text").into_iter().map(|(text, ..)| text).collect();
     assert!(lines.len() > 1 && lines.iter().all(|line| !line.trim_start().starts_with(',')), "{lines:?}");
 }
+
+#[test]
+fn children_and_pulse_orders_are_in_the_drawing() {
+    let text = "input a, b : bool grafcet MAIN { initial step 1 { run P } step 2 { freeze Q on event ↑a kill P on activation \
+                start Q on deactivation } transition 1 -> 2 : a transition 2 -> 1 : b · FQ { resume Q } } \
+                child grafcet P of MAIN { initial step 10 } grafcet Q { initial step 20 }";
+    let chart = check("orders", text).expect("a chart without errors");
+    let pictures = draw(&chart, &SINGLE).expect("nothing was asked for that is not there");
+    assert_no_faults(&lint(&chart, &pictures));
+    let drawn = svg(&pictures[0], None);
+    for wanted in ["run P", "freeze Q", "kill P", "start Q", "resume Q", "P, child of MAIN", "Q"] {
+        assert_eq!(drawn.matches(&format!(">{wanted}<")).count(), 1, "{wanted}\n{drawn}");
+    }
+    for order in ["run", "freeze", "kill", "start", "resume"] {
+        assert_eq!(drawn.matches(&format!("data-kind=\"{order}\"")).count(), 1, "{order}\n{drawn}");
+    }
+    // Who reads it by program finds each under its own number, also the one on clearing.
+    for number in 0..5 {
+        assert_eq!(drawn.matches(&format!("data-order=\"{number}\"")).count(), 1, "{number}");
+    }
+}

@@ -2,7 +2,7 @@
 
 use grafc_testsuite::binary::{grafc, root};
 use grafc_testsuite::browser::Tools;
-use grafc_testsuite::charts::{charts_folder, check};
+use grafc_testsuite::charts::{charts_folder, check, vectors_folder};
 use grafc_testsuite::named_trace::NamedTrace;
 use grafc_testsuite::plants::plants;
 use grafc_testsuite::random::{ChartKind, checked, trace};
@@ -126,6 +126,8 @@ fn pages_do_what_a_user_expects() {
     let states = page(folder, "states", STATES);
     let claims = page(folder, "claims", CLAIMS);
     let hostile = page(folder, "hostile", HOSTILE);
+    let frozen = fs::read_to_string(vectors_folder().join("s3.gct")).expect("a vector");
+    let frozen = page(folder, "frozen", &frozen);
     let out = folder.join("saved");
     let jobs = [
         json!({ "do": "click_through", "page": b4 }),
@@ -135,6 +137,7 @@ fn pages_do_what_a_user_expects() {
         json!({ "do": "keyboard", "page": b4 }),
         json!({ "do": "states", "page": states }),
         json!({ "do": "claims", "page": claims }),
+        json!({ "do": "children", "page": frozen }),
         json!({
             "do": "hostile",
             "page": hostile,
@@ -163,9 +166,10 @@ fn pages_and_simulations_agree_row_by_row() {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();
     let mut jobs = Vec::new();
-    // As they are seen, scan by scan: macro-steps; enclosures and orders; numbers and actions on clearing.
-    for name in ["weigh_mix_b4", "weigh_mix_b6", "figure_3", "operating_hours"] {
-        let read = |ending: &str| fs::read_to_string(charts_folder().join(format!("{name}{ending}"))).expect("a chart");
+    // As they are seen, scan by scan: macro-steps; enclosures and orders; numbers and actions on clearing; children.
+    let charts = ["weigh_mix_b4", "weigh_mix_b6", "figure_3", "operating_hours"].map(|name| (charts_folder(), name));
+    for (of, name) in charts.into_iter().chain(["s3", "s5a", "s15"].map(|name| (vectors_folder(), name))) {
+        let read = |ending: &str| fs::read_to_string(of.join(format!("{name}{ending}"))).expect("a chart");
         let text = read(".gct");
         let page = page(folder, name, &text);
         let trace = read(".trace.csv");

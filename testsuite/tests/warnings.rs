@@ -80,7 +80,10 @@ fn look(chart: &Chart, watched: &Watched, diagnostics: &Diagnostics, counts: &mu
             shown.insert(code);
         }
     }
-    if watched.seen.iter().any(|seen| seen.force_conflict) && diagnostics.iter().all(|d| d.code != Code::W0411) {
+    // Pulse orders that disagree raise the flag as well (R15.1); no warning is about them.
+    let is_of_orders = chart.commands().next().is_none();
+    let is_raised = is_of_orders && watched.seen.iter().any(|seen| seen.force_conflict);
+    if is_raised && diagnostics.iter().all(|d| d.code != Code::W0411) {
         return Err("FORCE_CONFLICT without W0411".to_owned());
     }
     for code in CODES {

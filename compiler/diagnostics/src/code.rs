@@ -110,6 +110,7 @@ codes! {
     E0319 "activation-link-outside-enclosure" Error;
     E0320 "enclosing-step-without-enclosure" Error;
     E0321 "chart-without-steps" Error;
+    E0322 "commander-not-the-parent" Error;
 
     E0411 "cyclic-continuous-actions" Error;
     E0412 "assigned-and-allocated" Error;
@@ -147,6 +148,8 @@ codes! {
     W0424 "ring-of-inputs" Warning;
     W0425 "allowance-without-effect" Warning;
     W0426 "deceptive-name" Warning;
+    W0427 "child-never-started" Warning;
+    W0428 "restart-leaves-dead" Warning;
 
     E0503 "not-a-sequential-function-chart" Error;
     E0504 "no-double-precision" Error;

@@ -106,8 +106,13 @@ fn frame<'a>(
             let frame = match about.enclosing_step {
                 Some(step) => Frame::Enclosure { step: &chart.steps[step].label, name, comment },
                 // Only one that is written has a name that somebody gave to it.
-                None if about.span.range().is_empty() && !is_piece => Frame::Grafcet { name: "", comment: None },
-                None => Frame::Grafcet { name, comment },
+                None if about.span.range().is_empty() && !is_piece => {
+                    Frame::Grafcet { name: "", parent: None, comment: None }
+                }
+                None => {
+                    let parent = about.parent.map(|parent| chart.grafcets[parent].name.as_str());
+                    Frame::Grafcet { name, parent, comment }
+                }
             };
             (frame, ("data-grafcet", name.to_string(), comment))
         }

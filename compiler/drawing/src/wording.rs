@@ -64,6 +64,7 @@ fn write(chart: &Tables, root: ExprId, bracketed: bool) -> Vec<Token> {
             ExprKind::StepTime(s) => vec![word(&format!("T{}", shown(&chart.steps[s].label)))],
             ExprKind::MacroActive(m) => vec![word(&format!("X{}", shown(&chart.macro_steps[m].label)))],
             ExprKind::GrafcetActive(g) => vec![word(&format!("X{}", shown(&chart.grafcets[g].name)))],
+            ExprKind::GrafcetFrozen(g) => vec![word(&format!("F{}", shown(&chart.grafcets[g].name)))],
             ExprKind::Not(a) => match heights.get(&id) {
                 Some(&height) => vec![Piece::Expr(a, Place { over: place.over | 1 << height, ..place })],
                 None => vec![word("¬("), Piece::Expr(a, place), word(")")],
@@ -166,6 +167,7 @@ fn level(kind: &ExprKind, bracketed: bool) -> u8 {
         | ExprKind::StepTime(_)
         | ExprKind::MacroActive(_)
         | ExprKind::GrafcetActive(_)
+        | ExprKind::GrafcetFrozen(_)
         | ExprKind::Not(_)
         | ExprKind::Rise(_)
         | ExprKind::Fall(_)

@@ -125,7 +125,7 @@ fn grafcet_of(chart: &Chart, probe: Probe) -> Option<GrafcetId> {
         Probe::Variable(_) => None,
         Probe::Step(id) | Probe::Duration(id) => Some(chart.steps[id].grafcet),
         Probe::Macro(id) => Some(chart.macro_steps[id].grafcet),
-        Probe::Grafcet(id) => Some(id),
+        Probe::Grafcet(id) | Probe::Frozen(id) => Some(id),
     }
 }
 

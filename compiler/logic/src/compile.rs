@@ -115,7 +115,7 @@ fn assemble(
         conditions = Conditions::new(lowering);
     }
     let components = if proofs { components } else { Components::none(&net) };
-    let Conditions { mut lowering, mut cx, mut of_transition, of_event } = conditions;
+    let Conditions { mut lowering, mut cx, mut of_transition, of_event, of_pulse } = conditions;
     let mut watch = Watch::new(extras.observed);
     let as_in_chart = watch.is_some().then(|| of_transition.clone());
     if proofs {
@@ -146,6 +146,7 @@ fn assemble(
         arcs: &arcs,
         conditions: &of_transition,
         events: &of_event,
+        pulses: &of_pulse,
         components: &components,
         followers: followers.as_ref(),
         again: repeat.map(|r| r.again),

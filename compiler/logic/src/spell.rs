@@ -59,6 +59,7 @@ fn spell(net: &Net, expr: ExprId, left: usize, signs: &Signs) -> Option<String> 
         ExprKind::StepTime(s) => Some(format!("T{}", net.places[s].label)),
         ExprKind::MacroActive(m) => Some(format!("X{}", net.macro_steps[m].label)),
         ExprKind::GrafcetActive(g) => Some(format!("X{}", net.grafcets[g].name)),
+        ExprKind::GrafcetFrozen(g) => Some(format!("F{}", net.grafcets[g].name)),
         // `not a/5s` would be read in two ways (W0423).
         ExprKind::Not(a) if matches!(net.exprs[a].kind, ExprKind::Delay { .. }) => {
             Some(format!("{}{}", signs.not, operand(a, WORD)?))
@@ -104,7 +105,8 @@ fn level(net: &Net, expr: ExprId) -> u8 {
         | ExprKind::StepActive(_)
         | ExprKind::StepTime(_)
         | ExprKind::MacroActive(_)
-        | ExprKind::GrafcetActive(_) => WORD,
+        | ExprKind::GrafcetActive(_)
+        | ExprKind::GrafcetFrozen(_) => WORD,
     }
 }
 

@@ -252,6 +252,7 @@ pub fn expression(exprs: &IndexVec<ExprId, Expr>, labels: &impl Labels, root: Ex
             ExprKind::StepTime(s) => vec![Piece::Text(format!("T{}", labels.step(*s)))],
             ExprKind::MacroActive(m) => vec![Piece::Text(format!("X{}", labels.macro_step(*m)))],
             ExprKind::GrafcetActive(g) => vec![Piece::Text(format!("X{}", labels.grafcet(*g)))],
+            ExprKind::GrafcetFrozen(g) => vec![Piece::Text(format!("F{}", labels.grafcet(*g)))],
             ExprKind::Not(a) => prefix("not ", *a),
             ExprKind::Rise(a) => prefix("↑", *a),
             ExprKind::Fall(a) => prefix("↓", *a),
@@ -301,6 +302,7 @@ fn needs_parentheses(exprs: &IndexVec<ExprId, Expr>, parent: ExprId, operand: Ex
         | ExprKind::StepTime(_)
         | ExprKind::MacroActive(_)
         | ExprKind::GrafcetActive(_)
+        | ExprKind::GrafcetFrozen(_)
         | ExprKind::Rise(_)
         | ExprKind::Fall(_)
         | ExprKind::Negate(_)

@@ -53,6 +53,8 @@ pub enum Form {
     Activity,
     /// `T` before the label: the duration.
     Duration,
+    /// `F` before the name of a grafcet: whether it is frozen.
+    Frozen,
 }
 
 impl Form {
@@ -62,6 +64,7 @@ impl Form {
             Form::Name => "",
             Form::Activity => "X",
             Form::Duration => "T",
+            Form::Frozen => "F",
         }
     }
 }
@@ -79,6 +82,10 @@ pub enum Role {
     After,
     /// An order forces the grafcet, or to a situation with the step.
     Forced,
+    /// A pulse order is given to the grafcet.
+    Commanded,
+    /// The grafcet has the child.
+    Parent,
     /// The step encloses a grafcet.
     Enclosing,
     /// An `expansion` block expands the macro-step.
@@ -147,7 +154,14 @@ impl Usage {
         let place = match role {
             Role::Read => &mut self.read,
             Role::Assigned => &mut self.set,
-            Role::Before | Role::After | Role::Forced | Role::Enclosing | Role::Expanded | Role::Allowed => return,
+            Role::Before
+            | Role::After
+            | Role::Forced
+            | Role::Commanded
+            | Role::Parent
+            | Role::Enclosing
+            | Role::Expanded
+            | Role::Allowed => return,
         };
         let first = place.get_or_insert(span);
         *first = (*first).min(span);

@@ -41,6 +41,7 @@ fn check(text: &str) {
             Form::Name => "",
             Form::Activity => "activity of ",
             Form::Duration => "duration of ",
+            Form::Frozen => "freezing of ",
         };
         let role = match found_use.role {
             Role::Read => "read",
@@ -48,6 +49,8 @@ fn check(text: &str) {
             Role::Before => "before",
             Role::After => "after",
             Role::Forced => "forced",
+            Role::Commanded => "commanded",
+            Role::Parent => "parent",
             Role::Enclosing => "enclosing",
             Role::Expanded => "expanded",
             Role::Allowed => "allowed",
@@ -142,6 +145,39 @@ fn labels() {
         //      ^^ activity of step 9, enclosing
         //         ^^ = grafcet
         //                             ^ = step
+        ",
+    );
+}
+
+#[test]
+fn children_and_pulse_orders() {
+    check(
+        "
+        input a : bool
+        //    ^ = variable
+        grafcet MAIN {
+        //      ^^^^ = grafcet
+          initial step 1 { run P freeze P on event ↑a }
+        //             ^ = step
+        //                     ^ grafcet P, commanded
+        //                              ^ grafcet P, commanded
+        //                                          ^ variable a, read
+          transition 1 -> 1 : FP and not XP { start P resume Q }
+        //           ^ step 1, before
+        //                ^ step 1, after
+        //                    ^^ freezing of grafcet P, read
+        //                               ^^ activity of grafcet P, read
+        //                                          ^ grafcet P, commanded
+        //                                                   ^ no Grafcet
+        }
+        child grafcet P of MAIN { initial step 10 }
+        //            ^ = grafcet
+        //                 ^^^^ grafcet MAIN, parent
+        //                                     ^^ = step
+        child grafcet R of NONE { initial step 20 }
+        //            ^ = grafcet
+        //                 ^^^^ no Grafcet
+        //                                     ^^ = step
         ",
     );
 }

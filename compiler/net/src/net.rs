@@ -25,8 +25,8 @@
 use ecow::EcoString;
 use grafc_diagnostics::Span;
 use grafc_model::chart::{
-    ChartOptions, Claims, Continuous, Controls, Expr, ExprId, GrafcetId, MacroId, Note, Order, StepId, Stored,
-    TransitionId, Variable, VariableId,
+    ChartOptions, Claims, Continuous, Controls, Event, Expr, ExprId, GrafcetId, MacroId, Note, Order, Pulse, Run,
+    StepId, Stored, TransitionId, Variable, VariableId,
 };
 use index_vec::IndexVec;
 use rustc_hash::FxHashSet;
@@ -76,6 +76,10 @@ pub struct Net {
     pub stored: Vec<Stored>,
     /// Forcing orders, until they are ranked.
     pub orders: Vec<Order>,
+    /// Pulse orders.
+    pub pulses: Vec<Pulse>,
+    /// Grafcets that run while steps are active.
+    pub runs: Vec<Run>,
     /// Whether orders disagree in the initial situation; known once that is settled.
     pub conflict_at_start: bool,
     /// Conditions and values.
@@ -86,6 +90,74 @@ pub struct Net {
     pub controls: Controls,
     /// What the passes so far have brought about.
     pub facts: Vec<Fact>,
+}
+
+impl Net {
+    /// Whether a grafcet is commanded by pulses.
+    pub fn has_commands(&self) -> bool {
+        !self.pulses.is_empty() || !self.runs.is_empty()
+    }
+
+    /// All commands by pulses: the grafcet that gives it, and the one that it is given to.
+    pub fn commands(&self) -> impl Iterator<Item = (GrafcetId, GrafcetId)> + '_ {
+        let pulses = self.pulses.iter().map(|pulse| (self.commander(pulse.event), pulse.grafcet));
+        pulses.chain(self.runs.iter().map(|run| (self.places[run.step].grafcet, run.grafcet)))
+    }
+
+    /// For each grafcet the pulse orders on it, as places in the list, and the steps that it runs with.
+    pub fn commands_on(&self) -> IndexVec<GrafcetId, CommandsOn> {
+        let mut on: IndexVec<GrafcetId, CommandsOn> = self.grafcets.iter().map(|_| CommandsOn::default()).collect();
+        self.pulses.iter().enumerate().for_each(|(place, pulse)| on[pulse.grafcet].pulses.push(place));
+        self.runs.iter().for_each(|run| on[run.grafcet].runs.push(run.step));
+        on
+    }
+
+    /// The grafcet that gives a pulse.
+    pub fn commander(&self, event: Event) -> GrafcetId {
+        match event {
+            Event::Event(s, _) | Event::Deactivation(s) | Event::Activation(s) | Event::EachScan(s, _) => {
+                self.places[s].grafcet
+            }
+            Event::Clearing(t) => self.transitions[t].grafcet,
+        }
+    }
+
+    /// The grafcet around one, before and after enclosures are flattened.
+    pub fn around(&self, g: GrafcetId) -> Option<GrafcetId> {
+        let grafcet = &self.grafcets[g];
+        let within = grafcet.enclosing_step.or_else(|| self.places[*grafcet.steps.first()?].within)?;
+        Some(self.places[within].grafcet)
+    }
+
+    /// For each grafcet what its steps command by pulses, and those of its enclosures, however deep.
+    pub fn commanded_below(&self) -> IndexVec<GrafcetId, Vec<GrafcetId>> {
+        let mut below: IndexVec<GrafcetId, Vec<GrafcetId>> = self.grafcets.iter().map(|_| Vec::new()).collect();
+        self.commands().for_each(|(above, commanded)| below[above].push(commanded));
+        // What is enclosed comes after what encloses it.
+        for g in self.hierarchy.iter().rev() {
+            if let Some(around) = self.around(*g) {
+                let inside = below[*g].clone();
+                below[around].extend(inside);
+            }
+        }
+        below
+    }
+}
+
+/// What commands a grafcet by pulses.
+#[derive(Clone, Debug, Default)]
+pub struct CommandsOn {
+    /// Pulse orders, as places in the list of the net.
+    pub pulses: Vec<usize>,
+    /// The steps that it runs with.
+    pub runs: Vec<StepId>,
+}
+
+impl CommandsOn {
+    /// Whether nothing does.
+    pub fn is_empty(&self) -> bool {
+        self.pulses.is_empty() && self.runs.is_empty()
+    }
 }
 
 /// A place: one step.
@@ -103,6 +175,10 @@ pub struct Place {
     pub activated: bool,
     /// The place that must be active for this one to be, once enclosures are flattened.
     pub within: Option<StepId>,
+    /// Whether a start of its grafcet activates it: it is initial in the chart.
+    pub started: bool,
+    /// Whether it is active again when its grafcet is resumed, as far as the start goes.
+    pub saved: bool,
     /// Made by a pass: no step of the chart, and no part of its situation.
     pub auxiliary: bool,
     /// The label in the chart.
@@ -185,6 +261,10 @@ pub struct Grafcet {
     pub comment: Option<Note>,
     /// The step that encloses it, until enclosures are flattened.
     pub enclosing_step: Option<StepId>,
+    /// Whether it is a child: not active at the start, and started by an order.
+    pub child: bool,
+    /// Whether a pulse order freezes it at the start.
+    pub starts_frozen: bool,
     /// Longest chain of orders and enclosures above it (M2).
     pub level: u32,
     /// Its places, in order of declaration.

@@ -409,13 +409,15 @@ impl Type {
     }
 }
 
-/// `grafcet X9/G4 "comment" { … }`.
+/// `grafcet X9/G4 "comment" { … }`, `child grafcet P of MAIN { … }`.
 #[derive(Clone, Debug)]
 pub struct Grafcet {
     /// What stands before the name: `X9` in `X9/G4`; usually empty or one name. Each still begins with its `X`.
     pub path: Vec<Name>,
     /// The grafcet's name.
     pub name: Name,
+    /// Behind `of`, in `child grafcet P of MAIN`: the grafcet whose steps start it.
+    pub parent: Option<Name>,
     /// The attached comment.
     pub comment: Option<Box<Text>>,
     /// What is in the braces: steps, transitions, expansions.
@@ -527,8 +529,12 @@ struct More {
     designation: Option<Box<Name>>,
     comment: Option<Box<Text>>,
     actions: Vec<Assignment>,
+    pulses: Vec<Pulse>,
     allows: Vec<Allow>,
 }
+
+/// What stands in the braces of a transition: assignments, pulse orders, allowed warnings.
+pub(crate) type Clearing = (Vec<Assignment>, Vec<Pulse>, Vec<Allow>);
 
 impl Transition {
     /// With nothing but what every transition has.
@@ -541,10 +547,12 @@ impl Transition {
         self,
         designation: Option<Box<Name>>,
         comment: Option<Box<Text>>,
-        (actions, allows): (Vec<Assignment>, Vec<Allow>),
+        (actions, pulses, allows): Clearing,
     ) -> Self {
-        let is_bare = designation.is_none() && comment.is_none() && actions.is_empty() && allows.is_empty();
-        Transition { more: (!is_bare).then(|| Box::new(More { designation, comment, actions, allows })), ..self }
+        let has_braces = !actions.is_empty() || !pulses.is_empty() || !allows.is_empty();
+        let is_bare = designation.is_none() && comment.is_none() && !has_braces;
+        let more = More { designation, comment, actions, pulses, allows };
+        Transition { more: (!is_bare).then(|| Box::new(more)), ..self }
     }
 
     /// What is in the parentheses (symbol 8).
@@ -560,6 +568,11 @@ impl Transition {
     /// Assignments on clearing.
     pub fn actions(&self) -> &[Assignment] {
         self.more.as_ref().map_or(&[], |more| &more.actions)
+    }
+
+    /// Pulse orders on clearing.
+    pub fn pulses(&self) -> &[Pulse] {
+        self.more.as_ref().map_or(&[], |more| &more.pulses)
     }
 
     /// The warnings that are allowed in its braces.
@@ -605,6 +618,20 @@ pub enum ActionKind {
         /// When.
         event: Event,
     },
+    /// `start P on activation`
+    Pulse {
+        /// What is ordered.
+        kind: PulseKind,
+        /// Of which grafcet.
+        grafcet: Box<Name>,
+        /// When.
+        event: Event,
+    },
+    /// `run P`: it is started with the step and killed with it.
+    Run {
+        /// Which grafcet.
+        grafcet: Box<Name>,
+    },
     /// `force G12{8, 9, 11}` (symbol 37).
     Force {
         /// The forced grafcet.
@@ -612,6 +639,45 @@ pub enum ActionKind {
         /// The forced situation.
         situation: Situation,
     },
+}
+
+/// `start P`, in the braces of a transition.
+#[derive(Clone, Debug)]
+pub struct Pulse {
+    /// What is ordered.
+    pub kind: PulseKind,
+    /// Of which grafcet.
+    pub grafcet: Name,
+    /// The whole order.
+    pub span: Span,
+}
+
+/// What a pulse order does to its grafcet; in the order in which they take effect.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum PulseKind {
+    /// `kill`: nothing of it is active.
+    Kill,
+    /// `resume`: what was active when it was frozen is so again.
+    Resume,
+    /// `start`: its initial steps become active.
+    Start,
+    /// `freeze`: nothing of it is active, until it is resumed.
+    Freeze,
+}
+
+impl PulseKind {
+    /// All of them.
+    pub const ALL: [PulseKind; 4] = [PulseKind::Kill, PulseKind::Resume, PulseKind::Start, PulseKind::Freeze];
+
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            PulseKind::Kill => "kill",
+            PulseKind::Resume => "resume",
+            PulseKind::Start => "start",
+            PulseKind::Freeze => "freeze",
+        }
+    }
 }
 
 /// When a stored action of a step is done.

@@ -372,7 +372,7 @@ impl<'text> Builder<'text> {
                 let asked = self.slice(condition.start, condition.end);
                 fault.help(format!("write `{assignment} on event ↑({asked})`"))
             }
-            Some(ActionKind::Force { .. }) => {
+            Some(ActionKind::Force { .. } | ActionKind::Run { .. } | ActionKind::Pulse { .. }) => {
                 fault.help("an order has no condition: it holds while its step is active, so give it a step of its own")
             }
             Some(ActionKind::Continuous { condition: Some(_), .. }) | None => {

@@ -12,17 +12,22 @@
 //! In the heading, `evolution`, `initial_actions` and `bound` are words behind the name of the chart and its comment. `each
 //! scan` is two words behind a value that is assigned in the braces of a step or transition, where no name can stand.
 //!
+//! `child grafcet NAME of` is recognised as a whole, and so is `start NAME on`, `kill`, `freeze` and `resume` alike, in the
+//! braces of a step; in those of a transition such a word before a name that nothing is assigned to. `run NAME` is an order
+//! in the braces of a step, in a text that declares no `run`.
+//!
 //! `scenario` begins an item where a string and a brace follow it. In its braces `until`, and `after` before a time, begin a
 //! line, except where a name must stand: behind a comma, `->`, `not`. Behind `until` all is a condition, up to `within`
 //! before a time.
 
 use crate::scenario::Scenario;
-use crate::token::{Lexeme, Token, begins_item, is_claim, may_end_item};
+use crate::token::{Lexeme, Token, begins_item, declares, is_claim, may_end_item, opens_block};
 
 /// Finds the words among the names.
 pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
     let mut braces = Braces::default();
     let mut scenario = Scenario::default();
+    let declares_run = declares_run(text, lexemes);
     for at in 0..lexemes.len() {
         if lexemes[at].token == Token::On && at > 0 && lexemes[at - 1].token == Token::InitialActions {
             lexemes[at].token = Token::Name;
@@ -49,6 +54,14 @@ pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
                 "evolution" if place.is_option() => lexemes[at].token = Token::Evolution,
                 "initial_actions" if place.is_option() => lexemes[at].token = Token::InitialActions,
                 "bound" if place.is_option() => lexemes[at].token = Token::Bound,
+                "child" if place.is_child() => {
+                    (lexemes[at].token, lexemes[at + 3].token) = (Token::Child, Token::Of);
+                }
+                "start" if place.is_pulse() => lexemes[at].token = Token::Start,
+                "kill" if place.is_pulse() => lexemes[at].token = Token::Kill,
+                "freeze" if place.is_pulse() => lexemes[at].token = Token::Freeze,
+                "resume" if place.is_pulse() => lexemes[at].token = Token::Resume,
+                "run" if !declares_run && place.is_run() => lexemes[at].token = Token::Run,
                 "each" if place.is_each_scan() => {
                     (lexemes[at].token, lexemes[at + 1].token) = (Token::Each, Token::Scan);
                 }
@@ -61,6 +74,20 @@ pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
             braces.pass(lexemes[at].token);
         }
     }
+}
+
+/// Whether a declaration names `run`.
+fn declares_run(text: &str, lexemes: &[Lexeme]) -> bool {
+    let mut in_names = false;
+    lexemes.iter().any(|lexeme| {
+        match lexeme.token {
+            token if declares(token) => in_names = true,
+            Token::Colon => in_names = false,
+            _ => {}
+        }
+        let name = &text[lexeme.start as usize..lexeme.end as usize];
+        in_names && lexeme.token == Token::Name && matches!(name, "run" | "`run`")
+    })
 }
 
 /// A name among the tokens.
@@ -168,6 +195,33 @@ impl<'t> Place<'t> {
             && !matches!(self.before(1), Some(Token::Chart | Token::Evolution | Token::InitialActions))
     }
 
+    /// `child grafcet NAME of`.
+    fn is_child(self) -> bool {
+        let follows = (self.token(1), self.token(2), self.word(3)) == (Some(Token::Grafcet), Some(Token::Name), "of");
+        follows && self.may_begin()
+    }
+
+    /// Whether an action can begin here, in the braces of an item.
+    fn may_begin_action(self) -> bool {
+        let ends_action = |token| matches!(token, Token::Activation | Token::Deactivation);
+        self.braces.of_items > 0 && (self.may_begin() || self.before(1).is_some_and(ends_action))
+    }
+
+    /// `start NAME on` in the braces of a step, `start NAME` in those of a transition.
+    fn is_pulse(self) -> bool {
+        if self.token(1) != Some(Token::Name) || !self.may_begin_action() {
+            return false;
+        }
+        if self.braces.of_transition { self.token(2) != Some(Token::Assign) } else { self.token(2) == Some(Token::On) }
+    }
+
+    /// `run NAME` in the braces of a step.
+    fn is_run(self) -> bool {
+        // `run P := 1` is two names as well.
+        let follows = self.token(1) == Some(Token::Name) && self.token(2) != Some(Token::Assign);
+        follows && !self.braces.of_transition && self.may_begin_action()
+    }
+
     /// Behind a value that is assigned, where its event would stand.
     fn is_each_scan(self) -> bool {
         self.braces.in_value && self.word(1) == "scan" && self.before(1).is_some_and(may_end_item)
@@ -190,6 +244,8 @@ pub(crate) struct Braces {
     in_heading: bool,
     /// Behind `:=` in the braces of a step or transition; its event has not been read yet.
     in_value: bool,
+    /// Whether those of items are a transition's.
+    of_transition: bool,
     /// Those of steps, transitions and forced situations.
     pub(crate) of_items: usize,
 }
@@ -197,8 +253,10 @@ pub(crate) struct Braces {
 impl Braces {
     pub(crate) fn pass(&mut self, token: Token) {
         match token {
-            Token::Grafcet | Token::Expansion => *self = Braces { in_head_of_block: true, ..Braces::default() },
-            Token::Transition => *self = Braces { in_head_of_transition: true, ..Braces::default() },
+            token if opens_block(token) => *self = Braces { in_head_of_block: true, ..Braces::default() },
+            Token::Transition => {
+                *self = Braces { in_head_of_transition: true, of_transition: true, ..Braces::default() };
+            }
             token if is_claim(token) => *self = Braces { in_claim: true, ..Braces::default() },
             Token::Chart => *self = Braces { in_heading: true, ..Braces::default() },
             Token::Colon => self.in_head_of_transition = false,

@@ -54,7 +54,12 @@ impl Dump<'_> {
                 Item::Declaration(declaration) => self.declaration(declaration),
                 Item::Grafcet(grafcet) => {
                     let path: String = grafcet.path.iter().map(|part| name(part) + "/").collect();
-                    self.line(&format!("grafcet {path}{}{}", name(&grafcet.name), comment(&grafcet.comment)));
+                    let (child, of) = match &grafcet.parent {
+                        Some(parent) => ("child ", format!(" of {}", name(parent))),
+                        None => ("", String::new()),
+                    };
+                    let what = format!("{child}grafcet {path}{}{of}", name(&grafcet.name));
+                    self.line(&format!("{what}{}", comment(&grafcet.comment)));
                     self.block(&grafcet.items);
                 }
                 Item::Expansion(expansion) => {
@@ -173,14 +178,13 @@ impl Dump<'_> {
                 }
                 ActionKind::Stored { assignment, event } => {
                     self.assignment(assignment);
-                    match event {
-                        Event::Activation => self.line("  on activation"),
-                        Event::Deactivation => self.line("  on deactivation"),
-                        Event::Event(condition) => self.below("on event", *condition),
-                        Event::EachScan(None) => self.line("  each scan"),
-                        Event::EachScan(Some(condition)) => self.below("each scan if", *condition),
-                    }
+                    self.event(*event);
                 }
+                ActionKind::Pulse { kind, grafcet, event } => {
+                    self.line(&format!("{} {}", kind.word(), name(grafcet)));
+                    self.event(*event);
+                }
+                ActionKind::Run { grafcet } => self.line(&format!("run {}", name(grafcet))),
                 ActionKind::Force { grafcet, situation } => {
                     let situation = match situation {
                         Situation::Steps(steps) => names(steps),
@@ -205,8 +209,21 @@ impl Dump<'_> {
         for assignment in transition.actions() {
             self.assignment(assignment);
         }
+        for pulse in transition.pulses() {
+            self.line(&format!("{} {}", pulse.kind.word(), name(&pulse.grafcet)));
+        }
         transition.allows().iter().for_each(|allow| self.allow(allow));
         self.level -= 1;
+    }
+
+    fn event(&mut self, event: Event) {
+        match event {
+            Event::Activation => self.line("  on activation"),
+            Event::Deactivation => self.line("  on deactivation"),
+            Event::Event(condition) => self.below("on event", condition),
+            Event::EachScan(None) => self.line("  each scan"),
+            Event::EachScan(Some(condition)) => self.below("each scan if", condition),
+        }
     }
 
     fn assignment(&mut self, assignment: &Assignment) {

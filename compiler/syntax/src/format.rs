@@ -10,7 +10,7 @@
 
 use crate::ast::{Chart, Item};
 use crate::lexer;
-use crate::token::{Lexeme, Token, begins_item, is_prefix};
+use crate::token::{Lexeme, Token, begins_item, is_prefix, opens_block};
 use ecow::EcoString;
 use grafc_diagnostics::FileId;
 use std::collections::HashSet;
@@ -125,6 +125,7 @@ fn action_starts(chart: &Chart) -> HashSet<u32> {
                 }
                 Item::Transition(transition) => {
                     starts.extend(transition.actions().iter().map(|a| a.span.start));
+                    starts.extend(transition.pulses().iter().map(|pulse| pulse.span.start));
                     starts.extend(transition.allows().iter().map(|a| a.span.start));
                 }
             }
@@ -173,7 +174,7 @@ impl Formatter<'_> {
             let end = self.item_end(at);
             let item = self.item(at, end);
             self.out.push_str(&item);
-            if matches!(token, Token::Grafcet | Token::Expansion) {
+            if opens_block(token) {
                 self.level += 1;
                 block_begins = true;
             }
@@ -186,11 +187,11 @@ impl Formatter<'_> {
 
     /// One past the last token of an item; of a block, of its head.
     fn item_end(&self, start: usize) -> usize {
-        let head = matches!(self.pieces[start].lexeme.token, Token::Grafcet | Token::Expansion);
+        let head = opens_block(self.pieces[start].lexeme.token);
         let mut end = start + 1;
         let mut depth = 0usize;
         let first = self.pieces[start].lexeme.token;
-        let mut only_prefixes = is_prefix(first) || first == Token::Retain;
+        let mut only_prefixes = is_prefix(first) || matches!(first, Token::Retain | Token::Child);
         for (at, piece) in self.pieces.iter().enumerate().skip(start + 1) {
             match piece.lexeme.token {
                 Token::LineComment | Token::BlockComment => continue,
@@ -214,7 +215,7 @@ impl Formatter<'_> {
         }
         let line = self.lay_out(&pieces, false);
         let indentation = 2 * self.level;
-        let is_block = matches!(pieces[0].lexeme.token, Token::Grafcet | Token::Expansion);
+        let is_block = opens_block(pieces[0].lexeme.token);
         let has_actions = !is_block && pieces.last().is_some_and(|p| p.lexeme.token == Token::CloseBrace);
         if has_actions && line.lines().any(|l| indentation + l.chars().count() > WIDTH) {
             return self.lay_out(&pieces, true);
@@ -224,7 +225,7 @@ impl Formatter<'_> {
 
     /// Whether the author put the actions on lines of their own, or a comment makes it necessary.
     fn wants_lines(&self, pieces: &[Piece]) -> bool {
-        if matches!(pieces[0].lexeme.token, Token::Grafcet | Token::Expansion) {
+        if opens_block(pieces[0].lexeme.token) {
             return false;
         }
         let Some(open) = pieces.iter().position(|p| p.lexeme.token == Token::OpenBrace) else { return false };

@@ -51,6 +51,7 @@ fn items(a: &[Item], b: &[Item]) -> bool {
         (Item::Grafcet(a), Item::Grafcet(b)) => {
             names(&a.path, &b.path)
                 && name(&a.name, &b.name)
+                && names(a.parent.as_slice(), b.parent.as_slice())
                 && text(&a.comment, &b.comment)
                 && items(&a.items, &b.items)
         }
@@ -72,6 +73,7 @@ fn items(a: &[Item], b: &[Item]) -> bool {
                 && names(&a.to, &b.to)
                 && a.condition == b.condition
                 && all(a.actions(), b.actions(), assignment)
+                && all(a.pulses(), b.pulses(), |a, b| a.kind == b.kind && name(&a.grafcet, &b.grafcet))
                 && all(a.allows(), b.allows(), allow)
         }
         (Item::Allow(a), Item::Allow(b)) => allow(a, b),
@@ -130,7 +132,14 @@ fn action(a: &Action, b: &Action) -> bool {
         (Continuous { target: a, condition: c }, Continuous { target: b, condition: d }) => name(a, b) && c == d,
         (Stored { assignment: a, event: e }, Stored { assignment: b, event: f }) => assignment(a, b) && e == f,
         (Force { grafcet: a, situation: s }, Force { grafcet: b, situation: t }) => name(a, b) && situation(s, t),
-        (Continuous { .. } | Stored { .. } | Force { .. }, Continuous { .. } | Stored { .. } | Force { .. }) => false,
+        (Pulse { kind: k, grafcet: a, event: e }, Pulse { kind: l, grafcet: b, event: f }) => {
+            k == l && name(a, b) && e == f
+        }
+        (Run { grafcet: a }, Run { grafcet: b }) => name(a, b),
+        (
+            Continuous { .. } | Stored { .. } | Pulse { .. } | Run { .. } | Force { .. },
+            Continuous { .. } | Stored { .. } | Pulse { .. } | Run { .. } | Force { .. },
+        ) => false,
     }
 }
 

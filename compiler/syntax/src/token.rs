@@ -209,6 +209,18 @@ pub(crate) enum Token {
     Each,
     /// `scan` of `each scan`
     Scan,
+    /// `child` before `grafcet`
+    Child,
+    /// `start`, before the grafcet of a pulse order
+    Start,
+    /// `kill`, before the grafcet of a pulse order
+    Kill,
+    /// `freeze`, before the grafcet of a pulse order
+    Freeze,
+    /// `resume`, before the grafcet of a pulse order
+    Resume,
+    /// `run`, before the grafcet that runs while the step is active
+    Run,
     /// The end of an item; the parser puts it there.
     End,
 }
@@ -280,7 +292,7 @@ pub(crate) fn may_end_item(token: Token) -> bool {
         | OpenParen | OpenBracket | Numeral | LineComment | BlockComment | ForeignComment | Activation
         | Deactivation | Event | At | Retain | Allow | AllowInside | Assume | Assert | Reach | Final | AtMost
         | Most | One | Of | After | Leads | LeadsTo | Scenario | Until | Within | Evolution | InitialActions
-        | Bound | Each | End => false,
+        | Bound | Each | Child | Start | Kill | Freeze | Resume | Run | End => false,
     }
 }
 
@@ -300,7 +312,12 @@ pub(crate) fn is_claim(token: Token) -> bool {
 }
 
 fn is_top_level(token: Token) -> bool {
-    declares(token) || matches!(token, Token::Chart | Token::Retain | Token::Grafcet | Token::Scenario)
+    declares(token) || matches!(token, Token::Chart | Token::Retain | Token::Grafcet | Token::Child | Token::Scenario)
+}
+
+/// Whether the head of a block begins with it.
+pub(crate) fn opens_block(token: Token) -> bool {
+    matches!(token, Token::Grafcet | Token::Expansion | Token::Child)
 }
 
 /// Whether it is the keyword of a declaration.

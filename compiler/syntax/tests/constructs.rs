@@ -181,6 +181,8 @@ fn actions() {
                 };
                 format!("{} := {} on {event}", assignment.target.text, show(&chart, assignment.value))
             }
+            ActionKind::Pulse { kind, grafcet, .. } => format!("{} {}", kind.word(), grafcet.text),
+            ActionKind::Run { grafcet } => format!("run {}", grafcet.text),
             ActionKind::Force { grafcet, situation } => match situation {
                 Situation::Steps(steps) => format!("{} {:?}", grafcet.text, texts(steps)),
                 Situation::Current => format!("{} frozen", grafcet.text),

@@ -17,7 +17,8 @@ pub fn each_symbol_once(chart: &Tables, sheets: &[Flat]) -> Vec<String> {
         *found.entry(("transition", name)).or_default() -= 1;
     }
     *found.entry(("action", String::new())).or_default() -= (chart.continuous.len() + chart.stored.len()) as i32;
-    *found.entry(("order", String::new())).or_default() -= chart.orders.len() as i32;
+    let orders = chart.orders.len() + chart.pulses.len() + chart.runs.len();
+    *found.entry(("order", String::new())).or_default() -= orders as i32;
     for place in 0..chart.claims.list.len() {
         *found.entry(("claim", place.to_string())).or_default() -= 1;
     }

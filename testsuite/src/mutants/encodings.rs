@@ -219,8 +219,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "seen-without-enclosure",
         at: COMPILER,
         breaks: "a transition is shown to be enabled in an enclosure that is not active (R3)",
-        text: "lowering.pool.and(around.chain(free))",
-        instead: "lowering.pool.and(around.skip(usize::from(transition.within.is_some())).chain(free))",
+        text: "lowering.pool.and(around.chain(free).chain(left))",
+        instead: "lowering.pool.and(around.skip(usize::from(transition.within.is_some())).chain(free).chain(left))",
     },
     Fault {
         name: "seen-held-by-all-orders",

@@ -42,7 +42,7 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "simplify-rest-is-a-conjunction",
-        at: COMPILER,
+        at: COMPILER.within("junction"),
         breaks: "`a AND (NOT a OR b OR c)` becomes `a AND b AND c`",
         text: "pool.or(left)",
         instead: "pool.and(left)",

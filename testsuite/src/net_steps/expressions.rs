@@ -1,7 +1,7 @@
 //! X1-X6: the values of a net's expressions in a context.
 
 use grafc_model::chart::{
-    Arithmetic, Comparison, Event, ExprId, ExprKind, MacroId, Mode, StepId, Type, Value, VariableId,
+    Arithmetic, Comparison, Event, ExprId, ExprKind, GrafcetId, MacroId, Mode, StepId, Type, Value, VariableId,
 };
 use grafc_net::net::Net;
 use index_vec::IndexVec;
@@ -25,6 +25,10 @@ pub(super) struct Memory {
     delays: IndexVec<ExprId, Delay>,
     /// Operands of edges; other entries are not read.
     operands: IndexVec<ExprId, bool>,
+    /// The places that are active again when their grafcets are resumed (R15).
+    pub saved: IndexVec<StepId, bool>,
+    /// The grafcets that pulse orders have frozen.
+    pub frozen: IndexVec<GrafcetId, bool>,
 }
 
 impl Memory {
@@ -33,6 +37,8 @@ impl Memory {
             since: net.places.iter().map(|_| 0).collect(),
             delays: net.exprs.iter().map(|_| Delay::default()).collect(),
             operands: net.exprs.iter().map(|_| false).collect(),
+            saved: net.places.iter().map(|_| false).collect(),
+            frozen: net.grafcets.iter().map(|_| false).collect(),
         }
     }
 
@@ -193,6 +199,7 @@ impl<'a> Expressions<'a> {
                 ExprKind::StepTime(s) => Value::Time(if active[s] { t.wrapping_sub(memory.since[s]) } else { 0 }),
                 ExprKind::MacroActive(m) => Value::Bool(any(&self.expansions[m])),
                 ExprKind::GrafcetActive(g) => Value::Bool(any(&net.grafcets[g].steps)),
+                ExprKind::GrafcetFrozen(g) => Value::Bool(memory.frozen[g]),
                 ExprKind::Not(a) => Value::Bool(!cx.holds(a)),
                 ExprKind::And(a, b) => Value::Bool(cx.holds(a) && cx.holds(b)),
                 ExprKind::Or(a, b) => Value::Bool(cx.holds(a) || cx.holds(b)),
@@ -232,6 +239,11 @@ fn order(net: &Net) -> Vec<Evaluated> {
     }
     for action in &net.stored {
         if let Event::Event(_, e) | Event::EachScan(_, Some(e)) = action.event {
+            asked[e] = true;
+        }
+    }
+    for pulse in &net.pulses {
+        if let Event::Event(_, e) = pulse.event {
             asked[e] = true;
         }
     }

@@ -6,8 +6,8 @@ use std::fmt::Write as _;
 
 const INPUTS: [&str; 5] = ["a", "b", "c", "d", "e"];
 
-/// The text of a small Boolean chart.
-pub(super) fn chart(rng: &mut Rng, name: &str) -> String {
+/// The text of a small Boolean chart. Children and pulse orders are drawn apart, so that charts without them stay as they are.
+pub(super) fn chart(rng: &mut Rng, commands: &mut Rng, name: &str) -> String {
     let inputs = &INPUTS[..rng.usize(2..=5)];
     let mut out = format!("chart {name}\n\ninput {} : bool\noutput w, v : bool\nvar q : bool\n\n", inputs.join(", "));
     // Up to ten steps in up to three grafcets.
@@ -21,10 +21,15 @@ pub(super) fn chart(rng: &mut Rng, name: &str) -> String {
             (grafcet > 0 && rng.u8(0..3) == 0).then(|| (grafcet - 1) * 10 + rng.usize(1..=sizes[grafcet - 1]))
         })
         .collect();
+    // A later one may be commanded by pulses, and be a child.
+    let commander: Vec<Option<Commander>> = (0..grafcets)
+        .map(|grafcet| (grafcet > 0 && encloser[grafcet].is_none()).then(|| Commander::draw(commands, grafcet))?)
+        .collect();
     for grafcet in 0..grafcets {
         let enclosed = encloser[grafcet];
-        match enclosed {
-            Some(step) => writeln!(out, "grafcet X{step}/G{grafcet} {{"),
+        match enclosed.map(Ok).or(commander[grafcet].as_ref().filter(|by| by.is_parent).map(Err)) {
+            Some(Ok(step)) => writeln!(out, "grafcet X{step}/G{grafcet} {{"),
+            Some(Err(by)) => writeln!(out, "child grafcet G{grafcet} of G{} {{", by.grafcet),
             None => writeln!(out, "grafcet G{grafcet} {{"),
         }
         .expect("a string takes all");
@@ -59,6 +64,11 @@ pub(super) fn chart(rng: &mut Rng, name: &str) -> String {
                 };
                 actions.push(format!("force G{forced}{to}"));
             }
+            for (target, by) in commander.iter().enumerate() {
+                if by.as_ref().is_some_and(|by| by.grafcet == grafcet) && commands.u8(0..5) < 3 {
+                    actions.push(pulse(commands, inputs, target));
+                }
+            }
             let body = if actions.is_empty() { String::new() } else { format!(" {{ {} }}", actions.join("  ")) };
             let _ = writeln!(out, "  {words}step {link}{step}{body}");
         }
@@ -76,6 +86,33 @@ pub(super) fn chart(rng: &mut Rng, name: &str) -> String {
         out.push_str("}\n\n");
     }
     out
+}
+
+/// What commands a grafcet by pulses.
+struct Commander {
+    grafcet: usize,
+    /// Whether the commanded one is its child.
+    is_parent: bool,
+}
+
+impl Commander {
+    fn draw(rng: &mut Rng, commanded: usize) -> Option<Self> {
+        if rng.u8(0..2) == 0 {
+            return None;
+        }
+        Some(Commander { grafcet: rng.usize(0..commanded), is_parent: rng.u8(0..3) > 0 })
+    }
+}
+
+/// An order of a step.
+fn pulse(rng: &mut Rng, inputs: &[&str], commanded: usize) -> String {
+    let word = ["start", "start", "kill", "freeze", "resume"][rng.usize(0..5)];
+    match rng.u8(0..8) {
+        0..3 => format!("run G{commanded}"),
+        3 => format!("{word} G{commanded} on deactivation"),
+        4 => format!("{word} G{commanded} on event {}", event(rng, inputs)),
+        _ => format!("{word} G{commanded} on activation"),
+    }
 }
 
 fn condition(rng: &mut Rng, inputs: &[&str], steps: &[usize]) -> String {

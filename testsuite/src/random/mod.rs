@@ -10,6 +10,7 @@
 
 mod boolean;
 mod claims;
+mod commands;
 mod expression;
 mod ink;
 mod options;
@@ -47,14 +48,20 @@ pub struct Draw {
 }
 
 /// The text of the chart of a seed; nearly always free of errors.
+/// What the seed of children and pulse orders differs by.
+const COMMANDS: u64 = 0x7075_6c73;
+
 fn text(seed: u64, draw: Draw) -> String {
     let mut rng = fastrand::Rng::with_seed(seed);
     let name = format!("Random_{seed}");
     match draw.kind {
-        ChartKind::Boolean => boolean::chart(&mut rng, &name),
+        ChartKind::Boolean => boolean::chart(&mut rng, &mut fastrand::Rng::with_seed(seed ^ COMMANDS), &name),
         ChartKind::Plain => plain::chart(&mut rng, &name),
         ChartKind::Flat | ChartKind::Hierarchical => {
-            let frames = structure::draw(&mut rng, draw.kind, draw.size);
+            let mut frames = structure::draw(&mut rng, draw.kind, draw.size);
+            if draw.kind == ChartKind::Hierarchical {
+                commands::draw(&mut fastrand::Rng::with_seed(seed ^ COMMANDS), &mut frames);
+            }
             write::chart(&mut rng, &mut ink::Ink::new(seed), &name, &frames)
         }
     }

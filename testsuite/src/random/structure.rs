@@ -14,6 +14,10 @@ pub(super) struct Frame {
     pub nodes: Vec<RandomStep>,
     /// Its arcs, a transition a pair.
     pub arcs: Vec<(Vec<String>, Vec<String>)>,
+    /// The grafcet that it is a child of.
+    pub parent: Option<String>,
+    /// Pulse orders on clearing, by the place of the arc.
+    pub clearing: Vec<(usize, String)>,
 }
 
 /// What a frame is, and where.
@@ -36,6 +40,8 @@ pub(super) struct RandomStep {
     pub activated: bool,
     /// Forcing orders, as text after `force`.
     pub orders: Vec<String>,
+    /// Pulse orders; `?` stands for the event that one waits for.
+    pub pulses: Vec<String>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -66,7 +72,7 @@ pub(super) fn draw(rng: &mut Rng, kind: ChartKind, size: usize) -> Vec<Frame> {
 }
 
 fn node(label: String, kind: RandomStepKind) -> RandomStep {
-    RandomStep { label, kind, initial: false, activated: false, orders: Vec::new() }
+    RandomStep { label, kind, initial: false, activated: false, orders: Vec::new(), pulses: Vec::new() }
 }
 
 /// Draws one frame, and behind it the expansions of its macro-steps.
@@ -132,7 +138,7 @@ fn draw_frame(
         }
     }
     rng.shuffle(&mut arcs);
-    frames.push(Frame { name, place, nodes, arcs });
+    frames.push(Frame { name, place, nodes, arcs, parent: None, clearing: Vec::new() });
     for (index, label) in expansions.into_iter().enumerate() {
         let nested = rng.f32() < 0.2;
         let base = (base + 20 * size * (index + 1), size);
@@ -248,7 +254,7 @@ fn force(rng: &mut Rng, frames: &mut [Frame]) {
 
 /// Gives each top grafcet that nothing would ever activate an initial step, or at times a source transition.
 fn keep_alive(rng: &mut Rng, frames: &mut [Frame]) {
-    for frame in frames.iter_mut().filter(|f| f.place == FrameKind::Top) {
+    for frame in frames.iter_mut().filter(|f| f.place == FrameKind::Top && f.parent.is_none()) {
         if frame.nodes.iter().any(|n| n.initial) || frame.arcs.iter().any(|(pre, _)| pre.is_empty()) {
             continue;
         }

@@ -75,6 +75,7 @@ fn delays(chart: &Chart) -> Vec<i64> {
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
             | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_)
             | ExprKind::Not(_)
             | ExprKind::And(..)
             | ExprKind::Or(..)

@@ -109,6 +109,13 @@ impl Writer<'_> {
                 self.scope.activities.push(format!("X{}", frame.name));
             }
             for node in &frame.nodes {
+                for pulse in &node.pulses {
+                    let commanded = pulse.split(' ').nth(1).unwrap_or_default();
+                    let frozen = format!("F{commanded}");
+                    if !self.scope.activities.contains(&frozen) {
+                        self.scope.activities.push(frozen);
+                    }
+                }
                 self.scope.activities.push(format!("X{}", node.label));
                 if node.kind != RandomStepKind::Macro {
                     self.scope.durations.push(format!("T{}", node.label));
@@ -216,7 +223,10 @@ impl Writer<'_> {
         let comment = self.ink.attached(0.1);
         let _ = match &frame.place {
             _ if implied => Ok(()),
-            FrameKind::Top => writeln!(out, "grafcet {}{comment} {{", frame.name),
+            FrameKind::Top => match &frame.parent {
+                Some(parent) => writeln!(out, "child grafcet {} of {parent}{comment} {{", frame.name),
+                None => writeln!(out, "grafcet {}{comment} {{", frame.name),
+            },
             FrameKind::In(step) => writeln!(out, "grafcet X{step}/{}{comment} {{", frame.name),
             FrameKind::Expansion(_) => writeln!(out, "expansion {}{comment} {{", frame.name),
         };
@@ -239,6 +249,12 @@ impl Writer<'_> {
                     actions.extend(self.action());
                 }
                 actions.extend(node.orders.iter().map(|order| format!("force {order}")));
+                for pulse in &node.pulses {
+                    actions.push(match pulse.strip_suffix('?') {
+                        Some(pulse) => format!("{pulse}{}", self.pulse_event()),
+                        None => pulse.clone(),
+                    });
+                }
             }
             if actions.is_empty() {
                 out.push_str(if node.kind != RandomStepKind::Macro && self.ink.chance(0.1) { " { }\n" } else { "\n" });
@@ -259,15 +275,29 @@ impl Writer<'_> {
                 };
             }
             let _ = write!(out, "  transition {designation}{} -> {} : {condition}", pre.join(", "), post.join(", "));
+            let mut inside =
+                frame.clearing.iter().filter(|(at, _)| *at == index).map(|(_, p)| p.clone()).collect::<Vec<_>>();
             if self.rng.f32() < 0.15
                 && let Some(assignment) = self.assignment()
             {
                 let second = self.second_assignment();
-                let _ = write!(out, " {{ {assignment}{second} }}");
+                inside.push(format!("{assignment}{second}"));
+            }
+            if !inside.is_empty() {
+                let _ = write!(out, " {{ {} }}", inside.join("  "));
             }
             out.push('\n');
         }
         out.push_str(if implied { "\n" } else { "}\n\n" });
+    }
+
+    /// What a pulse order waits for: mostly an edge.
+    fn pulse_event(&mut self) -> String {
+        if self.rng.f32() < 0.6 {
+            return format!("↑{}", self.scope.bools[self.rng.usize(0..self.scope.bools.len())]);
+        }
+        let allowed = Allowed { edges: true, delays: true, wires: self.scope.wires.len(), arithmetic: false };
+        self.scope.condition(self.rng, 2, allowed)
     }
 
     /// A designation and what else stands before the arcs.

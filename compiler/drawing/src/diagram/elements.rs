@@ -9,7 +9,9 @@ use crate::symbols::transition::{self, Transition};
 use crate::symbols::{Symbol, order};
 use crate::wording;
 use grafc_layout::Start;
-use grafc_model::chart::{Continuous, Event, MacroId, Node, Order, StepId, Stored, Tables, TransitionId, VariableId};
+use grafc_model::chart::{
+    Continuous, Event, MacroId, Node, Order, Pulse, Run, StepId, Stored, Tables, TransitionId, VariableId,
+};
 use index_vec::{IndexVec, index_vec};
 use rustc_hash::FxHashMap;
 
@@ -45,6 +47,8 @@ enum Deed<'a> {
     Continuous(&'a Continuous),
     Stored(&'a Stored),
     Order(&'a Order),
+    Pulse(&'a Pulse),
+    Run(&'a Run),
 }
 
 impl Deed<'_> {
@@ -54,6 +58,8 @@ impl Deed<'_> {
             Deed::Continuous(action) => action.span.start,
             Deed::Stored(action) => action.span.start,
             Deed::Order(order) => order.span.start,
+            Deed::Pulse(pulse) => pulse.span.start,
+            Deed::Run(run) => run.span.start,
         }
     }
 }
@@ -79,12 +85,16 @@ impl<'a> Elements<'a> {
         let mut actions: Vec<Deed<'a>> = chart.continuous.iter().map(Deed::Continuous).collect();
         actions.extend(chart.stored.iter().map(Deed::Stored));
         actions.sort_by_key(|deed| deed.start());
-        let orders = chart.orders.iter().map(Deed::Order).enumerate();
+        let mut orders: Vec<Deed<'a>> = chart.orders.iter().map(Deed::Order).collect();
+        orders.extend(chart.pulses.iter().map(Deed::Pulse));
+        orders.extend(chart.runs.iter().map(Deed::Run));
+        let orders = orders.into_iter().enumerate();
         for (number, deed) in actions.into_iter().enumerate().chain(orders) {
             match deed {
                 Deed::Continuous(action) => of_steps[action.step].push((deed, number)),
                 Deed::Order(order) => of_steps[order.step].push((deed, number)),
-                Deed::Stored(action) => match action.event {
+                Deed::Run(run) => of_steps[run.step].push((deed, number)),
+                Deed::Stored(Stored { event, .. }) | Deed::Pulse(Pulse { event, .. }) => match *event {
                     Event::Event(step, _)
                     | Event::Deactivation(step)
                     | Event::Activation(step)
@@ -244,6 +254,26 @@ impl<'a> Elements<'a> {
     fn block(&self, (deed, number): (Deed<'_>, usize)) -> Block {
         let stored = match deed {
             Deed::Order(of) => return order::order(self.chart, of, number),
+            Deed::Run(run) => {
+                let name = &self.chart.grafcets[run.grafcet].name;
+                let text = vec![Token::plain(format!("run {}", shown(name)))];
+                let owner = self.name(Element::Step(run.step));
+                return Block::action(text, When::While(None), commands("run", owner, name, number));
+            }
+            Deed::Pulse(pulse) => {
+                let name = &self.chart.grafcets[pulse.grafcet].name;
+                let text = vec![Token::plain(format!("{} {}", pulse.kind.word(), shown(name)))];
+                let (when, owner) = match pulse.event {
+                    Event::Event(step, event) => {
+                        (When::Event(wording::expression(self.chart, event)), Element::Step(step))
+                    }
+                    Event::Activation(step) => (When::Activation, Element::Step(step)),
+                    Event::Deactivation(step) => (When::Deactivation, Element::Step(step)),
+                    Event::EachScan(step, _) => (When::While(None), Element::Step(step)),
+                    Event::Clearing(transition) => (When::Clearing, Element::Transition(transition)),
+                };
+                return Block::action(text, when, commands(pulse.kind.word(), self.name(owner), name, number));
+            }
             Deed::Continuous(action) => {
                 let text = vec![Token::plain(shown(&self.chart.variables[action.target].name))];
                 let condition = action.condition.map(|id| wording::expression(self.chart, id));
@@ -275,4 +305,10 @@ impl<'a> Elements<'a> {
         let group = Group::new(class).of("data-owner", owner).of("data-variable", variable.name.to_string());
         group.of("data-action", number.to_string()).about(variable.comment.as_deref())
     }
+}
+
+/// What a pulse order is, to who reads the picture by program.
+fn commands(word: &'static str, owner: String, grafcet: &str, number: usize) -> Group {
+    let group = Group::new("order pulse").of("data-kind", word.to_owned()).of("data-owner", owner);
+    group.of("data-grafcet", grafcet.to_owned()).of("data-order", number.to_string())
 }

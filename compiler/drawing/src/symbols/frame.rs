@@ -8,8 +8,8 @@ use grafc_layout::Bounds;
 /// What a diagram stands in.
 #[derive(Clone, Copy)]
 pub(crate) enum Frame<'a> {
-    /// A grafcet of its own: the name above, at the left; no name where the chart leaves it out.
-    Grafcet { name: &'a str, comment: Option<&'a str> },
+    /// A grafcet of its own: the name above, at the left, with that of its parent; no name where the chart leaves it out.
+    Grafcet { name: &'a str, parent: Option<&'a str>, comment: Option<&'a str> },
     /// An enclosure: the label of the enclosing step at the top, the name at the bottom, both at the left.
     Enclosure { step: &'a str, name: &'a str, comment: Option<&'a str> },
     /// The expansion of a macro-step: its name above the frame.
@@ -24,15 +24,21 @@ const NAME: i32 = 24;
 impl Frame<'_> {
     fn texts(&self) -> (&str, Option<&str>) {
         match *self {
-            Frame::Grafcet { name, comment } | Frame::Expansion { name, comment } => (name, comment),
-            Frame::Enclosure { name, comment, .. } => (name, comment),
+            Frame::Grafcet { name, comment, .. }
+            | Frame::Expansion { name, comment }
+            | Frame::Enclosure { name, comment, .. } => (name, comment),
         }
     }
 
     /// What is drawn around a diagram of this size, with what follows its name, and the size with that.
     pub(crate) fn around(&self, inner: Bounds, suffix: &str) -> (Vec<Shape>, Bounds) {
         let (name, comment) = self.texts();
-        let name = format!("{}{suffix}", shown(name));
+        let parent = match *self {
+            Frame::Grafcet { parent, .. } => parent,
+            Frame::Enclosure { .. } | Frame::Expansion { .. } => None,
+        };
+        let of = parent.map(|parent| format!(", child of {}", shown(parent))).unwrap_or_default();
+        let name = format!("{}{suffix}{of}", shown(name));
         let comment = comment.map(|comment| Comment::no_wider(comment, (inner.width() - 40).max(240)));
         let own = width(&name, LABEL);
         let beside = comment.as_ref().map_or(0, |comment| comment.width + 12);

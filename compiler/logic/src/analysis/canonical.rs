@@ -74,6 +74,8 @@ impl Canonical {
             continuous: Vec::new(),
             stored: Vec::new(),
             orders: Vec::new(),
+            pulses: Vec::new(),
+            runs: Vec::new(),
             conflict_at_start: net.conflict_at_start,
             exprs: IndexVec::new(),
             claims: Claims::default(),

@@ -73,8 +73,13 @@ impl Analysis {
         let arcs = Arcs::of(&net, |_| true);
         let conditions = Conditions::new(Lowering::new(net.clone(), None, false));
         let facts = EdgeFacts::new(&conditions.lowering.edges);
-        let FoundComponents { components, cover, reasons, reachable, rivals, one_token } =
-            components::find(&net, &arcs, &facts, &conditions);
+        // What pulse orders may make of a situation is not looked into: nothing is proved of such a chart.
+        let found = if net.has_commands() {
+            FoundComponents::nothing(&net, Rivals::new(&net, &arcs, &conditions, &facts))
+        } else {
+            components::find(&net, &arcs, &facts, &conditions)
+        };
+        let FoundComponents { components, cover, reasons, reachable, rivals, one_token } = found;
         let (transients, together, liveness) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Analysis {
             net,
@@ -105,12 +110,14 @@ impl Analysis {
 
     /// How many micro-steps a reaction can need.
     pub fn transients(&self) -> &Transients {
-        self.transients.get_or_init(|| transients::find(self))
+        let find = || if self.net.has_commands() { Transients::unknown() } else { transients::find(self) };
+        self.transients.get_or_init(find)
     }
 
     /// What can never happen, where nothing goes on, and where nothing comes to rest.
     pub(crate) fn liveness(&self) -> &Liveness {
-        self.liveness.get_or_init(|| liveness::find(self))
+        let find = || if self.net.has_commands() { Liveness::nothing(&self.net) } else { liveness::find(self) };
+        self.liveness.get_or_init(find)
     }
 
     /// What may meet in one micro-step.
@@ -129,6 +136,8 @@ pub(crate) struct Conditions {
     pub(crate) of_transition: IndexVec<TransitionId, FormulaId>,
     /// Expressions of stored actions on an event and each scan, by the number of the action.
     pub(crate) of_event: FxHashMap<usize, FormulaId>,
+    /// Expressions of pulse orders on an event, by the number of the order.
+    pub(crate) of_pulse: FxHashMap<usize, FormulaId>,
 }
 
 impl Conditions {
@@ -149,6 +158,13 @@ impl Conditions {
             }
             lowering.prepare(&mut cx, action.value, true);
         }
+        let mut of_pulse = FxHashMap::default();
+        for (index, pulse) in net.pulses.iter().enumerate() {
+            cx.origin = Origin::Orders(pulse.grafcet);
+            if let Event::Event(_, e) = pulse.event {
+                of_pulse.insert(index, lowering.expr(&mut cx, e));
+            }
+        }
         for (index, action) in net.continuous.iter().enumerate() {
             cx.origin = Origin::Action(ActionId::from(index));
             if let Some(condition) = action.condition {
@@ -156,6 +172,6 @@ impl Conditions {
             }
         }
         cx.origin = Origin::Chart;
-        Conditions { lowering, cx, of_transition, of_event }
+        Conditions { lowering, cx, of_transition, of_event, of_pulse }
     }
 }

@@ -8,6 +8,7 @@ use crate::encode::clearings::{Clearings, StepEvents};
 use crate::encode::heading::heading;
 use crate::encode::input_event::InputEvent;
 use crate::encode::next_activity::next_activity;
+use crate::encode::pulses::Pulses;
 use crate::encode::settle;
 use crate::encode::stored;
 use crate::lower::situation::Holder;
@@ -17,6 +18,7 @@ use crate::scan::{Heading, Origin, Part, Role, Statement, Told, VarId};
 use grafc_formula::{Formula, FormulaId, Type};
 use grafc_model::chart::StepId;
 use index_vec::IndexVec;
+use rustc_hash::FxHashMap;
 
 pub(super) fn micro_step(
     lowering: &mut Lowering,
@@ -40,14 +42,18 @@ pub(super) fn micro_step(
     sorted(out, lowering, Part::TransitionsThatClear, latched);
 
     let ahead = ahead(lowering, task);
-    let next = next_situation(lowering, task, &mut clearings, &ahead);
+    let mut waited_for = Vec::new();
+    let mut pulses = lowering.net.has_commands().then(|| Pulses::new(lowering, task, input_event, &mut waited_for));
+    heading(out, Heading::EnclosuresAndOrders, waited_for);
+    let next = next_situation(lowering, task, &mut clearings, &ahead, pulses.as_mut());
     headed(out, lowering, Part::NextSituation, next);
     if let Some(again) = task.again {
-        let terms = if overlaps {
+        let mut terms = if overlaps || pulses.is_some() {
             differences(lowering, &clearings)
         } else {
             clearings.changes(lowering, task, |_| false, |_| false)
         };
+        terms.extend(pulses.iter().flat_map(|pulses| pulses.changes.iter().copied()));
         out.extend(tell(lowering, again, terms));
     }
 
@@ -76,18 +82,21 @@ pub(super) fn micro_step(
     } else {
         sorted(out, lowering, Part::Situation, situation);
     }
+    out.extend(pulses.into_iter().flat_map(|pulses| pulses.remembered));
 }
 
 /// Steps whose next activity is computed before it is written: because others need it or act on it, or because every
 /// step reads its neighbours.
 fn ahead(lowering: &Lowering, task: &Task) -> IndexVec<StepId, bool> {
     let mut ahead = settle::acted_on(&lowering.net);
-    let all = match task.encoding {
-        Encoding::RTrigger | Encoding::STrigger => true,
-        // On copies, or not at all.
-        Encoding::Sequent => ahead.iter().any(|needed| *needed),
-        Encoding::SinglePhase | Encoding::Switch => false,
-    };
+    // What pulse orders ask for may come from anywhere.
+    let all = lowering.net.has_commands()
+        || match task.encoding {
+            Encoding::RTrigger | Encoding::STrigger => true,
+            // On copies, or not at all.
+            Encoding::Sequent => ahead.iter().any(|needed| *needed),
+            Encoding::SinglePhase | Encoding::Switch => false,
+        };
     if all {
         ahead.iter_mut().for_each(|needed| *needed = true);
     }
@@ -100,6 +109,7 @@ fn next_situation(
     task: &Task,
     clearings: &mut Clearings,
     ahead: &IndexVec<StepId, bool>,
+    mut pulses: Option<&mut Pulses>,
 ) -> Vec<Statement> {
     let net = &*lowering.net.clone();
     let mut statements = Vec::new();
@@ -124,18 +134,24 @@ fn next_situation(
         let known = &clearings.next;
         let mut next = |lowering: &mut Lowering, s: StepId| known[s].unwrap_or_else(|| lowering.active(s));
         let in_force = settle::orders(lowering, task.components, *g, within, &mut next, &mut statements);
+        let mut acted: FxHashMap<StepId, FormulaId> = FxHashMap::default();
+        if let Some(pulses) = &mut pulses {
+            for s in &grafcet.steps {
+                let own = own(lowering, task, clearings, &variables, *s);
+                acted.insert(*s, settle::linked(lowering, *s, own));
+            }
+            pulses.act(lowering, clearings, *g, (within, in_force.as_ref()), &mut acted, &mut statements);
+        }
         for s in &grafcet.steps {
             let Some(target) = variables[*s] else { continue };
             let read = lowering.symbols.read(&mut lowering.pool, target);
-            let own = if task.encoding == Encoding::Sequent {
-                read
-            } else {
-                match clearings.set_and_reset(lowering, *s, task.encoding.overlaps()) {
-                    Some(place) => next_activity(task.encoding, &mut lowering.pool, &place),
-                    None => lowering.active(*s),
+            let value = match acted.get(s) {
+                Some(acted) => settle::ordered(lowering, *s, *acted, within, in_force.as_ref()),
+                None => {
+                    let own = own(lowering, task, clearings, &variables, *s);
+                    settle::settled(lowering, *s, own, within, in_force.as_ref())
                 }
             };
-            let value = settle::settled(lowering, *s, own, within, in_force.as_ref());
             clearings.next[*s] = Some(if value == lowering.active(*s) {
                 // Nothing ever changes it.
                 value
@@ -148,6 +164,23 @@ fn next_situation(
         }
     }
     statements
+}
+
+/// What clearings alone make of a step.
+fn own(
+    lowering: &mut Lowering,
+    task: &Task,
+    clearings: &Clearings,
+    variables: &IndexVec<StepId, Option<VarId>>,
+    s: StepId,
+) -> FormulaId {
+    if let (Encoding::Sequent, Some(target)) = (task.encoding, variables[s]) {
+        return lowering.symbols.read(&mut lowering.pool, target);
+    }
+    match clearings.set_and_reset(lowering, s, task.encoding.overlaps()) {
+        Some(place) => next_activity(task.encoding, &mut lowering.pool, &place),
+        None => lowering.active(s),
+    }
 }
 
 /// Whether any step changes, one by one.

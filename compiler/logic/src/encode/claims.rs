@@ -144,6 +144,7 @@ fn edge(lowering: &mut Lowering, cx: &mut Context, id: ExprId, offset: usize, ke
         | ExprKind::StepTime(_)
         | ExprKind::MacroActive(_)
         | ExprKind::GrafcetActive(_)
+        | ExprKind::GrafcetFrozen(_)
         | ExprKind::Not(_)
         | ExprKind::And(..)
         | ExprKind::Or(..)

@@ -31,7 +31,25 @@ pub(crate) fn clears(
     if let Some(frozen) = frozen[transition.grafcet] {
         factors.push(lowering.pool.not(frozen));
     }
+    factors.extend(left_to_clear(lowering, t));
     factors.push(condition);
+    factors
+}
+
+/// What R15 asks of a transition: a grafcet that is frozen by a pulse has no active step, so only a source transition could
+/// clear; and one of a child waits for an active step.
+pub(crate) fn left_to_clear(lowering: &mut Lowering, t: TransitionId) -> Vec<FormulaId> {
+    let grafcet = lowering.net.transitions[t].grafcet;
+    if !lowering.net.transitions[t].pre.is_empty() {
+        return Vec::new();
+    }
+    let is_frozen = lowering.is_frozen(grafcet);
+    let mut factors = vec![lowering.pool.not(is_frozen)];
+    if lowering.net.grafcets[grafcet].child {
+        let steps = lowering.net.grafcets[grafcet].steps.clone();
+        let active: Vec<FormulaId> = steps.iter().map(|s| lowering.active(*s)).collect();
+        factors.push(lowering.pool.or(active));
+    }
     factors
 }
 

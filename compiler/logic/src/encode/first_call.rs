@@ -26,6 +26,16 @@ pub(crate) fn first_call(
             body.push(Statement::Assign { target, value: yes, origin: Origin::Step(s), told: Told::Comment });
         }
     }
+    for (s, place) in net.places.iter_enumerated() {
+        if let Some(target) = lowering.frozen_bits.saved[s].filter(|_| place.saved) {
+            body.push(Statement::assign(Origin::Step(s), target, yes));
+        }
+    }
+    for (g, grafcet) in net.grafcets.iter_enumerated() {
+        if let Some(target) = lowering.frozen_bits.frozen[g].filter(|_| grafcet.starts_frozen) {
+            body.push(Statement::assign(Origin::Orders(g), target, yes));
+        }
+    }
     if let Some(followers) = followers {
         body.extend(switch::start(lowering, followers));
     }

@@ -15,6 +15,7 @@ mod bits;
 mod by_grafcet;
 pub(crate) mod claims;
 pub(crate) mod clearings;
+mod commanded;
 pub(crate) mod controls;
 pub(crate) mod each_scan;
 pub(crate) mod first_call;
@@ -25,6 +26,7 @@ pub(crate) mod livelock;
 mod next_activity;
 pub(crate) mod observe;
 pub(crate) mod outputs;
+mod pulses;
 mod r_trigger;
 pub(crate) mod restoring;
 mod s_trigger;
@@ -55,6 +57,8 @@ pub(crate) fn micro_step(
         Encoding::SinglePhase | Encoding::RTrigger | Encoding::STrigger | Encoding::Sequent => {
             bits::micro_step(lowering, cx, task, input_event, out);
         }
+        // Where pulse orders act, no steps are proved to exclude each other: each has a bit.
+        Encoding::Switch if lowering.net.has_commands() => bits::micro_step(lowering, cx, task, input_event, out),
         Encoding::Switch => out.extend(switch::micro_step(lowering, cx, task, input_event)),
     }
 }

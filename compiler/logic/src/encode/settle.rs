@@ -13,6 +13,7 @@
 //! on which nothing acts keeps the short formula.
 
 use crate::analysis::components::Components;
+use crate::encode::commanded;
 use crate::lower::Lowering;
 use crate::scan::{Flag, Origin, Role, Statement};
 use grafc_formula::{FormulaId, Type};
@@ -62,7 +63,17 @@ pub(crate) fn acted_on(net: &Net) -> IndexVec<StepId, bool> {
             grafcet.orders.iter().for_each(|order| found[order.step] = true);
         }
     }
+    commanded::acted_on(net, &mut found);
     found
+}
+
+/// What clearings make of a step, and the link that activates it with the step around it (R5a).
+pub(crate) fn linked(lowering: &mut Lowering, s: StepId, own: FormulaId) -> FormulaId {
+    let place = &lowering.net.places[s];
+    let Some(e) = place.within.filter(|_| place.activated) else { return own };
+    let was = lowering.active(e);
+    let fresh = lowering.pool.not(was);
+    lowering.pool.or([own, fresh])
 }
 
 /// The orders on one grafcet that set a situation.
@@ -208,14 +219,18 @@ pub(crate) fn settled(
     within: Option<FormulaId>,
     in_force: Option<&InForce>,
 ) -> FormulaId {
-    let net = &*lowering.net.clone();
-    let place = &net.places[s];
-    let mut value = own;
-    if let Some(e) = place.within.filter(|_| place.activated) {
-        let was = lowering.active(e);
-        let fresh = lowering.pool.not(was);
-        value = lowering.pool.or([value, fresh]);
-    }
+    let linked = linked(lowering, s, own);
+    ordered(lowering, s, linked, within, in_force)
+}
+
+/// The same once links, and pulse orders, have acted.
+pub(crate) fn ordered(
+    lowering: &mut Lowering,
+    s: StepId,
+    mut value: FormulaId,
+    within: Option<FormulaId>,
+    in_force: Option<&InForce>,
+) -> FormulaId {
     if let Some(in_force) = in_force {
         let forced = in_force.forced_by.get(&s).cloned().unwrap_or_default();
         let free = lowering.pool.not(in_force.any);

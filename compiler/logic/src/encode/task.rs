@@ -22,6 +22,8 @@ pub(crate) struct Task<'a> {
     pub(crate) conditions: &'a IndexVec<TransitionId, FormulaId>,
     /// The expression of each stored action on an event, by the number of the action.
     pub(crate) events: &'a FxHashMap<usize, FormulaId>,
+    /// The expression of each pulse order on an event, by the number of the order.
+    pub(crate) pulses: &'a FxHashMap<usize, FormulaId>,
     /// Sets of steps that exclude each other, as far as that may be used.
     pub(crate) components: &'a Components,
     /// Outputs that follow a state.

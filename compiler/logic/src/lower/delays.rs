@@ -144,6 +144,7 @@ impl Lowering {
             | ExprKind::StepActive(_)
             | ExprKind::MacroActive(_)
             | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_)
             | ExprKind::Literal(_) => off.ms == 0 || on.ms == 0,
             ExprKind::StepTime(_)
             | ExprKind::Not(_)

@@ -10,6 +10,7 @@ pub(crate) mod cover;
 mod delays;
 mod edges;
 mod factored;
+pub(crate) mod frozen;
 mod setters;
 pub(crate) mod situation;
 pub(crate) mod symbols;
@@ -20,6 +21,7 @@ use cover::Cover;
 pub(crate) use delays::LoweredDelay;
 use ecow::{EcoString, eco_format};
 use factored::factored;
+use frozen::FrozenBits;
 use grafc_formula::exclusion::EdgeOperand;
 use grafc_formula::{Formula, FormulaId, Pool, Type, Value};
 use grafc_model::chart::{Continuous, DelayTime, ExprId, ExprKind, GrafcetId, MacroId, Mode, Note, StepId, VariableId};
@@ -95,6 +97,7 @@ impl Context {
             | ExprKind::StepActive(_)
             | ExprKind::MacroActive(_)
             | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_)
             | ExprKind::Not(_)
             | ExprKind::And(..)
             | ExprKind::Or(..)
@@ -134,6 +137,8 @@ pub(crate) struct Lowering {
     pub(crate) net: Arc<Net>,
     pub(crate) symbols: Symbols,
     pub(crate) situation: Situation,
+    /// What pulse orders remember.
+    pub(crate) frozen_bits: FrozenBits,
     pub(crate) pool: Pool,
     pub(crate) timers: IndexVec<TimerId, Timer>,
     /// Timers of step durations.
@@ -189,6 +194,7 @@ impl Lowering {
         let mut pool = Pool::with_capacity(net.variables.len() + 3 * around, 4 * around);
         let mut symbols = Symbols::new(&net);
         let situation = Situation::new(&net, cover, short, &mut symbols, &mut pool);
+        let frozen_bits = FrozenBits::new(&net, &mut symbols);
         let setters = Setters::of(&net);
         let first = |sum: &mut u32, g: &Grafcet| Some(std::mem::replace(sum, *sum + g.orders.len() as u32));
         let first_order = net.grafcets.iter().scan(0, first).collect();
@@ -197,6 +203,7 @@ impl Lowering {
             net,
             symbols,
             situation,
+            frozen_bits,
             pool,
             timers: IndexVec::new(),
             step_timers: BTreeMap::new(),
@@ -271,7 +278,8 @@ impl Lowering {
             Need::Macro(m) => out.extend(self.net.macro_steps[m].inner.iter().map(|i| Need::Macro(*i))),
             Need::Grafcet(_) => {}
             Need::Expr(e) => match &self.net.exprs[e].kind {
-                ExprKind::Literal(_) | ExprKind::StepActive(_) | ExprKind::StepTime(_) => {}
+                ExprKind::Literal(_) | ExprKind::StepActive(_) | ExprKind::StepTime(_) | ExprKind::GrafcetFrozen(_) => {
+                }
                 ExprKind::Variable(v) => {
                     if self.net.variables[*v].mode == Mode::Wire {
                         out.push(Need::Wire(*v));
@@ -415,6 +423,7 @@ impl Lowering {
             ExprKind::StepTime(s) => self.step_time(cx, *s),
             ExprKind::MacroActive(m) => cx.macros[m],
             ExprKind::GrafcetActive(g) => cx.grafcets[g],
+            ExprKind::GrafcetFrozen(g) => self.is_frozen(*g),
             ExprKind::Not(a) => self.pool.not(cx.exprs[a]),
             ExprKind::And(..) => {
                 let operands: Vec<FormulaId> = self.chain(e).iter().map(|o| cx.exprs[o]).collect();
@@ -441,6 +450,14 @@ impl Lowering {
                 let a = self.latch(cx, cx.exprs[a]);
                 self.pool.widen(expr.ty, a)
             }
+        }
+    }
+
+    /// Whether a pulse order has frozen a grafcet (R15).
+    pub(crate) fn is_frozen(&mut self, g: GrafcetId) -> FormulaId {
+        match self.frozen_bits.frozen[g] {
+            Some(bit) => self.symbols.read(&mut self.pool, bit),
+            None => self.pool.truth(false),
         }
     }
 
@@ -508,6 +525,7 @@ impl Lowering {
                 ExprKind::StepTime(_)
                 | ExprKind::MacroActive(_)
                 | ExprKind::GrafcetActive(_)
+                | ExprKind::GrafcetFrozen(_)
                 | ExprKind::Rise(_)
                 | ExprKind::Fall(_) => {
                     if all {

@@ -128,6 +128,7 @@ pub(crate) fn operand_word(net: &Net, root: ExprId) -> EcoString {
             ExprKind::StepTime(s) => eco_format!("T{}", net.places[*s].label),
             ExprKind::MacroActive(m) => eco_format!("X{}", net.macro_steps[*m].label),
             ExprKind::GrafcetActive(g) => eco_format!("X{}", net.grafcets[*g].name),
+            ExprKind::GrafcetFrozen(g) => eco_format!("F{}", net.grafcets[*g].name),
             ExprKind::Literal(Value::Bool(b)) => eco_format!("{b}"),
             ExprKind::Literal(Value::Int(n)) => eco_format!("{n}"),
             ExprKind::Literal(Value::Time(ms)) => duration_word(*ms),

@@ -124,6 +124,8 @@ impl<'n> Expressions<'n> {
                 self.any(steps)
             }
             ExprKind::GrafcetActive(grafcet) => self.any(self.net.grafcets[grafcet].steps.clone()),
+            // Pulse orders have no place there.
+            ExprKind::GrafcetFrozen(_) => self.pool.truth(false),
             ExprKind::Not(a) => self.pool.not(self.known[&a]),
             ExprKind::And(a, b) => self.pool.and([self.known[&a], self.known[&b]]),
             ExprKind::Or(a, b) => self.pool.or([self.known[&a], self.known[&b]]),

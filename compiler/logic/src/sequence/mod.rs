@@ -124,6 +124,9 @@ pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagn
     let profile = net.options.over(profile);
     let mut reasons = Reasons::default();
     fit::check(analysis, profile, &mut reasons);
+    for span in net.pulses.iter().map(|pulse| pulse.span).chain(net.runs.iter().map(|run| run.span)) {
+        reasons.add(span, "a pulse order");
+    }
 
     let mut variables = declared(net);
     let steps: IndexVec<StepId, SequenceStep> = net.places.iter().map(|place| step(place, &mut variables)).collect();

@@ -38,7 +38,10 @@ impl Expressions<'_> {
                         VariableKind::Internal => false,
                     }
                 }
-                ExprKind::StepActive(_) | ExprKind::MacroActive(_) | ExprKind::GrafcetActive(_) => once,
+                ExprKind::StepActive(_)
+                | ExprKind::MacroActive(_)
+                | ExprKind::GrafcetActive(_)
+                | ExprKind::GrafcetFrozen(_) => once,
                 ExprKind::StepTime(_) | ExprKind::Rise(_) | ExprKind::Fall(_) | ExprKind::Delay { .. } => false,
                 ExprKind::Literal(_)
                 | ExprKind::Not(_)

@@ -143,7 +143,8 @@ fn is_no_stronger_without_edges(net: &Net, (first, end): (ExprId, ExprId)) -> bo
             | ExprKind::StepActive(_)
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
-            | ExprKind::GrafcetActive(_) => continue,
+            | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_) => continue,
         };
         for operand in kind.operands() {
             plain[place(operand)] |= keeps && is || turns && is_not;

@@ -124,9 +124,11 @@ fn read(net: &Net, root: ExprId, several: bool, replaced: Option<VariableId>) ->
     while let Some(e) = stack.pop() {
         let expr = &net.exprs[e];
         let why = match &expr.kind {
-            ExprKind::StepActive(_) | ExprKind::StepTime(_) | ExprKind::MacroActive(_) | ExprKind::GrafcetActive(_) => {
-                Some("an activity is read here")
-            }
+            ExprKind::StepActive(_)
+            | ExprKind::StepTime(_)
+            | ExprKind::MacroActive(_)
+            | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_) => Some("an activity is read here"),
             ExprKind::Variable(v) => match net.variables[*v].mode {
                 Mode::Given => None,
                 Mode::Stored if replaced == Some(*v) => None,

@@ -30,6 +30,8 @@ pub enum ExprKind {
     MacroActive(MacroId),
     /// `XGn`
     GrafcetActive(GrafcetId),
+    /// `FGn`: it is frozen by a pulse order (R15).
+    GrafcetFrozen(GrafcetId),
     /// Boolean.
     Not(ExprId),
     /// Boolean.
@@ -72,7 +74,8 @@ impl ExprKind {
             | ExprKind::StepActive(_)
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
-            | ExprKind::GrafcetActive(_) => self,
+            | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_) => self,
             ExprKind::Not(a) => ExprKind::Not(m(a)),
             ExprKind::And(a, b) => ExprKind::And(m(a), m(b)),
             ExprKind::Or(a, b) => ExprKind::Or(m(a), m(b)),
@@ -95,7 +98,8 @@ impl ExprKind {
             | ExprKind::StepActive(_)
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
-            | ExprKind::GrafcetActive(_) => (None, None),
+            | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_) => (None, None),
             ExprKind::Not(a) | ExprKind::Rise(a) | ExprKind::Fall(a) | ExprKind::Negate(a) | ExprKind::Widen(a) => {
                 (Some(a), None)
             }

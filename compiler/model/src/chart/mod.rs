@@ -19,7 +19,7 @@ pub use controls::{ControlNames, Controls};
 use ecow::EcoString;
 pub use expression::{Arithmetic, Comparison, DelayTime, Expr, ExprKind, below};
 use grafc_diagnostics::{Allowances, Span};
-pub use grafc_syntax::ast::Type;
+pub use grafc_syntax::ast::{PulseKind, Type};
 use index_vec::{IndexVec, define_index_type};
 pub use note::Note;
 pub use scenario::{Condition, Scenario, ScenarioExpectation, ScenarioInput, ScenarioLine, ScenarioTime};
@@ -103,6 +103,7 @@ impl Tables {
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
             | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_)
             | ExprKind::Not(_)
             | ExprKind::And(..)
             | ExprKind::Or(..)
@@ -157,6 +158,10 @@ pub struct Tables {
     pub stored: Vec<Stored>,
     /// Forcing orders, in order of declaration: the first of one level has precedence.
     pub orders: Vec<Order>,
+    /// Pulse orders, in order of declaration.
+    pub pulses: Vec<Pulse>,
+    /// Grafcets that run while steps are active, in order of declaration.
+    pub runs: Vec<Run>,
     /// The pool of expressions.
     pub exprs: IndexVec<ExprId, Expr>,
     /// What is said of the chart and changes nothing in it.
@@ -327,6 +332,10 @@ pub struct Grafcet {
     pub comment: Option<Note>,
     /// The step that encloses it.
     pub enclosing_step: Option<StepId>,
+    /// Whether it is a child: not active at the start, and started by an order.
+    pub child: bool,
+    /// The grafcet whose steps command it, of a child that names one that there is.
+    pub parent: Option<GrafcetId>,
     /// Longest chain of orders and enclosures above it (M2); 0 at the top.
     pub level: u32,
     /// Its steps, those of expansions included, in order of declaration.
@@ -387,6 +396,51 @@ pub struct Order {
     pub situation: Situation,
     /// The whole order.
     pub span: Span,
+}
+
+/// A pulse order (R15).
+#[derive(Clone, Debug)]
+pub struct Pulse {
+    /// What is ordered.
+    pub kind: PulseKind,
+    /// When, as of a stored action.
+    pub event: Event,
+    /// Of which grafcet.
+    pub grafcet: GrafcetId,
+    /// The whole order.
+    pub span: Span,
+}
+
+/// A grafcet that runs while a step is active (R15): started when the first of such steps becomes active, and killed when the
+/// last of them no longer is.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// The step.
+    pub step: StepId,
+    /// The grafcet.
+    pub grafcet: GrafcetId,
+    /// The whole order.
+    pub span: Span,
+}
+
+impl Tables {
+    /// The step or transition whose grafcet gives a pulse.
+    pub fn commander(&self, event: Event) -> Option<GrafcetId> {
+        match event {
+            Event::Event(step, _) | Event::Deactivation(step) | Event::Activation(step) | Event::EachScan(step, _) => {
+                self.steps.get(step).map(|step| step.grafcet)
+            }
+            Event::Clearing(transition) => self.transitions.get(transition).map(|transition| transition.grafcet),
+        }
+    }
+
+    /// All commands by pulses: the grafcet that gives it, the one that it is given to, and its place.
+    pub fn commands(&self) -> impl Iterator<Item = (GrafcetId, GrafcetId, Span)> + '_ {
+        let pulses =
+            self.pulses.iter().filter_map(|pulse| Some((self.commander(pulse.event)?, pulse.grafcet, pulse.span)));
+        let runs = self.runs.iter().filter_map(|run| Some((self.steps.get(run.step)?.grafcet, run.grafcet, run.span)));
+        pulses.chain(runs)
+    }
 }
 
 /// A forced situation.

@@ -23,7 +23,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                 ExprKind::StepActive(_) => ("the activity of a step", None),
                 ExprKind::StepTime(_) => ("the duration of a step", None),
                 ExprKind::MacroActive(_) => ("the activity of a macro-step", None),
-                ExprKind::GrafcetActive(_) => ("the activity of a grafcet", None),
+                ExprKind::GrafcetActive(_) | ExprKind::GrafcetFrozen(_) => ("the activity of a grafcet", None),
                 ExprKind::Literal(_)
                 | ExprKind::Not(_)
                 | ExprKind::And(..)

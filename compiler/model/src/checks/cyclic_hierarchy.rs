@@ -64,8 +64,14 @@ fn edges(chart: &Tables) -> Vec<Edge> {
         let above = chart.steps[order.step].grafcet;
         Edge { above, below: order.grafcet, span: order.span, verb: "forces" }
     });
+    let children = chart.grafcets.iter_enumerated().filter_map(|(below, grafcet)| {
+        Some(Edge { above: grafcet.parent?, below, span: grafcet.span, verb: "is the parent of" })
+    });
+    let commands =
+        chart.commands().map(|(above, below, span)| Edge { above, below, span, verb: "commands" }).collect::<Vec<_>>();
     // An order on its own grafcet is E0314.
-    enclosures.chain(orders.filter(|edge| edge.above != edge.below)).collect()
+    let orders = orders.chain(commands).filter(|edge| edge.above != edge.below);
+    enclosures.chain(children.filter(|edge| edge.above != edge.below)).chain(orders).collect()
 }
 
 /// Every grafcet that still waits has another such above it: going up from it leads into a circle.

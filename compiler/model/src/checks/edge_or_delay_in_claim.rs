@@ -46,6 +46,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                 | ExprKind::StepTime(_)
                 | ExprKind::MacroActive(_)
                 | ExprKind::GrafcetActive(_)
+                | ExprKind::GrafcetFrozen(_)
                 | ExprKind::Not(_)
                 | ExprKind::And(..)
                 | ExprKind::Or(..)

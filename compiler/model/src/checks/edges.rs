@@ -16,6 +16,7 @@ pub fn first_edges(exprs: &IndexVec<ExprId, Expr>) -> IndexVec<ExprId, Option<Ex
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
             | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_)
             | ExprKind::Not(_)
             | ExprKind::And(..)
             | ExprKind::Or(..)

@@ -44,7 +44,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     for (id, grafcet) in chart.grafcets.iter_enumerated() {
         let is_enclosed = resolved.parts.grafcets[id].ast.is_some_and(|grafcet| !grafcet.path.is_empty());
         let is_sure = !resolved.parts.is_stray(id) && !resolved.scope.is_ambiguous(&grafcet.name);
-        if !activated[id] && !is_enclosed && is_sure {
+        // Of a child W0427 tells.
+        if !activated[id] && !is_enclosed && is_sure && !grafcet.child {
             let what = if grafcet.steps.is_empty() { "has no steps" } else { "can never have an active step" };
             let first = grafcet.steps.first().map(|&id| resolved.parts.step(Node::Step(id)).ast);
             let mut diagnostic =

@@ -6,16 +6,19 @@
 //! Wrong: `initial enclosing step 2`, `grafcet X2/G2 { activated step 20 }`
 //! Right: `initial enclosing step 2`, `grafcet X2/G2 { initial activated step 20 }`
 
+use super::children;
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
+    let below_child = children::below(chart);
     for grafcet in &chart.grafcets {
         let Some(enclosing) = grafcet.enclosing_step.map(|id| &chart.steps[id]) else { continue };
         // An enclosure without steps is E0310.
         let starts_empty = !grafcet.steps.is_empty() && !grafcet.steps.iter().any(|&id| chart.steps[id].initial);
-        if enclosing.initial && starts_empty {
+        // Below a child the links act: nothing of it is active at the start.
+        if enclosing.initial && starts_empty && !below_child[enclosing.grafcet] {
             let message = format!(
                 "`{}` has no initial step, but step `{}`, which encloses it, is initial",
                 grafcet.name, enclosing.label

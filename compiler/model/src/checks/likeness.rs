@@ -23,6 +23,7 @@ pub fn likeness(exprs: &IndexVec<ExprId, Expr>) -> IndexVec<ExprId, usize> {
             ExprKind::StepActive(s) | ExprKind::StepTime(s) => (s.index() as u64, 0, 0),
             ExprKind::MacroActive(m) => (m.index() as u64, 0, 0),
             ExprKind::GrafcetActive(g) => (g.index() as u64, 0, 0),
+            ExprKind::GrafcetFrozen(g) => (g.index() as u64, 1, 0),
             ExprKind::Not(a) | ExprKind::Rise(a) | ExprKind::Fall(a) | ExprKind::Negate(a) | ExprKind::Widen(a) => {
                 (of(a), 0, 0)
             }

@@ -12,6 +12,9 @@ mod assigned_and_allocated;
 mod assumption_beyond_inputs;
 mod bound_under_scan;
 mod chart_without_steps;
+mod child_never_started;
+mod children;
+mod commander_not_the_parent;
 mod constant_out_of_range;
 mod cyclic_continuous_actions;
 mod cyclic_hierarchy;
@@ -44,6 +47,7 @@ mod not_an_enclosing_step;
 mod nothing_to_retain;
 mod off_delay_of_active_step;
 mod output_read;
+mod restart_of_commander;
 mod same_transition_twice;
 mod self_loop_with_events;
 mod source_transition_on_level;
@@ -87,6 +91,7 @@ pub const ERRORS: &[Rule] = &[
     activation_link_outside_enclosure::check,
     enclosing_step_without_enclosure::check,
     chart_without_steps::check,
+    commander_not_the_parent::check,
     cyclic_continuous_actions::check,
     assigned_and_allocated::check,
     edge_inside_edge::check,
@@ -114,4 +119,6 @@ pub const WARNINGS: &[Rule] = &[
     negated_off_delay::check,
     #[cfg(feature = "names")]
     deceptive_name::check,
+    child_never_started::check,
+    restart_of_commander::check,
 ];

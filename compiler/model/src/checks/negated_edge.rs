@@ -32,6 +32,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
             | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_)
             | ExprKind::And(..)
             | ExprKind::Or(..)
             | ExprKind::Xor(..)

@@ -46,7 +46,11 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
 fn is_name(kind: ExprKind) -> bool {
     matches!(
         kind,
-        ExprKind::Variable(_) | ExprKind::StepActive(_) | ExprKind::MacroActive(_) | ExprKind::GrafcetActive(_)
+        ExprKind::Variable(_)
+            | ExprKind::StepActive(_)
+            | ExprKind::MacroActive(_)
+            | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_)
     )
 }
 

@@ -70,6 +70,7 @@ fn truth(chart: &Tables, expr: &Expr, edges: Edges, below: &IndexVec<ExprId, Tru
         | ExprKind::StepTime(_)
         | ExprKind::MacroActive(_)
         | ExprKind::GrafcetActive(_)
+        | ExprKind::GrafcetFrozen(_)
         | ExprKind::Delay { .. }
         | ExprKind::Compare(..)
         | ExprKind::Arithmetic(..)

@@ -6,8 +6,8 @@ use super::parts::{Holder, Parts};
 use super::scope::{Label, Reference, Scope, kind};
 use super::types;
 use crate::chart::{
-    Continuous, Event, Expr, ExprId, ExprKind, Mode, Node, Order, Situation, StepId, Stored, Tables, TransitionId,
-    Type, Value, VariableId, VariableKind,
+    Continuous, Event, Expr, ExprId, ExprKind, GrafcetId, Mode, Node, Order, Pulse, Run, Situation, StepId, Stored,
+    Tables, TransitionId, Type, Value, VariableId, VariableKind,
 };
 use crate::symbols::{Form, Role, Symbols, Wanted};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix, Span};
@@ -87,6 +87,35 @@ impl<'a> Interpretation<'_, 'a> {
         for assignment in transition.actions() {
             self.assignment(assignment, Event::Clearing(id), assignment.span);
         }
+        for pulse in transition.pulses() {
+            let own = self.chart.transitions[id].grafcet;
+            if let Some(grafcet) = self.grafcet(&pulse.grafcet, Some(own)) {
+                let event = Event::Clearing(id);
+                self.chart.pulses.push(Pulse { kind: pulse.kind, event, grafcet, span: pulse.span });
+            }
+        }
+    }
+
+    /// The grafcet that a pulse order of a step is given to.
+    fn commanded(&mut self, name: &ast::Name, step: StepId) -> Option<GrafcetId> {
+        let own = self.chart.steps.get(step).map(|step| step.grafcet);
+        self.grafcet(name, own)
+    }
+
+    /// A grafcet that the grafcet `own` commands.
+    fn grafcet(&mut self, name: &ast::Name, own: Option<GrafcetId>) -> Option<GrafcetId> {
+        let label = self.scope.label(&name.text);
+        match label {
+            Some(label) => self.symbols.used(name.span, label, Form::Name, Role::Commanded),
+            None => self.symbols.missed(name.span, Wanted::Grafcet),
+        }
+        match label {
+            Some(Label::Grafcet(id)) => Some(id),
+            Some(Label::Step(_) | Label::Macro(_)) | None => {
+                self.fault(self.scope.unknown_grafcet(&name.text, name.span, own));
+                None
+            }
+        }
     }
 
     fn action(&mut self, step: StepId, action: &ast::Action) {
@@ -109,6 +138,23 @@ impl<'a> Interpretation<'_, 'a> {
                     }
                 };
                 self.assignment(assignment, event, action.span);
+            }
+            ast::ActionKind::Pulse { kind, grafcet, event } => {
+                let event = match *event {
+                    ast::Event::Activation => Event::Activation(step),
+                    ast::Event::Deactivation => Event::Deactivation(step),
+                    ast::Event::Event(condition) => Event::Event(step, self.expression(condition, Need::Condition)),
+                    // The grammar has no such order.
+                    ast::Event::EachScan(_) => return,
+                };
+                if let Some(grafcet) = self.commanded(grafcet, step) {
+                    self.chart.pulses.push(Pulse { kind: *kind, event, grafcet, span: action.span });
+                }
+            }
+            ast::ActionKind::Run { grafcet } => {
+                if let Some(grafcet) = self.commanded(grafcet, step) {
+                    self.chart.runs.push(Run { step, grafcet, span: action.span });
+                }
             }
             ast::ActionKind::Force { grafcet, situation } => {
                 let forced = self.scope.label(&grafcet.text);
@@ -161,7 +207,10 @@ impl<'a> Interpretation<'_, 'a> {
     /// A macro-step has no actions (E0307); what is in them is resolved all the same, and then forgotten.
     fn action_on_macro_step(&mut self, action: &ast::Action) {
         let before = (self.chart.continuous.len(), self.chart.stored.len(), self.chart.orders.len());
+        let commands = (self.chart.pulses.len(), self.chart.runs.len());
         self.action(StepId::new(0), action);
+        self.chart.pulses.truncate(commands.0);
+        self.chart.runs.truncate(commands.1);
         self.chart.continuous.truncate(before.0);
         self.chart.stored.truncate(before.1);
         self.chart.orders.truncate(before.2);
@@ -249,6 +298,11 @@ impl<'a> Interpretation<'_, 'a> {
                 Diagnostic::new(Code::E0207, name.span, message)
                     .note("it counts from the activation of the step, and is 0 otherwise")
                     .help("what is to be set is a variable of its own, as in `var … : time`")
+            }
+            Some(Reference::Frozen(_)) => {
+                let message = format!("`{}` says that a grafcet is frozen and cannot be assigned to", name.text);
+                Diagnostic::new(Code::E0207, name.span, message)
+                    .help("a pulse order freezes it: `freeze … on activation`")
             }
             None => self.scope.unknown_target(&name.text, name.span),
         };

@@ -32,7 +32,7 @@ pub fn read(
                     symbols.used(name.span, entity, form, Role::Allowed);
                     Some(Scope::Item(variables[id].span))
                 }
-                Some(Reference::Activity(_) | Reference::Duration(_)) | None => {
+                Some(Reference::Activity(_) | Reference::Duration(_) | Reference::Frozen(_)) | None => {
                     symbols.missed(name.span, Wanted::Declaration);
                     let fault = names.unknown_name(&name.text, name.span);
                     diagnostics.push(

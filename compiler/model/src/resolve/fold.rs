@@ -23,7 +23,8 @@ pub fn fold(
             | ExprKind::StepActive(_)
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
-            | ExprKind::GrafcetActive(_) => {
+            | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_) => {
                 return Err(not_constant(expr, "a variable is not a constant"));
             }
             ExprKind::Rise(_) | ExprKind::Fall(_) | ExprKind::Delay { .. } => {
@@ -55,6 +56,7 @@ pub fn apply(expr: &Expr, value: impl Fn(ExprId) -> Option<Value>) -> Result<Opt
         | ExprKind::StepTime(_)
         | ExprKind::MacroActive(_)
         | ExprKind::GrafcetActive(_)
+        | ExprKind::GrafcetFrozen(_)
         | ExprKind::Rise(_)
         | ExprKind::Fall(_)
         | ExprKind::Delay { .. } => None,

@@ -56,7 +56,11 @@ pub fn stray(name: &str, next: &Action, step: &str) -> Option<Stray> {
     let found = qualifier(name)?;
     let target = match &next.kind {
         ActionKind::Continuous { target, condition: None } => &target.text,
-        ActionKind::Continuous { .. } | ActionKind::Stored { .. } | ActionKind::Force { .. } => {
+        ActionKind::Continuous { .. }
+        | ActionKind::Stored { .. }
+        | ActionKind::Pulse { .. }
+        | ActionKind::Run { .. }
+        | ActionKind::Force { .. } => {
             return Some(Stray::Qualifier(None, format!("there are no qualifiers: leave out `{name}`")));
         }
     };

@@ -140,7 +140,7 @@ impl Reading<'_, '_, '_> {
                     Some(kind_of(&self.against.variables[id]))
                 }
             },
-            Reference::Activity(_) | Reference::Duration(_) => Some("what the chart comes to"),
+            Reference::Activity(_) | Reference::Duration(_) | Reference::Frozen(_) => Some("what the chart comes to"),
         };
         if let Some(what) = what {
             let message = format!("`{}` is {what}, and only inputs are given", given.name.text);
@@ -168,10 +168,11 @@ impl Reading<'_, '_, '_> {
             Reference::Activity(Label::Macro(id)) => Probe::Macro(id),
             Reference::Activity(Label::Grafcet(id)) => Probe::Grafcet(id),
             Reference::Duration(id) => Probe::Duration(id),
+            Reference::Frozen(id) => Probe::Frozen(id),
         };
         let ty = match probe {
             Probe::Variable(id) => self.against.variables[id].ty,
-            Probe::Step(_) | Probe::Macro(_) | Probe::Grafcet(_) => Type::Bool,
+            Probe::Step(_) | Probe::Macro(_) | Probe::Grafcet(_) | Probe::Frozen(_) => Type::Bool,
             Probe::Duration(_) => Type::Time,
         };
         let value = match expected.value {

@@ -37,6 +37,8 @@ pub enum Reference {
     Activity(Label),
     /// `T` and a step label.
     Duration(StepId),
+    /// `F` and the name of a grafcet that pulse orders are given to.
+    Frozen(GrafcetId),
 }
 
 impl Reference {
@@ -46,6 +48,7 @@ impl Reference {
             Reference::Variable(id) => (Entity::Variable(id), Form::Name),
             Reference::Activity(label) => (label.into(), Form::Activity),
             Reference::Duration(step) => (Entity::Step(step), Form::Duration),
+            Reference::Frozen(grafcet) => (Entity::Grafcet(grafcet), Form::Frozen),
         }
     }
 }
@@ -58,6 +61,21 @@ impl From<Label> for Entity {
             Label::Grafcet(id) => Entity::Grafcet(id),
         }
     }
+}
+
+/// The names of what pulse orders are given to.
+fn commanded<'a>(parts: &Parts<'a>) -> FxHashSet<&'a str> {
+    let mut names = FxHashSet::default();
+    for action in parts.steps.iter().flat_map(|part| &part.ast.actions) {
+        match &action.kind {
+            ast::ActionKind::Pulse { grafcet, .. } | ast::ActionKind::Run { grafcet } => {
+                _ = names.insert(&*grafcet.text)
+            }
+            ast::ActionKind::Continuous { .. } | ast::ActionKind::Stored { .. } | ast::ActionKind::Force { .. } => {}
+        }
+    }
+    names.extend(parts.transitions.iter().flat_map(|part| part.ast.pulses()).map(|pulse| &*pulse.grafcet.text));
+    names
 }
 
 /// So many labels are listed beside one that is missing.
@@ -74,6 +92,8 @@ pub struct Scope<'a> {
     untyped: FxHashSet<VariableId>,
     /// The labels that were given twice (E0202): who names one may mean another than the first.
     ambiguous: FxHashSet<&'a str>,
+    /// The names that pulse orders give.
+    commanded: FxHashSet<&'a str>,
     suggestions: Suggestions,
 }
 
@@ -85,6 +105,7 @@ impl<'a> Scope<'a> {
             labels: Names::with_capacity(0),
             untyped: FxHashSet::default(),
             ambiguous: FxHashSet::default(),
+            commanded: commanded(parts),
             suggestions: Suggestions::new(),
         };
         let suspects = scope.declare_variables(parts, diagnostics);
@@ -194,7 +215,13 @@ impl<'a> Scope<'a> {
         }
         match text.strip_prefix('T').and_then(|rest| self.label(rest)) {
             Some(Label::Step(step)) => Some(Reference::Duration(step)),
-            Some(Label::Macro(_) | Label::Grafcet(_)) | None => None,
+            Some(Label::Macro(_) | Label::Grafcet(_)) | None => {
+                let rest = text.strip_prefix('F').filter(|rest| self.commanded.contains(rest))?;
+                match self.label(rest)? {
+                    Label::Grafcet(grafcet) => Some(Reference::Frozen(grafcet)),
+                    Label::Step(_) | Label::Macro(_) => None,
+                }
+            }
         }
     }
 

@@ -111,10 +111,26 @@ fn grafcets(parts: &Parts, scope: &Scope, chart: &mut Tables, symbols: &mut Symb
                 }
             };
         }
+        let parent = part.ast.and_then(|grafcet| grafcet.parent.as_ref()).and_then(|name| {
+            let named = scope.label(&name.text);
+            match named {
+                Some(label) => symbols.used(name.span, label, Form::Name, Role::Parent),
+                None => symbols.missed(name.span, Wanted::Grafcet),
+            }
+            match named {
+                Some(Label::Grafcet(id)) => Some(id),
+                Some(Label::Step(_) | Label::Macro(_)) | None => {
+                    diagnostics.push(scope.unknown_grafcet(&name.text, name.span, None));
+                    None
+                }
+            }
+        });
         chart.grafcets.push(Grafcet {
             name: part.ast.map_or(IMPLIED_GRAFCET.into(), |grafcet| grafcet.name.text.clone()),
             comment: part.ast.and_then(|grafcet| comment(&grafcet.comment)),
             enclosing_step,
+            child: part.ast.is_some_and(|grafcet| grafcet.parent.is_some()),
+            parent,
             level: 0,
             steps: Vec::new(),
             span: part.span,

@@ -20,6 +20,7 @@ fn probe(kind: &ExprKind) -> Option<Probe> {
         ExprKind::StepTime(id) => Some(Probe::Duration(id)),
         ExprKind::MacroActive(id) => Some(Probe::Macro(id)),
         ExprKind::GrafcetActive(id) => Some(Probe::Grafcet(id)),
+        ExprKind::GrafcetFrozen(id) => Some(Probe::Frozen(id)),
         ExprKind::Literal(_)
         | ExprKind::Not(_)
         | ExprKind::And(..)
@@ -50,7 +51,8 @@ impl Simulator<'_> {
                 | ExprKind::StepActive(_)
                 | ExprKind::StepTime(_)
                 | ExprKind::MacroActive(_)
-                | ExprKind::GrafcetActive(_) => looks.next().unwrap_or(Value::Bool(false)),
+                | ExprKind::GrafcetActive(_)
+                | ExprKind::GrafcetFrozen(_) => looks.next().unwrap_or(Value::Bool(false)),
                 ExprKind::Not(a) => Value::Bool(!is(a)),
                 ExprKind::And(a, b) => Value::Bool(is(a) & is(b)),
                 ExprKind::Or(a, b) => Value::Bool(is(a) | is(b)),

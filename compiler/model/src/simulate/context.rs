@@ -65,6 +65,8 @@ struct Context<'a> {
     grafcets: IndexVec<GrafcetId, bool>,
     variables: &'a IndexVec<VariableId, Value>,
     since: &'a IndexVec<StepId, i64>,
+    /// `fr`: the grafcets that pulse orders have frozen.
+    frozen: &'a IndexVec<GrafcetId, bool>,
     t: i64,
 }
 
@@ -89,6 +91,7 @@ pub(super) fn evaluate(
         grafcets: if of_grafcets { active_grafcets(chart, &state.active) } else { IndexVec::new() },
         variables: &state.variables,
         since: &state.since,
+        frozen: &state.frozen,
         t,
     };
     let mut div0 = false;
@@ -123,6 +126,7 @@ pub(super) fn evaluate_claims(
         grafcets: active_grafcets(chart, &state.active),
         variables: &state.variables,
         since: &state.since,
+        frozen: &state.frozen,
         t,
     };
     for id in chart.claims.exprs.indices() {
@@ -168,6 +172,7 @@ impl Context<'_> {
             ExprKind::StepTime(_) => Value::Time(0),
             ExprKind::MacroActive(id) => Value::Bool(self.macro_steps[id]),
             ExprKind::GrafcetActive(id) => Value::Bool(self.grafcets[id]),
+            ExprKind::GrafcetFrozen(id) => Value::Bool(self.frozen[id]),
             ExprKind::Not(a) => Value::Bool(!is(a)),
             ExprKind::And(a, b) => Value::Bool(is(a) & is(b)),
             ExprKind::Or(a, b) => Value::Bool(is(a) | is(b)),

@@ -3,11 +3,12 @@
 use super::context::{DividedByZero, evaluate, levels};
 use super::flat::entered;
 use super::plan::{Memory, Plan, Valued};
+use super::pulses::{Occurred, Pulses};
 use super::seen::Seen;
 use super::settle::{Conflict, Phase, settle};
 use super::stored::{Happened, allocate};
 use super::{Activity, Simulator};
-use crate::chart::TransitionId;
+use crate::chart::{Event, TransitionId};
 
 impl Simulator<'_> {
     /// One micro-step at the instant; says whether something changed. In the first of a reaction, inputs may have.
@@ -41,7 +42,12 @@ impl Simulator<'_> {
         }
 
         // R5
-        let Conflict(conflict) = settle(self.chart, &self.orders, Phase::Evolution, &before, &mut next);
+        let events = self.pulse_events(&before, input_event);
+        // What is read until the end of the micro-step is read of the state before it.
+        let (mut saved, mut frozen) = (self.state.saved.clone(), self.state.frozen.clone());
+        let occurred = Occurred { cleared: &self.cleared, events: &events };
+        let pulses = Pulses::new(self.chart, &self.commands, occurred, &mut saved, &mut frozen);
+        let Conflict(conflict) = settle(self.chart, &self.orders, pulses, Phase::Evolution, &before, &mut next);
         self.flags.force_conflict |= conflict;
 
         // R6, R7: events are what changed from `before` to `next`, whatever the cause.
@@ -80,16 +86,38 @@ impl Simulator<'_> {
         }
 
         // R8
-        let moved = before != next;
+        let moved = before != next || saved != self.state.saved || frozen != self.state.frozen;
         for step in entered(&before, &next) {
             self.state.since[step] = t;
         }
         self.state.active = next;
+        (self.state.saved, self.state.frozen) = (saved, frozen);
         self.begins = false;
         for &(edge, operand) in &self.plan.edges {
             self.state.edges[edge] = self.values.holds(operand);
         }
         moved || changed || edge
+    }
+
+    /// By pulse order, whether its event has occurred (R7, kind E).
+    fn pulse_events(&self, before: &Activity, input_event: bool) -> Vec<bool> {
+        let occurs = |event| match event {
+            Event::Event(step, expression) => {
+                let level = self.level_values.holds(expression);
+                before[step] && self.values.holds(expression) && (!level || input_event)
+            }
+            Event::Deactivation(_) | Event::Clearing(_) | Event::Activation(_) | Event::EachScan(..) => false,
+        };
+        self.chart.pulses.iter().map(|pulse| occurs(pulse.event)).collect()
+    }
+
+    /// R15: whether pulse orders leave a transition as it is: its grafcet is not frozen by one, and a source transition of a
+    /// child waits until that is active.
+    pub(super) fn is_left_to_clear(&self, id: TransitionId) -> bool {
+        let grafcet = self.chart.transitions[id].grafcet;
+        let is_active = || self.chart.grafcets[grafcet].steps.iter().any(|&step| self.state.active[step]);
+        !self.state.frozen[grafcet]
+            && (!self.chart.grafcets[grafcet].child || !self.flat.pre[id].is_empty() || is_active())
     }
 
     /// R3: all transitions that are enabled, neither frozen nor in an inactive enclosure, and whose condition holds.
@@ -99,6 +127,7 @@ impl Simulator<'_> {
         let is_clearable = |id: &TransitionId| {
             let transition = &self.chart.transitions[*id];
             !frozen[transition.grafcet]
+                && self.is_left_to_clear(*id)
                 && self.chart.grafcets[transition.grafcet].enclosing_step.is_none_or(|step| active[step])
                 && self.values.holds(transition.condition)
         };

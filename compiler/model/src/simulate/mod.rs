@@ -7,6 +7,7 @@
 //! | R2 orders in force | `orders` |
 //! | R5 settling | `settle` |
 //! | R7 stored actions | `stored` |
+//! | R15 pulse orders | `pulses` |
 //! | R1, R3, R4, R6, R8 micro-step | `micro_step` |
 //! | R9-R14 reactions | `reaction` |
 //! | R12 when time alone changes something | `events` |
@@ -27,6 +28,7 @@ mod micro_step;
 mod orders;
 mod plan;
 mod probe;
+mod pulses;
 mod reaction;
 mod run;
 mod seen;
@@ -35,7 +37,7 @@ mod stored;
 #[cfg(test)]
 mod tests;
 
-use crate::chart::{Chart, ExprId, Mode, StepId, TransitionId, Value, Variable, VariableId};
+use crate::chart::{Chart, ExprId, GrafcetId, Mode, StepId, TransitionId, Value, Variable, VariableId};
 use crate::reaction::{Flags, Profile};
 use claims::Watched;
 use context::Values;
@@ -45,6 +47,7 @@ use index_vec::IndexVec;
 use orders::Orders;
 use plan::Plan;
 pub use probe::Probe;
+use pulses::Commands;
 pub use run::{Call, Calls, MOST_CALLS, Observer, Onlooker, Run};
 pub use seen::Seen;
 
@@ -64,6 +67,10 @@ pub struct State {
     delays: IndexVec<ExprId, Delay>,
     /// `m`: the operand of each edge in the context before; other entries are not read.
     edges: IndexVec<ExprId, bool>,
+    /// `saved`: the steps that were active when their grafcet was frozen by a pulse order (R15).
+    saved: Activity,
+    /// `fr`: the grafcets that are frozen so.
+    frozen: IndexVec<GrafcetId, bool>,
 }
 
 /// A chart that is being run.
@@ -73,6 +80,7 @@ pub struct Simulator<'a> {
     profile: Profile,
     flat: Flat,
     orders: Orders,
+    commands: Commands,
     plan: Plan,
     state: State,
     /// The inputs of the reaction before; none before the first.
@@ -103,7 +111,14 @@ impl State {
             since: chart.steps.iter().map(|_| 0).collect(),
             delays: chart.exprs.iter().map(|_| Delay::default()).collect(),
             edges: chart.exprs.iter().map(|_| false).collect(),
+            saved: chart.steps.iter().map(|_| false).collect(),
+            frozen: chart.grafcets.iter().map(|_| false).collect(),
         }
+    }
+
+    /// The steps that were active when pulse orders froze their grafcets, and the grafcets that are frozen so (R15).
+    pub fn saved(&self) -> (&Activity, &IndexVec<GrafcetId, bool>) {
+        (&self.saved, &self.frozen)
     }
 
     /// The active steps.
@@ -127,6 +142,7 @@ impl<'a> Simulator<'a> {
             profile: chart.options.over(profile),
             flat: Flat::new(chart),
             orders: Orders::new(chart),
+            commands: Commands::new(chart),
             plan: Plan::new(chart),
             state: State::new(chart),
             previous: None,

@@ -80,6 +80,8 @@ impl Plan {
         let conditions = chart.transitions.iter().map(|t| Valued::Expr(t.condition));
         let events: Vec<Valued> =
             chart.stored.iter().filter_map(|s| event_expression(s.event)).map(Valued::Expr).collect();
+        let pulses = chart.pulses.iter().filter_map(|pulse| event_expression(pulse.event)).map(Valued::Expr);
+        let events: Vec<Valued> = events.into_iter().chain(pulses).collect();
         let each_scan = chart.stored.iter().filter_map(|s| condition_each_scan(s.event)).map(Valued::Expr);
         let outputs: Vec<Valued> = chart
             .variables
@@ -116,6 +118,7 @@ impl Plan {
                 | ExprKind::StepTime(_)
                 | ExprKind::MacroActive(_)
                 | ExprKind::GrafcetActive(_)
+                | ExprKind::GrafcetFrozen(_)
                 | ExprKind::Not(_)
                 | ExprKind::And(..)
                 | ExprKind::Or(..)
@@ -148,8 +151,10 @@ impl Plan {
         let reads = |wanted: fn(&ExprKind) -> bool| {
             all.iter().any(|node| matches!(*node, Valued::Expr(id) if wanted(&chart.exprs[id].kind)))
         };
-        let reads =
-            (reads(|k| matches!(k, ExprKind::MacroActive(_))), reads(|k| matches!(k, ExprKind::GrafcetActive(_))));
+        let reads = (
+            reads(|k| matches!(k, ExprKind::MacroActive(_))),
+            reads(|k| matches!(k, ExprKind::GrafcetActive(_) | ExprKind::GrafcetFrozen(_))),
+        );
         let sides = clocks.iter().flat_map(|&(a, b)| [Valued::Expr(a), Valued::Expr(b)]).collect();
         let clock_nodes = reach(chart, &actions, sides, Memory::Hold);
 
@@ -289,6 +294,7 @@ fn moving(chart: &Chart, nodes: &[Valued]) -> Vec<Valued> {
                 | ExprKind::StepTime(_)
                 | ExprKind::MacroActive(_)
                 | ExprKind::GrafcetActive(_)
+                | ExprKind::GrafcetFrozen(_)
                 | ExprKind::Rise(_)
                 | ExprKind::Fall(_)
                 | ExprKind::Delay { .. } => true,
@@ -369,7 +375,8 @@ fn operands(
         | ExprKind::StepActive(_)
         | ExprKind::StepTime(_)
         | ExprKind::MacroActive(_)
-        | ExprKind::GrafcetActive(_) => {}
+        | ExprKind::GrafcetActive(_)
+        | ExprKind::GrafcetFrozen(_) => {}
         ExprKind::Variable(variable) => match chart.variables[variable].mode {
             Mode::Wire => found.push(Valued::Wire(variable)),
             Mode::Given | Mode::Stored => {}

@@ -19,6 +19,8 @@ pub enum Probe {
     Macro(MacroId),
     /// `XGn`
     Grafcet(GrafcetId),
+    /// `FGn`
+    Frozen(GrafcetId),
 }
 
 impl Probe {
@@ -36,6 +38,12 @@ impl Probe {
                 .map(Probe::Step)
                 .or(of_macro.map(|(id, _)| Probe::Macro(id)))
                 .or(of_grafcet.map(|(id, _)| Probe::Grafcet(id)));
+        }
+        if let Some(label) = name.strip_prefix('F')
+            && let Some((id, _)) = chart.grafcets.iter_enumerated().find(|(_, grafcet)| grafcet.name == label)
+            && chart.commands().any(|(_, commanded, _)| commanded == id)
+        {
+            return Some(Probe::Frozen(id));
         }
         name.strip_prefix('T').and_then(step).map(Probe::Duration)
     }
@@ -59,6 +67,7 @@ impl Probe {
             Probe::Duration(id) => eco_format!("T{}", chart.steps[id].label),
             Probe::Macro(id) => eco_format!("X{}", chart.macro_steps[id].label),
             Probe::Grafcet(id) => eco_format!("X{}", chart.grafcets[id].name),
+            Probe::Frozen(id) => eco_format!("F{}", chart.grafcets[id].name),
         }
     }
 
@@ -66,7 +75,7 @@ impl Probe {
     pub fn ty(self, chart: &Chart) -> Type {
         match self {
             Probe::Variable(id) => chart.variables[id].ty,
-            Probe::Step(_) | Probe::Macro(_) | Probe::Grafcet(_) => Type::Bool,
+            Probe::Step(_) | Probe::Macro(_) | Probe::Grafcet(_) | Probe::Frozen(_) => Type::Bool,
             Probe::Duration(_) => Type::Time,
         }
     }
@@ -94,6 +103,7 @@ impl Simulator<'_> {
             Probe::Duration(_) => Value::Time(0),
             Probe::Macro(id) => Value::Bool(macro_steps[id]),
             Probe::Grafcet(id) => Value::Bool(grafcets[id]),
+            Probe::Frozen(id) => Value::Bool(self.state.frozen[id]),
         };
         probes.iter().map(value).collect()
     }

@@ -2,6 +2,7 @@
 
 use super::arithmetic::convert;
 use super::plan::{Memory, Valued};
+use super::pulses::{Occurred, Pulses};
 use super::settle::{Conflict, Phase, settle};
 use super::stored::allocate;
 use super::{Simulator, State};
@@ -137,8 +138,13 @@ impl<'a> Simulator<'a> {
     /// compare with begins in the first micro-step.
     fn start(&mut self, t: i64) {
         let before = self.state.active.clone();
-        let mut initial = self.chart.steps.iter().map(|step| step.initial).collect();
-        let Conflict(conflict) = settle(self.chart, &self.orders, Phase::Start, &before, &mut initial);
+        let mut initial = self.commands.initial.clone();
+        let (cleared, events) = (self.cleared.iter().map(|_| false).collect(), vec![false; self.chart.pulses.len()]);
+        let occurred = Occurred { cleared: &cleared, events: &events };
+        let State { saved, frozen, .. } = &mut self.state;
+        let pulses = Pulses::new(self.chart, &self.commands, occurred, saved, frozen);
+        let phase = Phase::Start(&self.commands.initial);
+        let Conflict(conflict) = settle(self.chart, &self.orders, pulses, phase, &before, &mut initial);
         self.flags.force_conflict |= conflict;
         self.state.active = initial;
         self.begins = true;

@@ -65,6 +65,7 @@ impl Simulator<'_> {
             .map(|(id, transition)| {
                 self.flat.pre[id].iter().all(|&step| active[step])
                     && !frozen[transition.grafcet]
+                    && self.is_left_to_clear(id)
                     && self.chart.grafcets[transition.grafcet].enclosing_step.is_none_or(|step| active[step])
             })
             .collect()
@@ -90,9 +91,11 @@ impl Simulator<'_> {
         self.begins
     }
 
-    /// Whether each grafcet is frozen in the situation (R2).
+    /// Whether each grafcet is frozen in the situation, by an order in force (R2) or by a pulse (R15).
     pub fn frozen(&self) -> IndexVec<GrafcetId, bool> {
-        self.orders.frozen(self.chart, &self.state.active)
+        let mut frozen = self.orders.frozen(self.chart, &self.state.active);
+        frozen.iter_mut().zip(&self.state.frozen).for_each(|(frozen, by_pulse)| *frozen |= by_pulse);
+        frozen
     }
 
     /// Whether each order is in force in the situation (R2): its step is active, and of the orders on the same grafcet none

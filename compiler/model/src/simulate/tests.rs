@@ -25,6 +25,8 @@ fn chart() -> Tables {
         name: "G1".into(),
         comment: None,
         enclosing_step: None,
+        child: false,
+        parent: None,
         level: 0,
         steps: vec![StepId::new(0)],
         span: Span::default(),

@@ -180,7 +180,7 @@ fn roles(said: &mut Said, header: &Row, start: usize, results: &Results) -> Vec<
                 VariableKind::Internal | VariableKind::Constant => true,
                 VariableKind::Input | VariableKind::Output => false,
             },
-            Probe::Step(_) | Probe::Duration(_) | Probe::Macro(_) | Probe::Grafcet(_) => true,
+            Probe::Step(_) | Probe::Duration(_) | Probe::Macro(_) | Probe::Grafcet(_) | Probe::Frozen(_) => true,
         });
         if let Some(probe) = other {
             // Its place among the probes is known once all are.

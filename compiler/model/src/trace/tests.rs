@@ -36,6 +36,8 @@ fn chart() -> Chart {
         name: "G1".into(),
         comment: None,
         enclosing_step: None,
+        child: false,
+        parent: None,
         level: 0,
         steps: vec![StepId::new(0), StepId::new(1)],
         span: Span::default(),

@@ -102,8 +102,18 @@ fn insert(net: &mut Net, ring: &Ring, always: ExprId, labels: &mut HashSet<EcoSt
     let span = net.transitions[ring.back[0]].span;
     let joined = format!("{}_{}", net.places[ring.other].label, net.places[ring.first].label);
     let label = unused(joined.into(), labels);
-    let place =
-        Place { label, comment: None, grafcet, initial: false, activated: false, within, auxiliary: true, span };
+    let place = Place {
+        label,
+        comment: None,
+        grafcet,
+        initial: false,
+        activated: false,
+        within,
+        started: false,
+        saved: false,
+        auxiliary: true,
+        span,
+    };
     let between = net.places.push(place);
     net.grafcets[grafcet].steps.push(between);
     net.transitions.push(Transition {

@@ -112,7 +112,7 @@ fn expressions(net: &Net) -> Result<(), String> {
             ExprKind::Variable(v) => in_table("variable", *v, &net.variables)?,
             ExprKind::StepActive(s) | ExprKind::StepTime(s) => in_table("place", *s, &net.places)?,
             ExprKind::MacroActive(m) => in_table("macro-step", *m, &net.macro_steps)?,
-            ExprKind::GrafcetActive(g) => in_table("grafcet", *g, &net.grafcets)?,
+            ExprKind::GrafcetActive(g) | ExprKind::GrafcetFrozen(g) => in_table("grafcet", *g, &net.grafcets)?,
             ExprKind::Literal(_)
             | ExprKind::Not(_)
             | ExprKind::And(..)

@@ -45,9 +45,12 @@ pub(super) fn probes(chart: &Chart, words: &[String]) -> Result<(Vec<Probe>, usi
                     Probe::Variable(id) if chart.variables[id].kind == VariableKind::Input => before.push(probe),
                     // It has a column in any case.
                     Probe::Variable(id) if chart.variables[id].kind == VariableKind::Output => {}
-                    Probe::Variable(_) | Probe::Step(_) | Probe::Duration(_) | Probe::Macro(_) | Probe::Grafcet(_) => {
-                        behind.push(probe)
-                    }
+                    Probe::Variable(_)
+                    | Probe::Step(_)
+                    | Probe::Duration(_)
+                    | Probe::Macro(_)
+                    | Probe::Grafcet(_)
+                    | Probe::Frozen(_) => behind.push(probe),
                 }
             }
         }

@@ -3,7 +3,7 @@
 use super::cut::{Cutter, Run};
 use crate::builder::{Builder, Parsed};
 use crate::grammar::ItemsParser;
-use crate::token::{Lexeme, Token, begins_item, may_stand_in_block};
+use crate::token::{Lexeme, Token, begins_item, may_stand_in_block, opens_block};
 use lalrpop_util::ParseError;
 use std::convert::Infallible;
 
@@ -59,9 +59,7 @@ pub(super) fn attempt_all(
 
 /// Whether [`attempt_all`] takes the item that begins with this word.
 pub(super) fn is_plain(token: Token, depth: usize) -> bool {
-    begins_item(token)
-        && !matches!(token, Token::Chart | Token::Grafcet | Token::Expansion)
-        && (depth == 0 || may_stand_in_block(token))
+    begins_item(token) && token != Token::Chart && !opens_block(token) && (depth == 0 || may_stand_in_block(token))
 }
 
 /// The tokens of items, each item cut when it is reached, with its end behind it.

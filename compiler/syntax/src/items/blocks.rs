@@ -122,7 +122,7 @@ impl Reader<'_> {
         let word = &self.text[span.range()];
         let fault = Diagnostic::new(Code::E0107, span, format!("`{word}` cannot stand inside {inside}"))
             .also(frame.opened, format!("{inside} begins here"));
-        if token == Token::Grafcet {
+        if matches!(token, Token::Grafcet | Token::Child) {
             self.fault(fault.help("an enclosure stands outside and names its enclosing step: `grafcet X9/G4 { … }`"));
         } else if token == Token::Scenario {
             self.fault(fault.help("a scenario stands outside of all braces"));

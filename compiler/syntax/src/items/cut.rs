@@ -4,7 +4,7 @@
 //! block.
 
 use super::balance::Balance;
-use crate::token::{Lexeme, Token, begins_item, declares, is_prefix};
+use crate::token::{Lexeme, Token, begins_item, declares, is_prefix, opens_block};
 
 /// The tokens of one item.
 pub(super) struct Run {
@@ -30,7 +30,10 @@ impl Cutter<'_> {
         let tokens = self.lexemes;
         let mut end = start + 1;
         let first = tokens[start].token;
-        if matches!(first, Token::Grafcet | Token::Expansion) {
+        if first == Token::Child && tokens.get(end).is_some_and(|l| l.token == Token::Grafcet) {
+            end += 1;
+        }
+        if opens_block(first) {
             while let Some(lexeme) = tokens.get(end) {
                 match lexeme.token {
                     Token::OpenBrace => {

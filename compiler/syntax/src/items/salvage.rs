@@ -22,7 +22,7 @@ impl Reader<'_> {
         let synthetic = |token| Lexeme { token, start: here, end: here };
         let mut tries: Vec<(usize, Vec<Lexeme>)> = Vec::new();
         match first {
-            Token::Grafcet | Token::Expansion => {
+            Token::Grafcet | Token::Expansion | Token::Child => {
                 // Its items follow if it has a brace, or if there is a brace that closes it.
                 let has_brace = self.lexed.lexemes[run.end - 1].token == Token::OpenBrace;
                 if !has_brace && self.balance(run.end) <= self.stack.len() as i64 {
@@ -71,8 +71,9 @@ impl Reader<'_> {
         let span = self.builder.span(head.start, head.end);
         let name = ast::Name { text: "".into(), quoted: false, span };
         match head.token {
-            Token::Grafcet => {
-                let grafcet = ast::Grafcet { path: Vec::new(), name, comment: None, items: Vec::new(), span };
+            Token::Grafcet | Token::Child => {
+                let (path, items) = (Vec::new(), Vec::new());
+                let grafcet = ast::Grafcet { path, name, parent: None, comment: None, items, span };
                 Some(Parsed::Grafcet(Box::new(grafcet)))
             }
             Token::Expansion => {

@@ -135,6 +135,7 @@ fn is_joint(kind: &ExprKind) -> bool {
         | ExprKind::StepTime(_)
         | ExprKind::MacroActive(_)
         | ExprKind::GrafcetActive(_)
+        | ExprKind::GrafcetFrozen(_)
         | ExprKind::Rise(_)
         | ExprKind::Fall(_)
         | ExprKind::Delay { .. }
@@ -163,6 +164,7 @@ impl Classes {
                 ExprKind::StepTime(id) => format!("T{id:?}"),
                 ExprKind::MacroActive(id) => format!("M{id:?}"),
                 ExprKind::GrafcetActive(id) => format!("G{id:?}"),
+                ExprKind::GrafcetFrozen(id) => format!("F{id:?}"),
                 ExprKind::Delay { on, off, .. } => format!("delay {} {}", on.ms, off.ms),
                 ExprKind::Compare(op, ..) => format!("{op:?}"),
                 ExprKind::Arithmetic(op, ..) => format!("{op:?}"),

@@ -1,6 +1,7 @@
 //! What the charts of a long run held and did: a run in which nothing happens proves nothing.
 
 mod productions;
+mod pulses;
 mod rules;
 
 use grafc_diagnostics::FileId;
@@ -46,9 +47,10 @@ impl Coverage {
                 ExprKind::Rise(e) | ExprKind::Fall(e) => match &chart.exprs[*e].kind {
                     ExprKind::Variable(v) if chart.variables[*v].kind == VariableKind::Input => "edge of an input",
                     ExprKind::Variable(_) => "edge of an internal variable or output",
-                    ExprKind::StepActive(_) | ExprKind::MacroActive(_) | ExprKind::GrafcetActive(_) => {
-                        "edge of an activity"
-                    }
+                    ExprKind::StepActive(_)
+                    | ExprKind::MacroActive(_)
+                    | ExprKind::GrafcetActive(_)
+                    | ExprKind::GrafcetFrozen(_) => "edge of an activity",
                     _ => "edge of an expression",
                 },
                 ExprKind::Delay { on, off, .. } => match (on.ms > 0, off.ms > 0) {
@@ -64,7 +66,7 @@ impl Coverage {
                 ExprKind::Widen(_) => "conversion",
                 ExprKind::StepActive(_) => "activity of a step",
                 ExprKind::MacroActive(_) => "activity of a macro-step",
-                ExprKind::GrafcetActive(_) => "activity of a grafcet",
+                ExprKind::GrafcetActive(_) | ExprKind::GrafcetFrozen(_) => "activity of a grafcet",
                 ExprKind::Variable(v) if chart.variables[*v].mode == Mode::Wire => "continuous variable read",
                 ExprKind::Literal(_)
                 | ExprKind::Variable(_)
@@ -101,6 +103,8 @@ impl Coverage {
             Situation::Current => "freezing",
             Situation::Initial => "forcing to the initial situation",
         }));
+        seen.extend(chart.grafcets.iter().filter(|grafcet| grafcet.child).map(|_| "child"));
+        seen.extend(chart.pulses.iter().map(|_| "pulse order").chain(chart.runs.iter().map(|_| "run with a step")));
         if chart.grafcets.iter().any(|g| g.enclosing_step.is_some()) {
             seen.push("enclosure");
         }
@@ -166,7 +170,7 @@ impl Coverage {
 
     /// Charts whose run showed each rule.
     pub fn rules(&self) -> impl Iterator<Item = (&'static str, u64)> {
-        rules::ALL.iter().map(|what| (*what, self.rules.get(what).copied().unwrap_or_default()))
+        rules::all().map(|what| (what, self.rules.get(what).copied().unwrap_or_default()))
     }
 
     /// Charts that had or did each of the other things.

@@ -68,6 +68,13 @@ pub const ALL: &[&str] = &[
     "V if c",
     "on activation",
     "on deactivation",
+    "start",
+    "kill",
+    "freeze",
+    "resume",
+    "run",
+    "child grafcet",
+    "pulse on clearing",
     "each scan",
     "each scan if c",
     "on event",
@@ -186,6 +193,7 @@ impl FoundProductions<'_> {
             match item {
                 Item::Declaration(declaration) => self.declaration(declaration),
                 Item::Grafcet(grafcet) => {
+                    self.see(grafcet.parent.is_some(), "child grafcet");
                     self.see(true, if grafcet.path.is_empty() { "grafcet" } else { "enclosed grafcet" });
                     self.see(grafcet.comment.is_some(), "grafcet with comment");
                     open.extend(grafcet.items.iter().map(|item| (item, false)));
@@ -298,6 +306,13 @@ impl FoundProductions<'_> {
                     }
                 }
             }
+            ActionKind::Pulse { kind, event, .. } => {
+                self.see(true, kind.word());
+                if let Event::Event(condition) = event {
+                    self.expression(*condition, false);
+                }
+            }
+            ActionKind::Run { .. } => self.see(true, "run"),
             ActionKind::Force { situation, .. } => self.see(
                 true,
                 match situation {
@@ -322,6 +337,7 @@ impl FoundProductions<'_> {
         self.see(transition.to.len() > 1, "n -> m, o");
         self.expression(transition.condition, false);
         self.see(!transition.allows().is_empty(), "allow in a transition");
+        self.see(!transition.pulses().is_empty(), "pulse on clearing");
         self.see(transition.actions().len() == 1, "assignment on clearing");
         self.see(transition.actions().len() > 1, "assignments on clearing");
         for assignment in transition.actions() {

@@ -3,9 +3,10 @@
 //! The simulator is watched micro-step by micro-step; what it shows is the situation, the variables, and which
 //! transitions it cleared. The expected situation before rule R5 is worked out here from the arcs.
 
+use super::pulses::{self, Evolved, Remembered};
 use grafc_model::chart::{
-    Chart, Event, ExprKind, GrafcetId, MacroId, Mode, Node, Order, Situation, StepId, TransitionId, Value, VariableId,
-    VariableKind,
+    Chart, Event, ExprKind, GrafcetId, MacroId, Mode, Node, Order, Situation, Step, StepId, TransitionId, Value,
+    VariableId, VariableKind,
 };
 use grafc_model::reaction::{Evolution, Profile, Response, Stimulus};
 use grafc_model::simulate::{Activity, Simulator};
@@ -13,7 +14,12 @@ use index_vec::IndexVec;
 use std::collections::BTreeSet;
 
 /// All of them.
-pub const ALL: &[&str] = &[
+pub fn all() -> impl Iterator<Item = &'static str> {
+    PLAIN.iter().copied().chain(pulses::ALL)
+}
+
+/// Those of what every chart may have.
+const PLAIN: &[&str] = &[
     "R1 a condition holds in a later micro-step only",
     "R2 an order in force: steps",
     "R2 an order in force: none",
@@ -60,8 +66,8 @@ pub const ALL: &[&str] = &[
     "R13 a delay ends to the millisecond",
     "R13 a delay ends as inputs change",
     "R14 one micro-step a call",
-    "R15 action each scan",
     "R14 the next call goes on",
+    "R15 action each scan",
 ];
 
 /// Those of a run.
@@ -93,6 +99,8 @@ struct Watch<'a> {
     /// Whether the latest micro-step changed neither the situation nor a variable.
     quiet: bool,
     active: Activity,
+    /// `saved` and `fr` of R15.
+    saved: (Activity, IndexVec<GrafcetId, bool>),
     variables: IndexVec<VariableId, Value>,
     since: IndexVec<StepId, i64>,
 }
@@ -118,6 +126,7 @@ impl<'a> Watch<'a> {
             moved: false,
             quiet: false,
             active: chart.steps.iter().map(|_| false).collect(),
+            saved: (chart.steps.iter().map(|_| false).collect(), chart.grafcets.iter().map(|_| false).collect()),
             variables: chart.variables.iter().map(|v| v.initial).collect(),
             since: chart.steps.iter().map(|_| 0).collect(),
         }
@@ -150,6 +159,8 @@ impl<'a> Watch<'a> {
             self.see(lost, "R10 a restart begins anew with the rest");
             self.started = false;
             self.active.iter_mut().for_each(|active| *active = false);
+            self.saved.0.iter_mut().for_each(|saved| *saved = false);
+            self.saved.1.iter_mut().for_each(|frozen| *frozen = false);
             return;
         }
         let changed = before.inputs != stimulus.inputs;
@@ -166,11 +177,13 @@ impl<'a> Watch<'a> {
 
     fn micro_step(&mut self, simulator: &Simulator) {
         let (active, variables) = (simulator.state().situation().clone(), simulator.state().variables().clone());
+        let (saved, frozen) = simulator.state().saved();
+        let saved = (saved.clone(), frozen.clone());
         if self.started {
-            self.evolution(&active, &variables, simulator.cleared());
+            self.evolution(&active, &saved, &variables, simulator.cleared());
             self.micro_steps += 1;
         } else {
-            self.start(&active, &variables);
+            self.start(&active, &saved.1, &variables);
             self.started = true;
         }
         for (step, since) in self.since.iter_mut_enumerated() {
@@ -178,12 +191,22 @@ impl<'a> Watch<'a> {
                 *since = self.now;
             }
         }
-        (self.active, self.variables) = (active, variables);
+        (self.active, self.saved, self.variables) = (active, saved, variables);
     }
 
-    fn start(&mut self, active: &Activity, variables: &IndexVec<VariableId, Value>) {
+    fn start(
+        &mut self,
+        active: &Activity,
+        frozen: &IndexVec<GrafcetId, bool>,
+        variables: &IndexVec<VariableId, Value>,
+    ) {
         let chart = self.chart;
-        self.see(chart.steps.iter().zip(active).any(|(s, a)| s.initial != *a), "R10 an order acts at the start");
+        let is_forced = |g: GrafcetId| chart.orders.iter().any(|order| order.grafcet == g && active[order.step]);
+        let is_other = |(s, a): (&Step, &bool)| s.initial != *a && is_forced(s.grafcet);
+        self.see(chart.steps.iter().zip(active).any(is_other), "R10 an order acts at the start");
+        let is_started = |(s, a): (&Step, &bool)| *a && chart.grafcets[s.grafcet].child && !is_forced(s.grafcet);
+        let commands = chart.steps.iter().zip(active).any(is_started) || frozen.iter().any(|frozen| *frozen);
+        self.see(commands, "R15 pulses act at the start");
         let without_links = |g: &GrafcetId| {
             let grafcet = &chart.grafcets[*g];
             grafcet.enclosing_step.is_some_and(|e| chart.steps[e].initial)
@@ -199,6 +222,7 @@ impl<'a> Watch<'a> {
     fn evolution(
         &mut self,
         after: &Activity,
+        saved: &(Activity, IndexVec<GrafcetId, bool>),
         variables: &IndexVec<VariableId, Value>,
         cleared: &IndexVec<TransitionId, bool>,
     ) {
@@ -221,6 +245,14 @@ impl<'a> Watch<'a> {
         for grafcet in chart.grafcets.indices() {
             self.settled(grafcet, &before, after, &left, &entered);
         }
+        let remembered = |active: &Activity, (saved, frozen): &(Activity, IndexVec<GrafcetId, bool>)| Remembered {
+            active: active.clone(),
+            saved: saved.clone(),
+            frozen: frozen.clone(),
+        };
+        let (earlier, later) = (remembered(&before, &self.saved), remembered(after, saved));
+        let evolved = Evolved { chart, before: &earlier, after: &later, cleared, entered: &entered };
+        self.seen.extend(chart.grafcets.indices().flat_map(|g| evolved.of(g)));
         self.actions(&before, after, cleared, variables);
         let moved = before != *after;
         let allocated = self.stored().any(|v| self.variables[v] != variables[v]);

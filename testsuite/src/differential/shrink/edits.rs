@@ -94,6 +94,11 @@ pub(super) fn of(text: &str) -> Vec<Edit> {
                                 Event::Event(condition) => exprs.push(*condition),
                             }
                         }
+                        ActionKind::Pulse { event, .. } => match event {
+                            Event::Activation | Event::Deactivation | Event::EachScan(_) => {}
+                            Event::Event(condition) => exprs.push(*condition),
+                        },
+                        ActionKind::Run { .. } => {}
                         ActionKind::Force { situation, .. } => match situation {
                             Situation::Steps(_) | Situation::Current | Situation::Initial => {}
                         },
@@ -106,6 +111,7 @@ pub(super) fn of(text: &str) -> Vec<Edit> {
                 let rest = Span::new(condition.file, condition.end as usize, transition.span.end as usize);
                 list.push((rest, String::new()));
                 exprs.push(transition.condition);
+                list.extend(transition.pulses().iter().map(|pulse| (pulse.span, String::new())));
                 list.push((condition, "1".into()));
                 exprs.extend(transition.actions().iter().map(|a| a.value));
                 list.extend(transition.actions().iter().map(|a| (chart.exprs[a.value].span, "1".into())));
@@ -179,7 +185,10 @@ fn shown(text: &str, chart: &Chart) -> Vec<Edit> {
             Item::Expansion(expansion) => open.extend(&expansion.items),
             Item::Step(step) => actions.extend(step.actions.iter().filter_map(|action| match &action.kind {
                 ActionKind::Stored { assignment, .. } => Some((assignment.target.text.as_str(), action.span)),
-                ActionKind::Continuous { .. } | ActionKind::Force { .. } => None,
+                ActionKind::Continuous { .. }
+                | ActionKind::Pulse { .. }
+                | ActionKind::Run { .. }
+                | ActionKind::Force { .. } => None,
             })),
         }
     }

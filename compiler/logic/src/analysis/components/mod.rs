@@ -115,6 +115,20 @@ pub(crate) struct FoundComponents {
     pub(crate) one_token: FxHashSet<StepId>,
 }
 
+impl FoundComponents {
+    /// Nothing is found but the rivals.
+    pub(crate) fn nothing(net: &Net, rivals: Rivals) -> Self {
+        FoundComponents {
+            components: Components::none(net),
+            cover: Cover { sets: Vec::new(), of_step: net.places.iter().map(|_| None).collect() },
+            reasons: net.places.indices().map(|s| (s, Reason::Commanded)).collect(),
+            reachable: Reachable::nothing(net),
+            rivals,
+            one_token: FxHashSet::default(),
+        }
+    }
+}
+
 /// A set of the cover, and the other steps of its component, as far as they are written out.
 struct Written {
     set: CoverSet,

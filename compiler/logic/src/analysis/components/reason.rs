@@ -27,6 +27,8 @@ pub(crate) enum Reason {
     Links(StepId, StepId),
     /// Two steps that one order forces would go together with it.
     Forced(StepId, StepId),
+    /// Pulse orders act in the chart.
+    Commanded,
     /// The search has taken too much work.
     GivenUp,
 }
@@ -49,6 +51,7 @@ impl Reason {
             Reason::Initial(x, y) => Reason::Initial(s(x), s(y)),
             Reason::Links(x, y) => Reason::Links(s(x), s(y)),
             Reason::Forced(x, y) => Reason::Forced(s(x), s(y)),
+            Reason::Commanded => Reason::Commanded,
             Reason::GivenUp => Reason::GivenUp,
         }
     }

@@ -69,6 +69,7 @@ fn is_suspicious(net: &Net, condition: ExprId) -> bool {
             ExprKind::StepTime(s) => Some((2, s.index())),
             ExprKind::MacroActive(m) => Some((3, m.index())),
             ExprKind::GrafcetActive(g) => Some((4, g.index())),
+            ExprKind::GrafcetFrozen(g) => Some((5, g.index())),
             ExprKind::Literal(Value::Bool(_)) => return true,
             ExprKind::Compare(..) => {
                 comparisons += 1;

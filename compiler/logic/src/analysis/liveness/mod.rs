@@ -20,6 +20,7 @@ pub(crate) mod situations;
 use super::Analysis;
 use super::together::questions::Questions;
 use constant::Constant;
+use grafc_net::Net;
 use possible::Never;
 use rings::Ring;
 use situations::Situations;
@@ -31,6 +32,19 @@ pub(crate) struct Liveness {
     pub(crate) never: Never,
     pub(crate) situations: Situations,
     pub(crate) rings: Vec<Ring>,
+}
+
+impl Liveness {
+    /// Nothing is looked for.
+    pub(super) fn nothing(net: &Net) -> Self {
+        let clears = net.transitions.iter().map(|_| false).collect();
+        Liveness {
+            constant: Vec::new(),
+            never: Never { steps: Vec::new(), transitions: Vec::new(), clears },
+            situations: Situations { reentries: Vec::new(), dead_ends: Vec::new() },
+            rings: Vec::new(),
+        }
+    }
 }
 
 pub(super) fn find(analysis: &Analysis) -> Liveness {

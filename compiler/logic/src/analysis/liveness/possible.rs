@@ -146,6 +146,7 @@ fn needed(net: &Net, t: TransitionId) -> Steps {
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
             | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_)
             | ExprKind::Not(_)
             | ExprKind::Or(..)
             | ExprKind::Xor(..)

@@ -190,6 +190,7 @@ fn guard(net: &Net, t: TransitionId) -> Guard {
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
             | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_)
             | ExprKind::Or(..)
             | ExprKind::Xor(..)
             | ExprKind::Rise(_)
@@ -217,7 +218,7 @@ fn is_free(net: &Net, t: TransitionId, root: ExprId) -> bool {
             ExprKind::Variable(v) => net.variables[*v].mode == Mode::Given,
             ExprKind::StepTime(step) => net.transitions[t].pre.contains(step),
             ExprKind::StepActive(_) => is_before(net, t, kind),
-            ExprKind::MacroActive(_) | ExprKind::GrafcetActive(_) => false,
+            ExprKind::MacroActive(_) | ExprKind::GrafcetActive(_) | ExprKind::GrafcetFrozen(_) => false,
             ExprKind::Literal(_)
             | ExprKind::Not(_)
             | ExprKind::And(..)

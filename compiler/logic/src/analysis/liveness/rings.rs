@@ -331,6 +331,7 @@ fn is_of_inputs(net: &Net, condition: ExprId) -> bool {
         | ExprKind::StepTime(_)
         | ExprKind::MacroActive(_)
         | ExprKind::GrafcetActive(_)
+        | ExprKind::GrafcetFrozen(_)
         | ExprKind::Rise(_)
         | ExprKind::Fall(_)
         | ExprKind::Delay { .. }
@@ -383,6 +384,7 @@ fn holds(net: &Net, condition: ExprId, inputs: &FxHashMap<VariableId, bool>) -> 
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
             | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_)
             | ExprKind::Rise(_)
             | ExprKind::Fall(_)
             | ExprKind::Delay { .. }

@@ -101,6 +101,7 @@ impl Circuit {
                 | ExprKind::StepTime(_)
                 | ExprKind::MacroActive(_)
                 | ExprKind::GrafcetActive(_)
+                | ExprKind::GrafcetFrozen(_)
                 | ExprKind::Rise(_)
                 | ExprKind::Fall(_)
                 | ExprKind::Delay { .. }
@@ -187,6 +188,7 @@ fn operator(kind: &ExprKind) -> Operator {
         | ExprKind::StepTime(_)
         | ExprKind::MacroActive(_)
         | ExprKind::GrafcetActive(_)
+        | ExprKind::GrafcetFrozen(_)
         | ExprKind::Compare(..)
         | ExprKind::Arithmetic(..)
         | ExprKind::Negate(_)

@@ -32,7 +32,7 @@ impl Analysis {
             let below = expr.kind.operands().any(|operand| moves[operand]);
             moves.push(match expr.kind {
                 ExprKind::StepActive(_) | ExprKind::StepTime(_) => true,
-                ExprKind::MacroActive(_) | ExprKind::GrafcetActive(_) => true,
+                ExprKind::MacroActive(_) | ExprKind::GrafcetActive(_) | ExprKind::GrafcetFrozen(_) => true,
                 ExprKind::Variable(v) => matches!(net.variables[v].mode, Mode::Wire | Mode::Stored),
                 ExprKind::Literal(_)
                 | ExprKind::Not(_)
@@ -59,6 +59,7 @@ impl Analysis {
                 | ExprKind::StepActive(_)
                 | ExprKind::MacroActive(_)
                 | ExprKind::GrafcetActive(_)
+                | ExprKind::GrafcetFrozen(_)
                 | ExprKind::Not(_)
                 | ExprKind::And(..)
                 | ExprKind::Or(..)

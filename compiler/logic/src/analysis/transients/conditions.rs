@@ -76,6 +76,7 @@ pub(super) fn add(
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
             | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_)
             | ExprKind::Rise(_)
             | ExprKind::Fall(_)
             | ExprKind::Arithmetic(..)

@@ -61,6 +61,11 @@ pub struct Transients {
 }
 
 impl Transients {
+    /// No bound is known.
+    pub(super) fn unknown() -> Self {
+        Transients { longest: None, chain: Vec::new(), cycle: Vec::new(), single: false, single_but_delays: false }
+    }
+
     /// Whether it is proved that no reaction hits a bound on micro-steps.
     pub fn ends_within(&self, bound: u32) -> bool {
         self.longest.is_some_and(|longest| longest <= bound)
@@ -127,6 +132,7 @@ impl Watched {
                 | ExprKind::StepTime(_)
                 | ExprKind::MacroActive(_)
                 | ExprKind::GrafcetActive(_)
+                | ExprKind::GrafcetFrozen(_)
                 | ExprKind::Not(_)
                 | ExprKind::And(..)
                 | ExprKind::Or(..)

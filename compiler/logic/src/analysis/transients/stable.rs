@@ -242,6 +242,7 @@ impl Stable {
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
             | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_)
             | ExprKind::Rise(_)
             | ExprKind::Fall(_) => return None,
             ExprKind::Not(a) => {
@@ -357,6 +358,7 @@ impl Stable {
                     | ExprKind::StepTime(_)
                     | ExprKind::MacroActive(_)
                     | ExprKind::GrafcetActive(_)
+                    | ExprKind::GrafcetFrozen(_)
                     | ExprKind::Arithmetic(..)
                     | ExprKind::Negate(_)
                     | ExprKind::Widen(_),

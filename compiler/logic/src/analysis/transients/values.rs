@@ -49,6 +49,7 @@ pub(super) fn occasions(net: &Net, stable: &Stable) -> IndexVec<ExprId, Occasion
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
             | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_)
             | ExprKind::Not(_)
             | ExprKind::Xor(..)
             | ExprKind::Delay { .. }
@@ -120,6 +121,8 @@ fn expression(net: &Net, occasions: &IndexVec<ExprId, Occasion>, e: ExprId, caus
         ExprKind::MacroActive(m) => {
             Way::BOTH.into_iter().for_each(|way| causes.at_once(Change::Macro(m, way), to(way)));
         }
+        // No bound is looked for where pulse orders act.
+        ExprKind::GrafcetFrozen(_) => {}
         ExprKind::GrafcetActive(g) => {
             Way::BOTH.into_iter().for_each(|way| causes.at_once(Change::Grafcet(g, way), to(way)));
         }

@@ -122,6 +122,7 @@ fn stored_reads(lowering: &Lowering, root: ExprId) -> Vec<VariableId> {
             | ExprKind::StepTime(_)
             | ExprKind::MacroActive(_)
             | ExprKind::GrafcetActive(_)
+            | ExprKind::GrafcetFrozen(_)
             | ExprKind::Not(_)
             | ExprKind::And(..)
             | ExprKind::Or(..)

@@ -1,4 +1,4 @@
-//! Frozen grafcets, orders in force and what they force, in the situation reached (R2).
+//! Frozen grafcets, orders in force and what they force, in the situation reached (R2, R15).
 
 use crate::encode::settle;
 use crate::lower::Lowering;
@@ -19,7 +19,13 @@ pub(super) fn statements(lowering: &mut Lowering, observing: &mut Observing) -> 
     let (frozen, statements) = settle::frozen(lowering);
     shown.out.extend(statements);
     let mut list = Vec::new();
-    for (g, value) in frozen.iter_enumerated().filter_map(|(g, value)| Some((g, (*value)?))) {
+    for (g, by_order) in frozen.iter_enumerated() {
+        // Pulse orders freeze as well (R15).
+        let by_pulse = lowering.frozen_bits.frozen[g].map(|bit| lowering.symbols.read(&mut lowering.pool, bit));
+        if by_order.is_none() && by_pulse.is_none() {
+            continue;
+        }
+        let value = lowering.pool.or(by_order.iter().copied().chain(by_pulse));
         let name = eco_format!("is_frozen_{}", net.grafcets[g].name);
         list.push((g, shown.set(lowering, &name, Origin::Orders(g), value)));
     }

@@ -1,5 +1,6 @@
 //! Which transitions are enabled, and which clear (R3).
 
+use crate::encode::clearings::left_to_clear;
 use crate::encode::settle;
 use crate::encode::task::Task;
 use crate::lower::Lowering;
@@ -29,7 +30,8 @@ pub(super) fn statements(
     for (t, transition) in net.transitions.iter_enumerated().take(net.transitions.len() - auxiliary) {
         let around = transition.within.iter().chain(&transition.pre).map(|s| active[*s]);
         let free = frozen[transition.grafcet].map(|frozen| lowering.pool.not(frozen));
-        let value = lowering.pool.and(around.chain(free));
+        let left = left_to_clear(lowering, t);
+        let value = lowering.pool.and(around.chain(free).chain(left));
         let enabled = set(lowering, "enabled", t, value, Told::All, &mut body);
         let is_enabled = lowering.symbols.read(&mut lowering.pool, enabled);
         let (satisfied, condition) = match observed {

@@ -79,7 +79,7 @@ impl Work<'_, '_, '_> {
                 Some(Reference::Variable(id)) if self.context.scope.is_typed(id) => self.variable(id),
                 // It may have been meant as a time, or as what is delayed.
                 Some(Reference::Variable(_)) => Part::Unknown,
-                Some(Reference::Activity(_) | Reference::Duration(_)) | None => Part::Other,
+                Some(Reference::Activity(_) | Reference::Duration(_) | Reference::Frozen(_)) | None => Part::Other,
             },
             ast::ExprKind::Error
             | ast::ExprKind::Integer(_)
@@ -181,7 +181,7 @@ impl Work<'_, '_, '_> {
             let ast::ExprKind::Name(name) = &self.context.tree[part].kind else { return None };
             match self.context.scope.reference(name)? {
                 Reference::Variable(id) if types::is_number(self.context.variables[id].ty) => Some(id),
-                Reference::Variable(_) | Reference::Activity(_) | Reference::Duration(_) => None,
+                Reference::Variable(_) | Reference::Activity(_) | Reference::Duration(_) | Reference::Frozen(_) => None,
             }
         });
         match number.map(|id| &self.context.variables[id]) {

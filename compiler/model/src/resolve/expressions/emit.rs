@@ -61,6 +61,7 @@ impl Work<'_, '_, '_> {
                 Detail::Reference(Reference::Activity(Label::Step(step))) => ExprKind::StepActive(step),
                 Detail::Reference(Reference::Activity(Label::Macro(macro_step))) => ExprKind::MacroActive(macro_step),
                 Detail::Reference(Reference::Activity(Label::Grafcet(grafcet))) => ExprKind::GrafcetActive(grafcet),
+                Detail::Reference(Reference::Frozen(grafcet)) => ExprKind::GrafcetFrozen(grafcet),
                 Detail::Reference(Reference::Duration(step)) => ExprKind::StepTime(step),
                 Detail::None | Detail::Delay { .. } | Detail::Sides(_) => unreachable!("a faultless name is resolved"),
             },

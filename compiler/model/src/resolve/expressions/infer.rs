@@ -34,7 +34,7 @@ impl Work<'_, '_, '_> {
                     }
                     OwnKind::Known(match reference {
                         Reference::Variable(id) => context.variables[id].ty,
-                        Reference::Activity(_) => Type::Bool,
+                        Reference::Activity(_) | Reference::Frozen(_) => Type::Bool,
                         Reference::Duration(_) => Type::Time,
                     })
                 }

@@ -29,6 +29,7 @@ fn print(chart: &Chart, id: ExprId) -> String {
         ExprKind::StepTime(id) => format!("T{}", chart.steps[*id].label),
         ExprKind::MacroActive(id) => format!("X{}", chart.macro_steps[*id].label),
         ExprKind::GrafcetActive(id) => format!("X{}", chart.grafcets[*id].name),
+        ExprKind::GrafcetFrozen(id) => format!("F{}", chart.grafcets[*id].name),
         ExprKind::Not(e) => format!("not {}", sub(*e)),
         ExprKind::And(e, f) => format!("({} and {})", sub(*e), sub(*f)),
         ExprKind::Or(e, f) => format!("({} or {})", sub(*e), sub(*f)),
