@@ -62,7 +62,10 @@ impl FencedBlock {
 pub fn write_files(blocks: &[FencedBlock], folder: &Path) {
     for block in blocks {
         if let Some(name) = block.value("file") {
-            fs::write(folder.join(name), &block.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+            let place = folder.join(name);
+            // A name may be one in a folder below.
+            let made = place.parent().map_or(Ok(()), fs::create_dir_all);
+            made.and_then(|()| fs::write(place, &block.text)).unwrap_or_else(|e| panic!("{name}: {e}"));
         }
     }
 }

@@ -42,7 +42,12 @@ fn only<'a>(blocks: &'a [FencedBlock], language: &str) -> Option<&'a FencedBlock
 
 /// The chart of an example: ours, or that of another tool.
 fn chart_of(blocks: &[FencedBlock]) -> Option<&FencedBlock> {
-    only(blocks, "gct").or(only(blocks, "xml"))
+    only(blocks, "gct").or(only(blocks, "xml")).or(only(blocks, "kiss2"))
+}
+
+/// Whether a block is a file to be imported.
+fn is_of_another_tool(block: &FencedBlock) -> bool {
+    matches!(block.language.as_str(), "xml" | "kiss2")
 }
 
 /// What is said about a recording of a chart without inputs: its times are the trace.
@@ -56,7 +61,7 @@ fn compared(chart: &Chart, recording: &str) -> Diagnostics {
 
 /// What is said about the example: of a chart, of its import, of a trace for it, or of its way to Structured Text.
 fn diagnose(code: Code, chart: &FencedBlock, trace: Option<&FencedBlock>) -> BTreeSet<Code> {
-    if chart.language == "xml" {
+    if is_of_another_tool(chart) {
         let options = grafc_import::Options::default();
         return codes(&grafc_import::import(FileId(0), &chart.text, &options).1);
     }
@@ -158,7 +163,7 @@ fn wrong_examples_give_their_code_alone() {
         let wrong = examples(*code, "Wrong");
         let Some(chart) = chart_of(&wrong) else { continue };
         let of_import = code.as_str()[1..].starts_with("07");
-        assert_eq!(chart.language == "xml", of_import, "{code:?}: pages about imports show a file to be imported");
+        assert_eq!(is_of_another_tool(chart), of_import, "{code:?}: pages about imports show a file to be imported");
         let trace = only(&wrong, "csv");
         // What is wrong with a scenario shows in the chart that has it.
         let of_trace = code.as_str()[1..].starts_with("06") && !matches!(code, Code::E0610 | Code::E0611);

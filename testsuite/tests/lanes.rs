@@ -1,11 +1,11 @@
 //! 64 scenarios at once: each lane does what the program does alone.
 
+use grafc_lanes::run;
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{Profile, Stimulus};
 use grafc_testsuite::charts::{cases, charts_folder, check, stimuli, vectors_folder};
 use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::differential::long_run::{self, Plan};
-use grafc_testsuite::executors::lanes::run;
 use grafc_testsuite::executors::select;
 use grafc_testsuite::random::{ChartKind, checked, profile, trace};
 use grafc_testsuite::runs::{self, compile};

@@ -176,6 +176,7 @@ codes! {
     E0704 "broken-reference" Error;
     E0705 "malformed-element" Error;
     E0706 "several-charts" Error;
+    E0707 "malformed-kiss2" Error;
     W0701 "import-changed" Warning;
     W0702 "import-doubtful" Warning;
     W0703 "import-lost" Warning;

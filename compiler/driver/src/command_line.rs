@@ -2,8 +2,8 @@
 
 use crate::choices;
 use crate::commands::{
-    check, compile, completions, draw, explain, fmt, generate_tests, graph, import, man, new, page, serve, sim, stats,
-    test, verify,
+    automata, check, compile, completions, draw, explain, fmt, generate_tests, graph, import, man, new, page, serve,
+    sim, stats, test, verify,
 };
 use crate::meant;
 use crate::stream::Stream;
@@ -87,6 +87,8 @@ pub enum Command {
     Serve(serve::Arguments),
     /// Find all situations that a chart can come to, and what leads from one to another
     Graph(graph::Arguments),
+    /// Show the transition graphs that a chart is, or convert it to an automaton
+    Automata(automata::Arguments),
     /// Prove what a chart never does, or show it by a trace
     Verify(verify::Arguments),
     /// Measure what a chart takes in each encoding

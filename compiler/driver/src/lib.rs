@@ -50,6 +50,7 @@ pub fn run(command_line: CommandLine) -> Exit {
         Some(Command::Page(args)) => commands::page::run(args),
         Some(Command::Serve(args)) => commands::serve::run(args),
         Some(Command::Graph(args)) => commands::graph::run(args),
+        Some(Command::Automata(args)) => commands::automata::run(args),
         Some(Command::Verify(args)) => commands::verify::run(args),
         Some(Command::Fmt(args)) => commands::fmt::run(args),
         Some(Command::Import(args)) => commands::import::run(args),

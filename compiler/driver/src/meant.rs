@@ -14,6 +14,7 @@ const OTHER_WORDS: &[(&[&str], &str, &str)] = &[
     (&["format", "pretty", "indent"], "fmt", "grafc fmt CHART"),
     (&["init", "create", "template", "start"], "new", "grafc new NAME"),
     (&["convert", "open", "load"], "import", "grafc import FILE"),
+    (&["automaton", "fsm", "moore", "mealy", "minimize", "minimise", "kiss2"], "automata", "grafc automata CHART"),
     (&["statistics", "size", "measure", "info"], "stats", "grafc stats CHART"),
     (&["error", "describe", "why", "doc"], "explain", "grafc explain CODE"),
     (&["manual"], "man", "grafc man"),

@@ -5,7 +5,7 @@ mod common;
 use common::Folder;
 use grafc_diagnostics::Code;
 
-const COMMANDS: [&str; 16] = [
+const COMMANDS: [&str; 17] = [
     "check",
     "sim",
     "test",
@@ -16,6 +16,7 @@ const COMMANDS: [&str; 16] = [
     "page",
     "serve",
     "graph",
+    "automata",
     "verify",
     "stats",
     "import",

@@ -4,11 +4,12 @@
 //! AGRAFE:       text ─ xml ─▶ elements ─ agrafe ─▶ model ─ chart ─▶ .gct text
 //! PLCopen XML:  text ─ xml ─▶ elements ─ plcopen ┐
 //! IEC 61131-3:  text ───────── iec_text ─────────┴▶ sfc ─ write ─▶ .gct text
+//! KISS2:        text ─ kiss2 ─▶ table ─▶ .gct text
 //! ```
 //!
 //! What is written is brought into the form that `grafc fmt` would give it. A folder a format: `agrafe` knows the
 //! meta-model of that tool, `plcopen` the XML of PLCopen, `iec_text` the textual form of sequential function charts; none
-//! of them knows our language. `code` reads the languages of IEC 61131-3 that stand in charts, `chart` and `write` say in
+//! of them knows our language. `kiss2` reads tables of automata, and says them in our language itself. `code` reads the languages of IEC 61131-3 that stand in charts, `chart` and `write` say in
 //! our language what was read, and what does not fit; `xml` is of no format.
 //!
 //! The report is made of messages: W0701 changed, W0702 doubtful, W0703 lost. The file may come from anywhere, so all
@@ -18,6 +19,7 @@ mod agrafe;
 mod chart;
 mod code;
 mod iec_text;
+mod kiss2;
 mod naming;
 mod plcopen;
 mod sfc;
@@ -92,6 +94,12 @@ pub fn import_all(file: FileId, text: &str, options: &Options) -> (Vec<Imported>
             });
             written.into_iter().collect()
         }
+    } else if kiss2::is_kiss2(text) {
+        let table = kiss2::read(file, text, &mut diagnostics);
+        let limit = text.len().saturating_mul(GROWTH_OF_TABLES).saturating_add(SMALL);
+        let is_right = !diagnostics.has_errors();
+        let written = is_right.then(|| kiss2::write(&table, limit, &mut diagnostics)).flatten();
+        written.into_iter().map(|text| ("Machine".to_owned(), table.span, text)).collect()
     } else {
         // Its first character.
         let whole = Span::new(file, 0, text.chars().next().map_or(0, char::len_utf8));
@@ -178,6 +186,9 @@ fn formatted(file: FileId, written: &str, span: Span, diagnostics: &mut Diagnost
 /// How much longer than its file a chart may be. XMI says everything at greater length, so only a file that repeats
 /// itself by reference comes near to it: thousands of transitions behind one synchronisation of thousands of steps.
 const GROWTH: usize = 4;
+
+/// The same of a table: what is a sign there is a name here, in each row and in rows that exclude it.
+const GROWTH_OF_TABLES: usize = 100;
 
 /// What small files may have beyond that.
 const SMALL: usize = 64 * 1024;

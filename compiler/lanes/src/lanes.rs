@@ -99,21 +99,29 @@ impl<'p> Lanes<'p> {
     /// There are more than 64.
     pub fn react(&mut self, stimuli: &[&Stimulus]) {
         assert!(stimuli.len() <= LANES, "{} scenarios in {LANES} lanes", stimuli.len());
-        let mut restarts = 0;
-        for (lane, stimulus) in stimuli.iter().enumerate() {
+        self.react_in(stimuli.iter().copied().enumerate());
+    }
+
+    /// One call in the lanes that are given a stimulus; the others rest.
+    ///
+    /// # Panics
+    /// A lane is beyond the last one.
+    pub fn react_in<'s>(&mut self, stimuli: impl IntoIterator<Item = (usize, &'s Stimulus)> + Clone) {
+        let (mut mask, mut restarts): (Word, Word) = (0, 0);
+        for (lane, stimulus) in stimuli.clone() {
             self.values.now[lane] = stimulus.t_ms;
+            mask |= 1 << lane;
             restarts |= Word::from(stimulus.restart) << lane;
         }
         if restarts != 0 {
             self.restart(restarts);
         }
-        for (input, v) in self.inputs.iter().enumerate() {
-            let at = self.code.variables[*v];
-            for (lane, stimulus) in stimuli.iter().enumerate() {
-                self.values.set(at, stimulus.inputs[input], 1 << lane);
+        for (lane, stimulus) in stimuli {
+            for (v, value) in self.inputs.iter().zip(&stimulus.inputs) {
+                self.values.set_lane(self.code.variables[*v], *value, lane);
             }
         }
-        self.call(first_lanes(stimuli.len()));
+        self.call(mask);
     }
 
     /// What the latest call gave in each of so many lanes, from the first.
@@ -159,11 +167,6 @@ impl<'p> Lanes<'p> {
             of_flag.fold(0, |word, (id, _)| word | self.bools_of(id))
         })
     }
-}
-
-/// The first so many lanes.
-fn first_lanes(count: usize) -> Word {
-    if count >= LANES { Word::MAX } else { (1 << count) - 1 }
 }
 
 impl Values {

@@ -15,13 +15,16 @@
 //! | `code` | the operations, and where values lie |
 //! | `compile` | statements to parts, formulas to operations, each once as long as it keeps its value |
 //! | `lanes` | the state of 64 scenarios, and a call |
+//! | `batch` | any number of scenarios from their first call to their last |
 //! | `operate` | what the operations do |
 
+mod batch;
 mod code;
 mod compile;
 mod lanes;
 mod operate;
 
+pub use batch::run;
 pub use code::LANES;
 pub use lanes::Lanes;
 

@@ -146,6 +146,16 @@ impl Values {
             (at, value) => unreachable!("{value:?} lies in no {at:?}"),
         }
     }
+
+    /// Gives a lane a value.
+    pub(crate) fn set_lane(&mut self, at: At, value: Value, lane: usize) {
+        match (at, value) {
+            (At::Bool(at), Value::Bool(value)) => keep(&mut self.bools[at], Word::from(value) << lane, 1 << lane),
+            (At::Whole(at), Value::Int(n) | Value::Time(n)) => self.wholes[at][lane] = n,
+            (At::Real(at), Value::Real(x)) => self.reals[at][lane] = x,
+            (at, value) => unreachable!("{value:?} lies in no {at:?}"),
+        }
+    }
 }
 
 fn keep_row<T: Copy>(to: &mut Row<T>, from: &Row<T>, mask: Word) {

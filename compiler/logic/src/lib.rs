@@ -40,4 +40,5 @@ pub use grafc_model::misleading_points;
 pub use options::{Encoding, Options};
 pub use output_table::{OutputTable, Row, StoredOutput, When, output_table};
 pub use report::{Method, arrow, bits, exclusion, sets};
+pub use spell::condition;
 pub use warn::warn;

@@ -41,6 +41,12 @@ pub(crate) fn in_signs(net: &Net, expr: ExprId) -> String {
     }
 }
 
+/// A condition or a value as a chart writes it, in signs; what nests deeper than anybody writes is left out.
+pub fn condition(net: &Net, expr: ExprId) -> String {
+    const DEEPEST: usize = 200;
+    spell(net, expr, DEEPEST, &SIGNS).unwrap_or_default()
+}
+
 /// `left` bounds the depth of the recursion.
 fn spell(net: &Net, expr: ExprId, left: usize, signs: &Signs) -> Option<String> {
     let Some(left) = left.checked_sub(1) else { return signs.too_deep.map(str::to_owned) };

@@ -6,30 +6,8 @@ use crate::compare::{first_difference, report};
 use crate::random::trace;
 use crate::runs::{caught, compile, simulate};
 use crate::ways::exact;
-use grafc_lanes::{LANES, Lanes};
-use grafc_logic::scan::Program;
+use grafc_lanes::{LANES, run};
 use grafc_model::reaction::{Response, Stimulus};
-
-/// What a program does with up to 64 traces, which may differ in length.
-///
-/// # Panics
-/// There are more than 64.
-pub fn run(program: &Program, traces: &[&[Stimulus]]) -> Vec<Vec<Response>> {
-    // Those that are over first are last, so that lanes in use are the first ones.
-    let mut order: Vec<usize> = (0..traces.len()).collect();
-    order.sort_by_key(|trace| std::cmp::Reverse(traces[*trace].len()));
-    let mut found = vec![Vec::new(); traces.len()];
-    let mut lanes = Lanes::new(program);
-    for row in 0..order.first().map_or(0, |longest| traces[*longest].len()) {
-        order.truncate(order.partition_point(|trace| traces[*trace].len() > row));
-        let stimuli: Vec<&Stimulus> = order.iter().map(|trace| &traces[*trace][row]).collect();
-        lanes.react(&stimuli);
-        for (trace, response) in order.iter().zip(lanes.responses(order.len())) {
-            found[*trace].push(response);
-        }
-    }
-    found
-}
 
 /// The executor.
 pub(super) struct AtOnce;

@@ -13,7 +13,7 @@ pub(crate) mod function_block;
 pub mod ironplc;
 pub mod jobs;
 pub mod js;
-pub mod lanes;
+mod lanes;
 pub mod matiec;
 mod net;
 pub mod rust;

@@ -14,9 +14,10 @@ Example:
   grafc import export.xml --pou Crane --dialect codesys -o crane.gct
   grafc import export.xml -o charts/
   grafc import plant.grafcet -o plant.gct
+  grafc import machine.kiss2 -o machine.gct
 
-Reads PLCopen XML (Beremiz, OpenPLC, CODESYS, TwinCAT), sequential function charts as text of IEC 61131-3, and charts
-of AGRAFE (*.grafcet, XMI). The report goes to standard error: W0701 changed, W0702 doubtful, W0703 lost. The result is
+Reads PLCopen XML (Beremiz, OpenPLC, CODESYS, TwinCAT), sequential function charts as text of IEC 61131-3, charts of
+AGRAFE (*.grafcet, XMI), and tables of automata (KISS2). The report goes to standard error: W0701 changed, W0702 doubtful, W0703 lost. The result is
 in the format of `grafc fmt`; `grafc check` says whether it keeps the rules.";
 
 /// Whose meaning of sequential function charts counts.

@@ -1,5 +1,6 @@
 //! The commands, one a file: each takes its arguments, does its work, and says how it ended.
 
+pub mod automata;
 pub mod check;
 pub mod compile;
 pub mod completions;

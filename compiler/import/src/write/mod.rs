@@ -31,7 +31,8 @@ use maker::{Action, Maker, When};
 use rustc_hash::{FxHashMap, FxHashSet};
 use selection::Written;
 use terms::{StepId, Terms, VarId};
-use text::{Spelling, Text, Use};
+pub use text::Text;
+use text::{Spelling, Use};
 use variables::Variables;
 
 /// The text of the chart of a unit; none if it would be longer than `limit`.

@@ -11,7 +11,8 @@ mod shown;
 use crate::compile::{bounded, check};
 use crate::stages::flatten;
 use grafc_diagnostics::{Diagnostics, FileId};
-use grafc_logic::Analysis;
+use grafc_logic::scan::{Claimed, Program};
+use grafc_logic::{Analysis, Extras};
 use grafc_model::chart::{Chart, ControlNames};
 use grafc_model::reaction::{Asked, Profile};
 use grafc_model::simulate::{Calls, Probe};
@@ -86,6 +87,17 @@ impl Simulation {
         let profile = if how.bound_as_known { known_bound(&chart, how.profile) } else { how.profile };
         let simulation = Simulation { chart, probes, before, profile, calls: how.calls };
         (Ok(Some(simulation)), diagnostics)
+    }
+
+    /// The scan program that does in each call what the simulation does, with what is claimed of the chart: for who runs many
+    /// scenarios of it. None if the chart cannot be lowered, which is said.
+    pub fn program(&self) -> (Option<Program>, Diagnostics) {
+        let mut diagnostics = Diagnostics::new();
+        let Some(net) = flatten(self.chart.clone(), false, &mut diagnostics) else { return (None, diagnostics) };
+        let options = grafc_logic::Options { profile: self.profile, ..grafc_logic::Options::default() };
+        let extras = Extras { claims: Claimed::All, ..Extras::default() };
+        let (program, found) = grafc_logic::compile_with(Analysis::new(net), &options, extras);
+        if found.has_errors() { (None, found) } else { (Some(program), Diagnostics::new()) }
     }
 
     /// The columns of a result, of a trace that may or may not say that the controller has restarted.

@@ -1,66 +1,36 @@
-//! `grafc sim`: a chart over a trace, with the reference simulator; compared with a recording, if there is one.
+//! `grafc sim`: a chart over a trace, with the reference simulator; compared with a recording, if there is one. Or over a
+//! folder of traces, 64 at once.
+
+mod arguments;
+mod batch;
 
 use super::{refuse_output_over_input, refuse_second_standard_input};
 use crate::Exit;
-use crate::arguments::{ControlArguments, MessageArguments, Period, ProfileArguments, period};
+use crate::arguments::Period;
 use crate::report::{Failure, Report};
 use crate::results::{Form, Written};
 use crate::stream::Stream;
 use crate::traces::Watched;
-use clap::Args;
 use grafc::files::{Refusal, print};
 use grafc::{Ended, Simulation, Text};
 use grafc_model::simulate::Calls;
 use grafc_model::trace::Kept;
 use std::io::{self, ErrorKind};
 
-const AFTER_HELP: &str = "\
-Example:
-  grafc sim valve.gct --trace valve.trace.csv -o valve.result.csv
-  grafc sim valve.gct --trace valve.trace.csv --against plc.csv
-  grafc sim valve.gct --trace valve.trace.csv --events --show inputs,steps
-  grafc sim valve.gct --trace valve.trace.csv --scan 20ms -o valve.vcd
+pub use arguments::Arguments;
 
-A trace is CSV: a header `t_ms,NAME,...` of inputs, then a row a scan, the first for the initial reaction.
-The result has the header `t_ms,OUTPUT,...,situation,flags`; a recording has any of these columns, and the first row
-that differs is an error.";
-
-/// Arguments of `grafc sim`.
-#[derive(Args, Debug)]
-#[command(after_help = AFTER_HELP)]
-pub struct Arguments {
-    /// The chart; `-` is standard input
-    #[arg(value_name = "CHART")]
-    chart: Stream,
-    /// The inputs over time; `-` is standard input
-    #[arg(long, value_name = "IN.csv")]
-    trace: Stream,
-    /// A result recorded elsewhere, to compare with; `-` is standard input
-    #[arg(long, value_name = "RECORDED.csv")]
-    against: Option<Stream>,
-    /// Call the chart at this period as well, between the rows of the trace
-    #[arg(long, value_name = "PERIOD", value_parser = period)]
-    scan: Option<Period>,
-    /// Call the chart between the rows exactly where a delay ends
-    #[arg(long, conflicts_with = "scan")]
-    events: bool,
-    /// More columns, separated by commas: `inputs`, `vars`, `steps`, and names as in conditions, such as `T5`
-    #[arg(long, value_name = "WHAT,...", value_delimiter = ',')]
-    show: Vec<String>,
-    /// Where to put the result: a table, or with the ending `.vcd` a drawing of all values over time [default: standard output; nowhere with `--against`]
-    #[arg(short, long, value_name = "OUT.csv")]
-    output: Option<Stream>,
-    #[command(flatten)]
-    profile: ProfileArguments,
-    #[command(flatten)]
-    controls: ControlArguments,
-    #[command(flatten)]
-    messages: MessageArguments,
+/// Runs one chart over one trace, or over many.
+pub fn run(mut args: Arguments) -> Result<Exit, Failure> {
+    match (args.batch.take(), args.trace.take()) {
+        (Some(folder), _) => batch::run(args, &folder),
+        (None, Some(trace)) => over(args, trace),
+        (None, None) => Ok(Exit::WrongUse),
+    }
 }
 
 /// Runs one chart over one trace.
-pub fn run(args: Arguments) -> Result<Exit, Failure> {
-    let inputs = || [&args.chart, &args.trace].into_iter().chain(&args.against);
+fn over(args: Arguments, traced: Stream) -> Result<Exit, Failure> {
+    let inputs = || [&args.chart, &traced].into_iter().chain(&args.against);
     refuse_second_standard_input(inputs())?;
     // A comparison is asked whether it is the same, not what it is.
     let output = args.output.or(args.against.is_none().then_some(Stream::Standard));
@@ -75,7 +45,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let mut report = Report::new(args.messages.policy()?);
     let messages = args.messages.messages();
     let chart = report.load(&args.chart)?;
-    let (trace, length) = args.trace.open()?;
+    let (trace, length) = traced.open()?;
     let recorded = args.against.as_ref().map(|stream| stream.open()).transpose()?;
     let Some(chart) = chart else { return Ok(report.tell(messages)) };
     let calls = match args.scan {
@@ -106,7 +76,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
     let is_wanted = is_seen && messages.is_for_people();
     let mut trace_bytes = Watched::new(trace, is_wanted.then_some(length));
     let mut results = Written::new(&simulation, form, output.as_ref(), trace_bytes.is_live())?;
-    let trace = Text { file: report.name(&args.trace), bytes: &mut trace_bytes, kept: Kept::Rows };
+    let trace = Text { file: report.name(&traced), bytes: &mut trace_bytes, kept: Kept::Rows };
     let mut recorded = recorded.map(|(bytes, _)| bytes);
     let recorded_file = args.against.as_ref().map(|stream| report.name(stream));
     let recorded = recorded_file.zip(recorded.as_mut());
@@ -117,7 +87,7 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         Ok(outcome) => outcome,
         // If it was closed early, the reader has seen enough.
         Err(Ended::Results(error)) if error.kind() == ErrorKind::BrokenPipe => return Ok(report.tell(messages)),
-        Err(ended) => return Err(refusal(ended, &args.trace, args.against.as_ref(), output.as_ref()).into()),
+        Err(ended) => return Err(refusal(ended, &traced, args.against.as_ref(), output.as_ref()).into()),
     };
     report.diagnostics.append(outcome.diagnostics);
     for (file, extract) in outcome.extracts {
