@@ -144,3 +144,59 @@ fn the_adder_is_two_vertices_of_an_extended_automaton() {
     let sums: Vec<&str> = extended.vertices.iter().map(|vertex| vertex.outputs[0].1.as_str()).collect();
     assert_eq!(sums, ["¬x1 · x2 + x1 · ¬x2", "¬x1 · ¬x2 + x1 · x2"]);
 }
+
+/// A random automaton as a block, and as the grafcet that it means, its conditions excluding each other by hand: both do the
+/// same, whatever the arcs, with outputs at states; and of those at arcs, the table says what is published.
+#[test]
+fn blocks_of_the_language() {
+    for seed in 0..40u64 {
+        let mut rng = Rng::with_seed(seed);
+        let states = rng.usize(2..=5);
+        let arcs: Vec<(usize, usize, &str, bool)> = (0..rng.usize(1..=12))
+            .map(|_| {
+                let when = ["a", "b", "a and b", "a or c", "not c", "not a and b", "rise b", "1"][rng.usize(0..8)];
+                (rng.usize(0..states), rng.usize(0..states), when, rng.bool())
+            })
+            .collect();
+        let heading = "chart M evolution scan\ninput a, b, c : bool\noutput y, z : bool\n";
+        let (mut block, mut grafcet) = (format!("{heading}automaton A {{\n"), heading.to_owned());
+        for state in 0..states {
+            let initial = if state == 0 { "initial " } else { "" };
+            let moore = if state % 2 == 1 { " { z }" } else { "" };
+            block += &format!("  {initial}state {state}{moore}\n");
+            grafcet += &format!("{initial}step {state}{moore}\n");
+        }
+        for (from, to, when, publishes) in &arcs {
+            block += &format!("  arc {from} -> {to} : {when}{}\n", if *publishes { " { y }" } else { "" });
+        }
+        let publishes = arcs.iter().any(|arc| arc.3);
+        for state in 0..states {
+            let mut before: Vec<&str> = Vec::new();
+            for (_, to, when, published) in arcs.iter().filter(|arc| arc.0 == state) {
+                let others: String = before.iter().map(|other| format!(" and not ({other})")).collect();
+                let given = if publishes { format!(" {{ y := {} }}", u8::from(*published)) } else { String::new() };
+                grafcet += &format!("transition {state} -> {to} : ({when}){others}{given}\n");
+                before.push(when);
+            }
+            if publishes {
+                let others: String = before.iter().map(|other| format!(" and not ({other})")).collect();
+                grafcet += &format!("transition {state} -> {state} : 1{others} {{ y := 0 }}\n");
+            }
+        }
+        block += "}\n";
+        let of = |text: &str| {
+            let chart = check("block", text).unwrap_or_else(|fault| panic!("{text}\n{fault}"));
+            machine(&chart, Profile::default()).expect("a machine")
+        };
+        let (one, other) = (of(&block), of(&grafcet));
+        assert!(product(&one, &other).is_ok(), "{block}\n{grafcet}");
+    }
+}
+
+/// The serial adder as a Mealy automaton of the language has two states, and is the Moore automaton of four.
+#[test]
+fn the_adder_as_a_mealy_automaton() {
+    let (mealy, moore) = (of_the_book("mealy.gct"), of_the_book("adder.gct"));
+    assert_eq!(mealy.states.len(), 2);
+    assert!(product(&mealy, &moore).is_ok());
+}

@@ -409,9 +409,12 @@ impl Type {
     }
 }
 
-/// `grafcet X9/G4 "comment" { … }`, `child grafcet P of MAIN { … }`.
+/// `grafcet X9/G4 "comment" { … }`, `child grafcet P of MAIN { … }`, `automaton A0 { … }`.
 #[derive(Clone, Debug)]
 pub struct Grafcet {
+    /// Whether it is an automaton: its steps are states, of which one is active, and its transitions are arcs in the order in
+    /// which they go before each other.
+    pub automaton: bool,
     /// What stands before the name: `X9` in `X9/G4`; usually empty or one name. Each still begins with its `X`.
     pub path: Vec<Name>,
     /// The grafcet's name.
@@ -528,31 +531,43 @@ pub struct Transition {
 struct More {
     designation: Option<Box<Name>>,
     comment: Option<Box<Text>>,
-    actions: Vec<Assignment>,
-    pulses: Vec<Pulse>,
-    allows: Vec<Allow>,
+    clearing: Clearing,
 }
 
-/// What stands in the braces of a transition: assignments, pulse orders, allowed warnings.
-pub(crate) type Clearing = (Vec<Assignment>, Vec<Pulse>, Vec<Allow>);
+/// What stands in the braces of a transition or an arc.
+#[derive(Clone, Debug, Default)]
+pub struct Clearing {
+    /// Assignments on clearing.
+    pub actions: Vec<Assignment>,
+    /// Of an arc, the outputs that are published on it.
+    pub outputs: Vec<Name>,
+    /// Pulse orders on clearing.
+    pub pulses: Vec<Pulse>,
+    /// The warnings that are allowed there.
+    pub allows: Vec<Allow>,
+}
 
 impl Transition {
     /// With nothing but what every transition has.
-    pub(crate) fn new(from: Names, to: Names, condition: ExprId, span: Span) -> Self {
+    pub fn new(from: Names, to: Names, condition: ExprId, span: Span) -> Self {
         Transition { from, to, condition, more: None, span }
     }
 
     /// And what stands before its arcs and behind its condition.
-    pub(crate) fn with(
-        self,
-        designation: Option<Box<Name>>,
-        comment: Option<Box<Text>>,
-        (actions, pulses, allows): Clearing,
-    ) -> Self {
-        let has_braces = !actions.is_empty() || !pulses.is_empty() || !allows.is_empty();
-        let is_bare = designation.is_none() && comment.is_none() && !has_braces;
-        let more = More { designation, comment, actions, pulses, allows };
-        Transition { more: (!is_bare).then(|| Box::new(more)), ..self }
+    pub fn with(self, designation: Option<Box<Name>>, comment: Option<Box<Text>>, clearing: Clearing) -> Self {
+        let Clearing { actions, outputs, pulses, allows } = &clearing;
+        let is_clear = actions.is_empty() && outputs.is_empty() && pulses.is_empty() && allows.is_empty();
+        let is_bare = designation.is_none() && comment.is_none() && is_clear;
+        Transition { more: (!is_bare).then(|| Box::new(More { designation, comment, clearing })), ..self }
+    }
+
+    /// The same with another condition and other assignments, and without outputs of an arc.
+    pub fn cleared_by(&self, condition: ExprId, actions: Vec<Assignment>) -> Self {
+        let more = self.more.as_deref().cloned();
+        let More { designation, comment, clearing } =
+            more.unwrap_or(More { designation: None, comment: None, clearing: Clearing::default() });
+        let plain = Transition { condition, more: None, ..self.clone() };
+        plain.with(designation, comment, Clearing { actions, outputs: Vec::new(), ..clearing })
     }
 
     /// What is in the parentheses (symbol 8).
@@ -567,17 +582,22 @@ impl Transition {
 
     /// Assignments on clearing.
     pub fn actions(&self) -> &[Assignment] {
-        self.more.as_ref().map_or(&[], |more| &more.actions)
+        self.more.as_ref().map_or(&[], |more| &more.clearing.actions)
+    }
+
+    /// Of an arc of an automaton, the outputs that are published on it.
+    pub fn outputs(&self) -> &[Name] {
+        self.more.as_ref().map_or(&[], |more| &more.clearing.outputs)
     }
 
     /// Pulse orders on clearing.
     pub fn pulses(&self) -> &[Pulse] {
-        self.more.as_ref().map_or(&[], |more| &more.pulses)
+        self.more.as_ref().map_or(&[], |more| &more.clearing.pulses)
     }
 
     /// The warnings that are allowed in its braces.
     pub fn allows(&self) -> &[Allow] {
-        self.more.as_ref().map_or(&[], |more| &more.allows)
+        self.more.as_ref().map_or(&[], |more| &more.clearing.allows)
     }
 }
 

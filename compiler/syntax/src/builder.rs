@@ -1,6 +1,7 @@
 //! What the grammar's actions do: they make tree nodes, and find the faults that a grammar says badly.
 
 use crate::ast::*;
+use crate::automaton::AUTOMATON;
 use crate::faults::MOST_FAULTS;
 use crate::format;
 use crate::habits::words::{TYPES, ours};
@@ -187,6 +188,18 @@ impl<'text> Builder<'text> {
     }
 
     /// The heading, with each choice once.
+    /// The head of a grafcet, or of an automaton, which its first word tells.
+    pub(crate) fn grafcet(
+        &self,
+        start: u32,
+        end: u32,
+        (path, name): (Vec<Name>, Name),
+        comment: Option<Box<Text>>,
+    ) -> Grafcet {
+        let automaton = self.slice(start, end).starts_with(AUTOMATON);
+        Grafcet { automaton, path, name, parent: None, comment, items: Vec::new(), span: self.span(start, end) }
+    }
+
     pub(crate) fn heading(
         &mut self,
         start: u32,

@@ -19,7 +19,10 @@
 //! `scenario` begins an item where a string and a brace follow it. In its braces `until`, and `after` before a time, begin a
 //! line, except where a name must stand: behind a comma, `->`, `not`. Behind `until` all is a condition, up to `within`
 //! before a time.
+//!
+//! What `automaton`, `state` and `arc` are, `automaton` says.
 
+use crate::automaton::{self, AUTOMATON, Automaton};
 use crate::scenario::Scenario;
 use crate::token::{Lexeme, Token, begins_item, declares, is_claim, may_end_item, opens_block};
 
@@ -28,6 +31,7 @@ pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
     let mut braces = Braces::default();
     let mut scenario = Scenario::default();
     let declares_run = declares_run(text, lexemes);
+    let mut automaton = Automaton::default();
     for at in 0..lexemes.len() {
         if lexemes[at].token == Token::On && at > 0 && lexemes[at - 1].token == Token::InitialActions {
             lexemes[at].token = Token::Name;
@@ -37,6 +41,10 @@ pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
                 word if scenario.is_open() => {
                     let found = scenario.word(word, place.before(1), place.token(1));
                     found.into_iter().for_each(|token| lexemes[at].token = token);
+                }
+                AUTOMATON if braces.of_items == 0 && automaton::begins(lexemes, at) => {
+                    automaton.begin();
+                    lexemes[at].token = Token::Grafcet;
                 }
                 "scenario" if place.is_scenario() => lexemes[at].token = Token::Scenario,
                 "allow" => place.allow().into_iter().for_each(|token| lexemes[at].token = token),
@@ -65,12 +73,16 @@ pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
                 "each" if place.is_each_scan() => {
                     (lexemes[at].token, lexemes[at + 1].token) = (Token::Each, Token::Scan);
                 }
-                _ => {}
+                word => {
+                    let found = automaton.word(word, lexemes, at);
+                    found.into_iter().for_each(|token| lexemes[at].token = token);
+                }
             }
         }
         // A name that stays one changes nothing.
         if lexemes[at].token != Token::Name {
             scenario.pass(lexemes[at].token);
+            automaton.pass(lexemes[at].token);
             braces.pass(lexemes[at].token);
         }
     }

@@ -58,7 +58,8 @@ impl Dump<'_> {
                         Some(parent) => ("child ", format!(" of {}", name(parent))),
                         None => ("", String::new()),
                     };
-                    let what = format!("{child}grafcet {path}{}{of}", name(&grafcet.name));
+                    let word = if grafcet.automaton { "automaton" } else { "grafcet" };
+                    let what = format!("{child}{word} {path}{}{of}", name(&grafcet.name));
                     self.line(&format!("{what}{}", comment(&grafcet.comment)));
                     self.block(&grafcet.items);
                 }
@@ -212,6 +213,7 @@ impl Dump<'_> {
         for pulse in transition.pulses() {
             self.line(&format!("{} {}", pulse.kind.word(), name(&pulse.grafcet)));
         }
+        transition.outputs().iter().for_each(|output| self.line(&format!("publish {}", name(output))));
         transition.allows().iter().for_each(|allow| self.allow(allow));
         self.level -= 1;
     }

@@ -126,6 +126,7 @@ fn action_starts(chart: &Chart) -> HashSet<u32> {
                 Item::Transition(transition) => {
                     starts.extend(transition.actions().iter().map(|a| a.span.start));
                     starts.extend(transition.pulses().iter().map(|pulse| pulse.span.start));
+                    starts.extend(transition.outputs().iter().map(|output| output.span.start));
                     starts.extend(transition.allows().iter().map(|a| a.span.start));
                 }
             }

@@ -6,6 +6,7 @@
 //! ```
 
 pub mod ast;
+mod automaton;
 mod builder;
 mod characters;
 mod context;

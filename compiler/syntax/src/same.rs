@@ -49,7 +49,8 @@ fn items(a: &[Item], b: &[Item]) -> bool {
                 && text(&a.address, &b.address)
         }
         (Item::Grafcet(a), Item::Grafcet(b)) => {
-            names(&a.path, &b.path)
+            a.automaton == b.automaton
+                && names(&a.path, &b.path)
                 && name(&a.name, &b.name)
                 && names(a.parent.as_slice(), b.parent.as_slice())
                 && text(&a.comment, &b.comment)
@@ -74,6 +75,7 @@ fn items(a: &[Item], b: &[Item]) -> bool {
                 && a.condition == b.condition
                 && all(a.actions(), b.actions(), assignment)
                 && all(a.pulses(), b.pulses(), |a, b| a.kind == b.kind && name(&a.grafcet, &b.grafcet))
+                && names(a.outputs(), b.outputs())
                 && all(a.allows(), b.allows(), allow)
         }
         (Item::Allow(a), Item::Allow(b)) => allow(a, b),

@@ -221,6 +221,8 @@ pub(crate) enum Token {
     Resume,
     /// `run`, before the grafcet that runs while the step is active
     Run,
+    /// An output in the braces of `arc`
+    OnArc,
     /// The end of an item; the parser puts it there.
     End,
 }
@@ -285,7 +287,7 @@ pub(crate) fn may_end_item(token: Token) -> bool {
     use Token::*;
     match token {
         Name | String | Address | Whole | Integer | Real | Duration | Unreadable | True | False | CloseParen
-        | CloseBracket | OpenBrace | CloseBrace | Scan => true,
+        | CloseBracket | OpenBrace | CloseBrace | Scan | OnArc => true,
         Chart | Input | Output | Var | Const | Grafcet | Expansion | Step | Transition | Initial | Activated
         | Enclosing | Macro | If | On | Force | And | Or | Xor | Not | Rise | Fall | Mod | Plus | Minus | Star
         | Slash | Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual | Assign | Colon | Comma | Arrow

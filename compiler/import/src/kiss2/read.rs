@@ -195,7 +195,7 @@ impl<'a> Reader<'a> {
 
     /// The state of a name; none: any.
     fn state(&mut self, word: Word<'a>) -> Option<usize> {
-        if word.text == "*" || word.text == "-" {
+        if matches!(word.text, "*" | "-" | "ANY") {
             return None;
         }
         let next = self.table.states.len();

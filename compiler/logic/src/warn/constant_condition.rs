@@ -8,11 +8,14 @@
 
 use crate::analysis::Analysis;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
+use grafc_model::chart::ExprId;
 
 /// One warning per condition.
 pub(super) fn check(analysis: &Analysis, diagnostics: &mut Diagnostics) {
     let net = analysis.net();
-    for found in &analysis.liveness().constant {
+    // What is made for an automaton has no place.
+    let has_place = |condition: &ExprId| !net.exprs[*condition].span.range().is_empty();
+    for found in analysis.liveness().constant.iter().filter(|found| has_place(&found.condition)) {
         let (message, help) = match (found.value, found.transition.is_some()) {
             (false, true) => (
                 "this condition never holds, so the transition is never cleared",

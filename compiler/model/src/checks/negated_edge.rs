@@ -21,7 +21,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         edges.push(match expr.kind {
             ExprKind::Rise(_) | ExprKind::Fall(_) => Some(id),
             ExprKind::Not(_) => {
-                if let Some(edge) = below {
+                // What is made for an automaton has no place.
+                if let Some(edge) = below.filter(|_| !expr.span.range().is_empty()) {
                     diagnostics.push(report(expr.span, exprs[edge].span));
                 }
                 None

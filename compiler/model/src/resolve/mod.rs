@@ -6,6 +6,7 @@
 mod actions;
 mod addresses;
 mod allowances;
+pub mod automata;
 mod claims;
 mod declarations;
 mod definitions;

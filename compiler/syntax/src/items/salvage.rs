@@ -7,6 +7,7 @@ use super::attempt::{Stop, attempt};
 use super::cut::Run;
 use super::reader::Reader;
 use crate::ast;
+use crate::automaton::AUTOMATON;
 use crate::builder::Parsed;
 use crate::token::{Lexeme, Token};
 
@@ -72,8 +73,9 @@ impl Reader<'_> {
         let name = ast::Name { text: "".into(), quoted: false, span };
         match head.token {
             Token::Grafcet | Token::Child => {
+                let automaton = self.builder.slice(head.start, head.end) == AUTOMATON;
                 let (path, items) = (Vec::new(), Vec::new());
-                let grafcet = ast::Grafcet { path, name, parent: None, comment: None, items, span };
+                let grafcet = ast::Grafcet { automaton, path, name, parent: None, comment: None, items, span };
                 Some(Parsed::Grafcet(Box::new(grafcet)))
             }
             Token::Expansion => {
