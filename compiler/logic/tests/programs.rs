@@ -4,17 +4,21 @@
 use grafc_diagnostics::{Diagnostics, FileId};
 use grafc_formula::Type;
 use grafc_logic::scan::{Program, Role, Statement, VarId, verify};
-use grafc_logic::{Analysis, Options, compile};
+use grafc_logic::{Analysis, Encoding, Options, compile};
 use grafc_model::reaction::{Evolution, Profile};
 
 fn compiled(text: &str, profile: Profile) -> Program {
+    compiled_by(text, &Options { profile, ..Options::default() })
+}
+
+fn compiled_by(text: &str, options: &Options) -> Program {
     let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), text);
     assert!(!diagnostics.has_errors(), "{diagnostics:?}");
     let (chart, diagnostics) = grafc_model::check(&tree, "chart");
     let mut net = grafc_net::build(&chart.unwrap_or_else(|| panic!("{diagnostics:?}")));
     let mut diagnostics = Diagnostics::new();
     grafc_net::passes::run(&mut net, false, &mut diagnostics);
-    compile(Analysis::new(net), &Options { profile, ..Options::default() }).0
+    compile(Analysis::new(net), options).0
 }
 
 fn program(text: &str) -> Program {
@@ -151,4 +155,17 @@ fn every_read_has_a_value() {
         .position(|s| matches!(s, Statement::Assign { target, .. } if program.variables[*target].name == "rise_a"));
     program.micro_step.remove(edge.expect("the edge"));
     assert!(verify(&program).is_err(), "`rise_a` is read and never set");
+}
+
+/// Two steps of one component are never active together, so the last transition never clears. It leaves a state as it is, and
+/// yet switches an output; of an action nothing is said beside it.
+#[test]
+fn a_transition_that_only_switches_an_output() {
+    let text = "input a, b : bool  output Q : bool
+         initial step 1 { Q }  step 2
+         transition 1 -> 2 : a  transition 2 -> 1 : b  transition 1, 2 -> 2 : a";
+    for simplify in [false, true] {
+        let program = compiled_by(text, &Options { encoding: Encoding::Switch, simplify, ..Options::default() });
+        assert_eq!(verify(&program), Ok(()));
+    }
 }

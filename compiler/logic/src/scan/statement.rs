@@ -75,9 +75,9 @@ impl Statement {
         }
     }
 
-    /// Says the whole of its origin beside it.
+    /// Says the whole of its origin beside it, if that is a step or a transition.
     pub fn tell(&mut self) {
-        if let Statement::Assign { told, .. } = self {
+        if let Statement::Assign { told, origin: Origin::Step(_) | Origin::Transition(_), .. } = self {
             *told = Told::All;
         }
     }
