@@ -135,6 +135,8 @@ impl Net {
         self.commands().for_each(|(above, commanded)| below[above].push(commanded));
         // What is enclosed comes after what encloses it.
         for g in self.hierarchy.iter().rev() {
+            below[*g].sort_unstable();
+            below[*g].dedup();
             if let Some(around) = self.around(*g) {
                 let inside = below[*g].clone();
                 below[around].extend(inside);

@@ -19,6 +19,6 @@ export default async function play(page) {
   assert.match(await page.textContent('#grafcets'), /\{\} frozen/);
   // Step 3 resumes it where it was.
   await scan(page, { q: 1 });
-  assert.deepEqual(await lit(page), ['11', '3']);
+  assert.deepEqual(await lit(page), ['3', '11']);
   assert.deepEqual(await frozen(), []);
 }

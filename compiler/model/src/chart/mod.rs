@@ -371,7 +371,7 @@ pub struct Stored {
 }
 
 /// When a stored action is done (R7).
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Event {
     /// Kind E: the step is active in the old situation and the expression is true.
     Event(StepId, ExprId),

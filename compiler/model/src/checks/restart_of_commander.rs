@@ -29,16 +29,19 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         }
     }
     chart.runs.iter().for_each(|run| at(run.step, run.span));
-    for start in chart.pulses.iter().filter(|pulse| pulse.kind == PulseKind::Start) {
-        let kills = |other: &&crate::chart::Pulse| {
-            other.kind == PulseKind::Kill && other.grafcet == start.grafcet && other.event == start.event
-        };
-        if let (Some(kill), Some(order)) = (chart.pulses.iter().find(kills), waits.get(&start.grafcet)) {
+    let of = |kind: PulseKind| chart.pulses.iter().filter(move |pulse| pulse.kind == kind);
+    let mut kills: FxHashMap<(GrafcetId, Event), Span> = FxHashMap::default();
+    for kill in of(PulseKind::Kill) {
+        kills.entry((kill.grafcet, kill.event)).or_insert(kill.span);
+    }
+    for start in of(PulseKind::Start) {
+        let kill = kills.get(&(start.grafcet, start.event));
+        if let (Some(kill), Some(order)) = (kill, waits.get(&start.grafcet)) {
             let name = &chart.grafcets[start.grafcet].name;
             let message = format!("restarting `{name}` does not start again what its initial step commands");
             diagnostics.push(
                 Diagnostic::new(Code::W0428, start.span, message)
-                    .also(kill.span, "it is killed at once, and what it commands with it")
+                    .also(*kill, "it is killed at once, and what it commands with it")
                     .also(*order, "this waits for an activation that an active initial step has not")
                     .help("give this order in a step after the initial one, or start the grafcet a micro-step later"),
             );

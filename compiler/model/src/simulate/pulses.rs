@@ -63,6 +63,8 @@ impl Commands {
             }
         }
         for &id in chart.hierarchy.iter().rev() {
+            below[id].sort_unstable();
+            below[id].dedup();
             if let Some(around) = around(chart, id) {
                 let inside = below[id].clone();
                 below[around].extend(inside);
