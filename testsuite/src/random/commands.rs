@@ -6,7 +6,7 @@ use fastrand::Rng;
 /// Lets steps of some charts command later grafcets, some of which become their children; what is commanded may command in
 /// turn.
 pub(super) fn draw(rng: &mut Rng, frames: &mut [Frame]) {
-    if rng.u8(0..3) != 0 {
+    if rng.bool() {
         return;
     }
     for target in 1..frames.len() {
@@ -33,6 +33,19 @@ pub(super) fn draw(rng: &mut Rng, frames: &mut [Frame]) {
             let host = hosts[rng.usize(0..hosts.len())];
             command(rng, &mut frames[host], &name);
         }
+        // What is seldom by chance: a restart, an order of what is left just as it stops, an order that sets a situation.
+        let host = hosts[rng.usize(0..hosts.len())];
+        let Some(step) = some_step(rng, &frames[host]) else { continue };
+        let step = &mut frames[host].nodes[step];
+        match rng.u8(0..8) {
+            0 | 1 => {
+                let event = ["on activation", "on deactivation"][rng.usize(0..2)];
+                step.pulses.extend(["kill", "start"].map(|word| format!("{word} {name} {event}")));
+            }
+            2 | 3 => step.pulses.push(format!("start {name} on deactivation")),
+            4 => step.orders.push(format!("{name}{{INIT}}")),
+            _ => {}
+        }
     }
 }
 
@@ -43,15 +56,18 @@ fn command(rng: &mut Rng, host: &mut Frame, name: &str) {
         host.clearing.push((rng.usize(0..host.arcs.len()), format!("{word} {name}")));
         return;
     }
-    let steps: Vec<usize> = (0..host.nodes.len()).filter(|&i| host.nodes[i].kind != RandomStepKind::Macro).collect();
-    if steps.is_empty() {
-        return;
-    }
+    let Some(step) = some_step(rng, host) else { return };
     let pulse = match rng.u8(0..10) {
         0..3 => format!("run {name}"),
         3..7 => format!("{word} {name} on activation"),
         7 => format!("{word} {name} on deactivation"),
         _ => format!("{word} {name} on event ?"),
     };
-    host.nodes[steps[rng.usize(0..steps.len())]].pulses.push(pulse);
+    host.nodes[step].pulses.push(pulse);
+}
+
+/// A step that can have actions.
+fn some_step(rng: &mut Rng, host: &Frame) -> Option<usize> {
+    let steps: Vec<usize> = (0..host.nodes.len()).filter(|&i| host.nodes[i].kind != RandomStepKind::Macro).collect();
+    (!steps.is_empty()).then(|| steps[rng.usize(0..steps.len())])
 }

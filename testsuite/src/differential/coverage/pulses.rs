@@ -55,6 +55,11 @@ impl Evolved<'_> {
         self.chart.grafcets[g].steps.iter().any(|s| set[*s])
     }
 
+    /// The grafcets whose steps and transitions command one.
+    fn commanders(&self, g: GrafcetId) -> impl Iterator<Item = GrafcetId> {
+        self.chart.commands().filter(move |(_, commanded, _)| *commanded == g).map(|(commander, ..)| commander)
+    }
+
     /// What is seen of one grafcet.
     pub fn of(&self, g: GrafcetId) -> Vec<&'static str> {
         let chart = self.chart;
@@ -70,7 +75,8 @@ impl Evolved<'_> {
         let is_set = chart.orders.iter().any(|order| ordered(order) && order.situation != Situation::Current);
         let free = grafcet.enclosing_step.is_none_or(|e| was[e] && is[e]) && !is_set;
         let freezes = free && !was_frozen && is_frozen;
-        let has = |kind: PulseKind| pulses().any(|pulse| pulse.kind == kind);
+        let newly_frozen = |g: GrafcetId| self.after.frozen[g] && !self.before.frozen[g];
+        let gone = |g: GrafcetId| self.any(g, was) && !self.any(g, is) && !self.after.frozen[g];
         let given = |kind: PulseKind| pulses().any(|pulse| pulse.kind == kind && self.occurs(pulse.event));
         // What has gone with no transition of its own cleared.
         let own = |(t, cleared): (TransitionId, &bool)| *cleared && chart.transitions[t].grafcet == g;
@@ -87,21 +93,20 @@ impl Evolved<'_> {
         let [kill, _, start, _] = kinds;
         let count = kinds.iter().filter(|given| **given).count();
         let inside = |s: &&StepId| is[**s] || was[**s];
-        let stopped =
-            |s: StepId| self.after.frozen[chart.steps[s].grafcet] && !self.before.frozen[chart.steps[s].grafcet];
+        let stopped = |s: StepId| newly_frozen(chart.steps[s].grafcet) || gone(chart.steps[s].grafcet);
         let dropped = |event: Event| matches!(event, Event::Deactivation(s) if self.occurs(event) && stopped(s));
         let handed_over = runs.iter().any(|s| was[*s] && !is[*s]) && runs.iter().any(|s| !was[*s] && is[*s]);
         let waits = grafcet.child && !self.any(g, was);
         let is_source = |t: &grafc_model::chart::Transition| t.grafcet == g && t.pre.is_empty();
         let found = [
             (killed, "R15 killed"),
-            (killed && !has(PulseKind::Kill) && runs.is_empty(), "R15 killed with what commands it"),
+            (killed && self.commanders(g).any(gone), "R15 killed with what commands it"),
             (kill && start && free, "R15 killed and started at once"),
             (resumed, "R15 resumed"),
             (started, "R15 started"),
             (start && self.any(g, was) && !kill && free, "R15 started while active"),
             (freezes, "R15 frozen"),
-            (freezes && !has(PulseKind::Freeze), "R15 frozen with what commands it"),
+            (freezes && self.commanders(g).any(newly_frozen), "R15 frozen with what commands it"),
             (count > 1 && !(count == 2 && kill && start), "R15 pulses of different kinds"),
             (pulses().any(|pulse| dropped(pulse.event)), "R15 a pulse of what is stopped is dropped"),
             (handed_over && runs.iter().filter(inside).count() > 1, "R15 handed over from step to step"),
