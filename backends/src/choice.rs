@@ -29,6 +29,10 @@ pub enum Values {
     Number(u32, u32),
     /// A time between two runs of a task: whole milliseconds, at least one.
     Interval,
+    /// None: it is chosen or not.
+    Flag,
+    /// What a file says; the target has its text.
+    File,
 }
 
 /// The values of a choice that has names.
@@ -55,6 +59,10 @@ pub enum Value {
     Name(String),
     /// A number, or an interval in milliseconds.
     Number(u32),
+    /// It is chosen.
+    Set,
+    /// The name of a file, without folders, and its text.
+    File(String, String),
 }
 
 /// All that was chosen.
@@ -84,20 +92,33 @@ impl Chosen {
     pub fn named<T: Named>(&self, choice: &Choice) -> Option<T> {
         match self.value(choice)? {
             Value::Name(name) => T::ALL.iter().copied().find(|value| value.name() == name),
-            Value::Number(_) => None,
+            Value::Number(_) | Value::Set | Value::File(..) => None,
         }
     }
 
     /// The number that was chosen, if it is within the bounds.
     pub fn number(&self, choice: &Choice) -> Option<u32> {
         let (least, greatest) = match choice.values {
-            Values::Names(_) => return None,
+            Values::Names(_) | Values::Flag | Values::File => return None,
             Values::Number(least, greatest) => (least, greatest),
             Values::Interval => (1, i32::MAX as u32),
         };
         match self.value(choice)? {
             Value::Number(number) => Some(*number).filter(|number| (least..=greatest).contains(number)),
-            Value::Name(_) => None,
+            Value::Name(_) | Value::Set | Value::File(..) => None,
+        }
+    }
+
+    /// Whether what has no values was chosen.
+    pub fn is_set(&self, choice: &Choice) -> bool {
+        self.value(choice) == Some(&Value::Set)
+    }
+
+    /// The file that was chosen: its name and its text.
+    pub fn file(&self, choice: &Choice) -> Option<(&str, &str)> {
+        match self.value(choice)? {
+            Value::File(name, text) => Some((name, text)),
+            Value::Name(_) | Value::Number(_) | Value::Set => None,
         }
     }
 

@@ -148,6 +148,40 @@ impl Target {
         }
     }
 
+    /// What the name of its file ends with, without the dot.
+    pub fn extension(&self) -> &'static str {
+        match self {
+            Target::C(crate::c::Options { files: crate::c::Files::Sketch(_), .. }) => "ino",
+            Target::C(_)
+            | Target::St(_)
+            | Target::Il(_)
+            | Target::Awl(_)
+            | Target::Plcopen(_)
+            | Target::Scl(_)
+            | Target::Tcpou(_)
+            | Target::Iec61131_10(_)
+            | Target::Rust(_)
+            | Target::Js(_) => self.about().extension,
+        }
+    }
+
+    /// What the name of the second file ends with, beside one that ends with this; none if there is no second file.
+    pub fn ending_beside(&self, ending: &str) -> Option<&'static str> {
+        match self {
+            Target::C(options) if options.files != crate::c::Files::Two => None,
+            Target::C(_)
+            | Target::St(_)
+            | Target::Il(_)
+            | Target::Awl(_)
+            | Target::Plcopen(_)
+            | Target::Scl(_)
+            | Target::Tcpou(_)
+            | Target::Iec61131_10(_)
+            | Target::Rust(_)
+            | Target::Js(_) => self.about().ending_beside(ending),
+        }
+    }
+
     /// Tells a target what the file beside its own is called, which its code may have to name.
     pub fn set_beside(&mut self, name: &str) {
         match self {

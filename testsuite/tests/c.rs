@@ -103,7 +103,8 @@ fn hostile_names_do_not_break_out() {
     let chart = check("hostile", HOSTILE).unwrap_or_else(|error| panic!("{error}"));
     for encoding in grafc_logic::Encoding::ALL {
         let Ok(program) = compile_saved(&chart, &Options { encoding, ..Options::default() }) else { continue };
-        let options = c::Options { header: vec!["*/ #error".into()], include: Some("chart.h".into()) };
+        let header = vec!["*/ #error".into()];
+        let options = c::Options { header, include: Some("chart.h".into()), ..c::Options::default() };
         let (source, header) = c::emit(&program, &options).expect("a source");
         let folder = tempfile::tempdir().expect("a temporary folder");
         fs::write(folder.path().join("chart.c"), &source).expect("a temporary file");

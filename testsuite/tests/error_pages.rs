@@ -24,6 +24,7 @@ const COMPILED_WITH: &[(Code, &[&str])] = &[
     (Code::W0413, &["--target", "st", "--encoding", "r-trigger"]),
     (Code::E0504, &["--target", "awl"]),
     (Code::E0505, &["--target", "awl"]),
+    (Code::E0507, &["--target", "c", "--arduino"]),
     (Code::E0216, &["--target", "st", "--reset-input", "again"]),
     (Code::E0503, &["--target", "plcopen", "--body", "sfc", "--evolution", "scan"]),
 ];

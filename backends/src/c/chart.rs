@@ -6,11 +6,12 @@ use super::places::Places;
 use super::text::quoted;
 use crate::writer::Writer;
 use grafc_formula::FormulaId;
-use grafc_logic::scan::{Origin, Program, Role, StepId};
+use grafc_logic::scan::{Origin, Program, Role, StepId, VarId};
 
 /// Writes it.
-pub(super) fn write(out: &mut Writer, program: &Program, places: &Places, expressions: &Expressions) {
-    let chart = Chart { program, places, expressions };
+pub(super) fn write(out: &mut Writer, program: &Program, places: &Places, expressions: &Expressions, kept: &[VarId]) {
+    let chart = Chart { program, places, expressions, kept };
+    chart.init_inputs(out);
     chart.init(out);
     if retains(program) {
         chart.restart(out);
@@ -24,27 +25,44 @@ struct Chart<'p> {
     program: &'p Program,
     places: &'p Places<'p>,
     expressions: &'p Expressions<'p>,
+    /// The inputs that are kept.
+    kept: &'p [VarId],
 }
 
 impl Chart<'_> {
+    fn init_inputs(&self, out: &mut Writer) {
+        let chart = &self.places.names.chart;
+        out.blank();
+        out.open(&format!("void {chart}_init_inputs({chart}_inputs *inputs)\n{{"));
+        if self.program.of_role(Role::Input).next().is_none() {
+            out.line("inputs->none = false;");
+        }
+        self.initial(out, Role::Input);
+        out.close("}");
+    }
+
+    /// What the variables of a role are before the first scan.
+    fn initial(&self, out: &mut Writer, role: Role) {
+        for (id, variable) in self.program.of_role(role) {
+            let outer = out.origin(Origin::declaration(id));
+            let value = self.places.value(id, variable.initial);
+            out.line(&format!("{} = {value};", self.places.read(id)));
+            out.origin(outer);
+        }
+    }
+
     fn init(&self, out: &mut Writer) {
         let chart = &self.places.names.chart;
         out.blank();
         out.open(&format!("void {chart}_init({chart} *chart)\n{{"));
-        let groups = [Role::Input, Role::Output, Role::Internal];
-        for role in groups {
-            let is_empty = self.program.of_role(role).next().is_none();
-            match role {
-                Role::Input if is_empty => out.line("chart->inputs.none = false;"),
-                Role::Output if is_empty => out.line("chart->outputs.none = false;"),
-                _ => {}
-            }
-            for (id, variable) in self.program.of_role(role) {
-                let outer = out.origin(Origin::declaration(id));
-                let value = self.places.value(id, variable.initial);
-                out.line(&format!("{} = {value};", self.places.read(id)));
-                out.origin(outer);
-            }
+        if self.program.of_role(Role::Output).next().is_none() {
+            out.line("chart->outputs.none = false;");
+        }
+        self.initial(out, Role::Output);
+        self.initial(out, Role::Internal);
+        for id in self.kept {
+            let value = self.places.value(*id, self.program.variables[*id].initial);
+            out.line(&format!("chart->kept.{} = {value};", self.places.names.variables[*id]));
         }
         for (flag, _) in FLAGS {
             out.line(&format!("chart->flags.{} = false;", flag.name()));
@@ -68,7 +86,6 @@ impl Chart<'_> {
         let chart = &self.places.names.chart;
         out.blank();
         out.open(&format!("void {chart}_restart({chart} *chart)\n{{"));
-        out.line(&format!("const {chart}_inputs inputs = chart->inputs;"));
         let retained = || self.program.variables.iter_enumerated().filter(|(_, variable)| variable.retain);
         let of = |role: Role| retained().any(|(_, variable)| variable.role == role);
         if of(Role::Output) {
@@ -86,7 +103,6 @@ impl Chart<'_> {
         }
         out.blank();
         out.line(&format!("{chart}_init(chart);"));
-        out.line("chart->inputs = inputs;");
         for (id, _) in retained() {
             let place = self.places.read(id);
             let from = place.strip_prefix("chart->").unwrap_or(place);

@@ -17,8 +17,8 @@ use std::borrow::Cow;
 /// How formulas of one program are spelt.
 pub(super) struct Expressions<'p> {
     formulas: Formulas<C<'p>, CLevel>,
-    /// The variables that are read in the scan, and in what gives memory back.
-    read: [FxHashSet<VarId>; 2],
+    /// The variables that are read.
+    read: FxHashSet<VarId>,
 }
 
 struct C<'p> {
@@ -37,17 +37,16 @@ pub(super) enum CLevel {
 }
 
 impl<'p> Expressions<'p> {
-    /// Measures all formulas.
-    pub fn new(places: &'p Places<'p>) -> Self {
+    /// Measures all formulas: of the scan, or of what gives memory back.
+    pub fn new(places: &'p Places<'p>, restoring: bool) -> Self {
         let formulas = Formulas::new(C { places }, places.program.pool.ids());
-        let read = [false, true].map(|restoring| read(&formulas.notation, restoring));
+        let read = read(&formulas.notation, restoring);
         Expressions { formulas, read }
     }
 
-    /// Whether a variable is read in the scan, or in what gives memory back: what a comparison asks that its types decide is
-    /// not.
-    pub fn is_read(&self, v: VarId, restoring: bool) -> bool {
-        self.read[usize::from(restoring)].contains(&v)
+    /// Whether a variable is read: what a comparison asks that its types decide is not.
+    pub fn is_read(&self, v: VarId) -> bool {
+        self.read.contains(&v)
     }
 
     /// The columns that a formula takes on one line as the value of something.

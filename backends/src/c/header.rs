@@ -17,8 +17,8 @@ pub(super) const FLAGS: [(Flag, &str); 4] = [
 ];
 
 /// Writes it.
-pub(super) fn write(out: &mut Writer, program: &Program, names: &CNames) {
-    Header { out, program, names }.write();
+pub(super) fn write(out: &mut Writer, program: &Program, names: &CNames, kept: &[VarId]) {
+    Header { out, program, names, kept }.write();
 }
 
 /// Whether the chart has internal variables that keep a value.
@@ -48,6 +48,8 @@ struct Header<'o, 'p> {
     out: &'o mut Writer,
     program: &'p Program,
     names: &'p CNames,
+    /// The inputs that are kept.
+    kept: &'p [VarId],
 }
 
 impl Header<'_, '_> {
@@ -65,10 +67,15 @@ impl Header<'_, '_> {
         self.out.line("#endif");
         self.constants();
         self.steps();
-        self.structure(Role::Input, "inputs", "given for each scan");
-        self.structure(Role::Output, "outputs", "given to the plant after each scan");
+        let of = |role: Role| -> Vec<VarId> { self.program.of_role(role).map(|(id, _)| id).collect() };
+        let [inputs, outputs, variables] = [Role::Input, Role::Output, Role::Internal].map(of);
+        self.structure(&inputs, "inputs", "given for each scan");
+        self.structure(&outputs, "outputs", "given to the plant after each scan");
         if has_variables(self.program) {
-            self.structure(Role::Internal, "variables", "internal variables");
+            self.structure(&variables, "variables", "internal variables");
+        }
+        if !self.kept.is_empty() {
+            self.structure(self.kept, "kept", "the inputs of the last scan that outputs go by at once");
         }
         self.flags();
         self.states();
@@ -172,16 +179,16 @@ impl Header<'_, '_> {
         self.out.line(&format!("#define {capitals}_STEP_COUNT {last}u"));
     }
 
-    fn structure(&mut self, role: Role, name: &str, about: &str) {
+    fn structure(&mut self, variables: &[VarId], name: &str, about: &str) {
         self.out.blank();
         self.out.comment(about);
         self.out.open("typedef struct {");
-        let row = |(id, variable): (VarId, &Variable)| {
-            let name = &self.names.variables[id];
-            let line = format!("{} {name};", type_name(variable.ty));
-            Row { line, said: self.about(id, name), origin: Origin::declaration(id) }
+        let row = |id: &VarId| {
+            let name = &self.names.variables[*id];
+            let line = format!("{} {name};", type_name(self.program.variables[*id].ty));
+            Row { line, said: self.about(*id, name), origin: Origin::declaration(*id) }
         };
-        let mut rows: Vec<Row> = self.program.of_role(role).map(row).collect();
+        let mut rows: Vec<Row> = variables.iter().map(row).collect();
         if rows.is_empty() {
             rows.push(Row::new("bool none;", "the chart has none, and C has no empty struct"));
         }
@@ -219,12 +226,14 @@ impl Header<'_, '_> {
         self.out.blank();
         self.out.comment("the chart: its variables, and its memory from scan to scan, which is nobody else's");
         self.out.open("typedef struct {");
-        let mut rows = vec![Row::new(format!("{chart}_inputs inputs;"), "those of the last scan")];
-        rows.push(Row::new(format!("{chart}_outputs outputs;"), ""));
+        let mut rows = vec![Row::new(format!("{chart}_outputs outputs;"), "")];
         if has_variables(self.program) {
             rows.push(Row::new(format!("{chart}_variables variables;"), ""));
         }
         rows.push(Row::new(format!("{chart}_flags flags;"), ""));
+        if !self.kept.is_empty() {
+            rows.push(Row::new(format!("{chart}_kept kept;"), ""));
+        }
         let kept = |variable: &Variable| matches!(variable.role, Role::Step | Role::State | Role::Memory);
         for (id, variable) in self.program.variables.iter_enumerated().filter(|(_, variable)| kept(variable)) {
             let ty = states.get(&id).map_or(type_name(variable.ty), |state| &self.names.states[*state].ty);
@@ -246,6 +255,10 @@ impl Header<'_, '_> {
             self.out.comment(about);
             self.out.line(&format!("{head};"));
         };
+        function(
+            "the inputs before anything is known of them",
+            format!("void {chart}_init_inputs({chart}_inputs *inputs)"),
+        );
         function(
             "as before the first scan; the next one is the initial reaction",
             format!("void {chart}_init({chart} *chart)"),
@@ -285,7 +298,7 @@ impl Header<'_, '_> {
              then as before its first scan",
             format!("bool {chart}_restore({chart} *chart, const uint8_t *bytes, uint32_t now_ms)"),
         );
-        let length = super::saved::length(self.program);
+        let length = super::saved::length(self.program, self.kept);
         self.out.blank();
         self.out.comment("how many bytes that are");
         self.out.line(&format!("#define {capitals}_SAVED_LEN {length}u"));

@@ -9,20 +9,25 @@
 //!          Lamp_save, Lamp_restore                its memory as bytes                        saved
 //! ```
 //!
-//! `names` and `places` say what everything is called and where it lies.
+//! `names` and `places` say what everything is called and where it lies, `floats` what real numbers need of a compiler. In a
+//! sketch of Arduino (`sketch`) all of it is one file, with the pins of the board around it (`pins`, `wiring`).
 
 mod chart;
 mod expressions;
+mod floats;
 mod header;
 mod literals;
 mod names;
+mod pins;
 mod places;
 mod runtime;
 mod saved;
 mod scan;
+mod sketch;
 mod statements;
 pub(crate) mod target;
 mod text;
+mod wiring;
 
 use crate::limits;
 use crate::lines::Lines;
@@ -32,7 +37,9 @@ use grafc_diagnostics::Diagnostics;
 use grafc_logic::scan::Program;
 pub use literals::type_name;
 pub use names::CNames;
+pub use pins::{Pin, Pins};
 use places::Places;
+use sketch::Sketch;
 use text::comment;
 
 /// What the caller may choose.
@@ -40,8 +47,22 @@ use text::comment;
 pub struct Options {
     /// The first lines of the file, as a comment: which chart, which version, which options.
     pub header: Vec<String>,
+    /// Which files there are.
+    pub files: Files,
     /// The name of the header, as the source includes it; without one there is no header, and the source holds all.
     pub include: Option<String>,
+}
+
+/// The files that are written.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub enum Files {
+    /// A source and its header, if that has a name.
+    #[default]
+    Two,
+    /// One.
+    One,
+    /// A sketch of Arduino, with the pins that are not those of addresses.
+    Sketch(Pins),
 }
 
 /// Writes a program, which saves its memory, as a source, and its header if that has a name.
@@ -60,32 +81,53 @@ pub fn names(program: &Program) -> CNames {
 fn write(program: &Program, options: &Options, traced: bool) -> Result<((String, Lines), Option<String>), Diagnostics> {
     limits::check(program)?;
     let names = CNames::new(program);
-    let mut places = Places::new(program, &names);
-    places.origins = traced.then(|| program.origins());
-    let expressions = Expressions::new(&places);
+    let sketch = match &options.files {
+        Files::Sketch(pins) => Some(Sketch::new(program, &names, pins)?),
+        Files::Two | Files::One => None,
+    };
+    let [places, given_back] = [false, true].map(|restoring| {
+        let mut places = Places::new(program, &names, restoring);
+        places.origins = traced.then(|| program.origins());
+        places
+    });
+    let expressions = Expressions::new(&places, false);
+    let restoring = Expressions::new(&given_back, true);
+    let kept = scan::kept(program, &restoring);
     let writer = || Writer::new(&writer::C).traced(traced);
     let mut interface = writer();
-    head(&mut interface, program, options);
-    header::write(&mut interface, program, &names);
+    header::write(&mut interface, program, &names, &kept);
     let mut body = writer();
-    scan::write(&mut body, &places, &expressions);
-    chart::write(&mut body, program, &places, &expressions);
-    saved::write(&mut body, program, &places);
+    scan::write(&mut body, &places, &expressions, &kept);
+    scan::write_restoring(&mut body, &given_back, &restoring);
+    chart::write(&mut body, program, &places, &expressions, &kept);
+    saved::write(&mut body, &given_back, &kept);
     let mut source = writer();
-    let header = match &options.include {
+    head(&mut source, program, options);
+    let include = options.include.as_ref().filter(|_| options.files == Files::Two);
+    let header = match include {
         Some(name) => {
-            head(&mut source, program, options);
+            let mut header = writer();
+            head(&mut header, program, options);
+            header.append(interface);
             source.line(&format!("#include \"{name}\""));
-            Some(interface.finish())
+            Some(header.finish())
         }
         None => {
+            if let Some(sketch) = &sketch {
+                sketch.head(&mut source);
+                source.blank();
+            }
             source.append(interface);
             None
         }
     };
+    floats::write(&mut source, program);
     runtime::write(&mut source, body.written(), &names);
     source.blank();
     source.append(body);
+    if let Some(sketch) = &sketch {
+        sketch.tail(&mut source);
+    }
     Ok((source.finish_traced(), header))
 }
 

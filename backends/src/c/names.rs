@@ -15,7 +15,7 @@ pub struct CNames {
     pub chart: EcoString,
     /// The same before constants: `LAMP`.
     pub capitals: EcoString,
-    /// Variables without what they are part of: `full`, not `chart->inputs.full`; constants whole.
+    /// Variables without what they are part of: `full`, not `chart->outputs.full`; constants whole.
     pub variables: IndexVec<VarId, EcoString>,
     /// The constants of steps, whole: `LAMP_X1`.
     pub steps: IndexVec<StepId, EcoString>,

@@ -25,12 +25,14 @@ pub(super) struct Places<'p> {
 pub(super) const RESTORING: usize = PARTS - 1;
 
 impl<'p> Places<'p> {
-    /// Finds all places.
-    pub fn new(program: &'p Program, names: &'p CNames) -> Self {
+    /// The places as a scan sees them, which is given inputs; or as what gives memory back does, which has those that the
+    /// chart keeps.
+    pub fn new(program: &'p Program, names: &'p CNames, restoring: bool) -> Self {
+        let inputs = if restoring { "chart->kept." } else { "inputs->" };
         let read = program.variables.iter_enumerated().map(|(id, variable)| {
             let name = &names.variables[id];
             match variable.role {
-                Role::Input => eco_format!("chart->inputs.{name}"),
+                Role::Input => eco_format!("{inputs}{name}"),
                 Role::Output => eco_format!("chart->outputs.{name}"),
                 Role::Internal => eco_format!("chart->variables.{name}"),
                 Role::Flag(flag) => eco_format!("chart->flags.{}", flag.name()),

@@ -115,7 +115,8 @@ const CONVERSIONS: &[Helper] = &[
         "16 bits as a number with a sign",
         "static int16_t to_int(uint32_t bits)
 {
-    const int32_t value = (int32_t)(bits & 0xFFFFu);
+    const uint32_t low = bits & 0xFFFFu;
+    const int32_t value = (int32_t)low;
 
     return (int16_t)(value > INT16_MAX ? value - 65535 - 1 : value);
 }",
@@ -125,7 +126,9 @@ const CONVERSIONS: &[Helper] = &[
         "32 bits as a number with a sign",
         "static int32_t to_dint(uint32_t bits)
 {
-    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
+    const uint32_t rest = UINT32_MAX - bits;
+
+    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)rest;
 }",
     ),
     helper(
@@ -141,7 +144,9 @@ const CONVERSIONS: &[Helper] = &[
         "64 bits as a number with a sign",
         "static int64_t to_time(uint64_t bits)
 {
-    return bits <= (uint64_t)INT64_MAX ? (int64_t)bits : -1 - (int64_t)(UINT64_MAX - bits);
+    const uint64_t rest = UINT64_MAX - bits;
+
+    return bits <= (uint64_t)INT64_MAX ? (int64_t)bits : -1 - (int64_t)rest;
 }",
     ),
 ];
@@ -159,7 +164,7 @@ const DELAYS: &[Helper] = &[
         /* right across the end of the clock's range; more than half of that is a clock that was put back */
         const uint32_t passed = now_ms - delay->last;
 
-        if (passed <= UINT32_C(0x80000000) && delay->elapsed <= INT64_MAX - (int64_t)passed) {
+        if (passed <= 0x80000000u && delay->elapsed <= INT64_MAX - (int64_t)passed) {
             delay->elapsed += (int64_t)passed;
         }
         delay->last = now_ms;
@@ -184,46 +189,48 @@ const DELAYS: &[Helper] = &[
 const MEMORY: &[Helper] = &[
     helper(
         "put",
-        "the lowest bytes of a number, the lowest first; what stands behind them",
-        "static uint8_t *put(uint8_t *out, uint64_t value, uint8_t count)
+        "the lowest bytes of a number, the lowest first; the place behind them",
+        "static uint32_t put(uint8_t *bytes, uint32_t at, uint64_t value, uint32_t count)
 {
-    uint8_t place;
+    uint64_t rest = value;
+    uint32_t place;
 
-    for (place = 0u; place < count; place++) {
-        out[place] = (uint8_t)((value >> (8u * place)) & 0xFFu);
+    for (place = at; place < at + count; place++) {
+        bytes[place] = (uint8_t)(rest & 0xFFu);
+        rest >>= 8;
     }
-    return out + count;
+    return at + count;
 }",
     ),
     helper(
         "put_state",
         "",
-        "static uint8_t *put_state(uint8_t *out, int32_t state)
+        "static uint32_t put_state(uint8_t *bytes, uint32_t at, int32_t state)
 {
-    return put(out, (uint32_t)state, 4u);
+    return put(bytes, at, (uint32_t)state, 4u);
 }",
     ),
     helper(
         "take",
-        "a number of so many bytes, and on to what stands behind them",
-        "static uint64_t take(const uint8_t **from, uint8_t count)
+        "a number of so many bytes, and on to the place behind them",
+        "static uint64_t take(const uint8_t *bytes, uint32_t *at, uint32_t count)
 {
     uint64_t value = 0u;
-    uint8_t place;
+    uint32_t place;
 
-    for (place = 0u; place < count; place++) {
-        value |= (uint64_t)(*from)[place] << (8u * place);
+    for (place = *at + count; place > *at; place--) {
+        value = (value << 8) | bytes[place - 1u];
     }
-    *from += count;
+    *at += count;
     return value;
 }",
     ),
     helper(
         "take_bool",
         "",
-        "static bool take_bool(const uint8_t **from, bool *is_right)
+        "static bool take_bool(const uint8_t *bytes, uint32_t *at, bool *is_right)
 {
-    const uint64_t value = take(from, 1u);
+    const uint64_t value = take(bytes, at, 1u);
 
     *is_right = *is_right && value <= 1u;
     return value == 1u;
@@ -242,7 +249,7 @@ const MEMORY: &[Helper] = &[
 
         sum ^= bytes[place];
         for (bit = 0u; bit < 8u; bit++) {
-            sum = (sum >> 1) ^ ((sum & 1u) != 0u ? UINT32_C(0xEDB88320) : 0u);
+            sum = (sum >> 1) ^ ((sum & 1u) != 0u ? 0xEDB88320u : 0u);
         }
     }
     return sum ^ UINT32_MAX;
@@ -253,9 +260,10 @@ const MEMORY: &[Helper] = &[
         "whether bytes end with their checksum",
         "static bool sealed(const uint8_t *bytes, uint32_t count)
 {
-    const uint8_t *end = bytes + (count - 4u);
+    const uint32_t end = count - 4u;
+    uint32_t at = end;
 
-    return take(&end, 4u) == checksum(bytes, count - 4u);
+    return take(bytes, &at, 4u) == checksum(bytes, end);
 }",
     ),
 ];
@@ -268,13 +276,26 @@ const HELPERS: &[&[Helper]] = &[
     wrapping!("uint", "uint16_t", "(uint32_t)", "to_uint(", ")"),
     wrapping!("udint", "uint32_t", "", "", ""),
     wrapping!("time", "int64_t", "(uint64_t)", "to_time(", ")"),
-    division!(
-        "int",
-        "int16_t",
-        "",
-        "to_int((uint32_t)((int32_t)a / (int32_t)b))",
-        "(int16_t)((int32_t)a % (int32_t)b)"
-    ),
+    &[
+        helper(
+            "div_int",
+            "by what is not 0",
+            "static int16_t div_int(int16_t a, int16_t b)
+{
+    const int32_t quotient = (int32_t)a / (int32_t)b;
+
+    return to_int((uint32_t)quotient);
+}",
+        ),
+        helper(
+            "rem_int",
+            "by what is not 0",
+            "static int16_t rem_int(int16_t a, int16_t b)
+{
+    return (int16_t)((int32_t)a % (int32_t)b);
+}",
+        ),
+    ],
     division!(
         "dint",
         "int32_t",

@@ -9,7 +9,7 @@ use super::scan::restores;
 use crate::types::size;
 use crate::writer::Writer;
 use grafc_formula::{Type, Value};
-use grafc_logic::scan::{Exclusive, Program, Role, TimerId, VarId};
+use grafc_logic::scan::{Exclusive, Program, TimerId, VarId};
 
 /// The bytes of the fingerprint, and of the checksum.
 const AROUND: usize = 8 + 4;
@@ -24,31 +24,29 @@ enum Piece {
 }
 
 /// How many bytes it takes.
-pub(super) fn length(program: &Program) -> usize {
+pub(super) fn length(program: &Program, kept: &[VarId]) -> usize {
     let states = program.state_of();
     let bytes = |piece: &Piece| match piece {
         Piece::Variable(id) if states.contains_key(id) => 4,
         Piece::Variable(id) => size(program.variables[*id].ty),
         Piece::Timer(_) => DELAY,
     };
-    AROUND + pieces(program).iter().map(bytes).sum::<usize>()
+    AROUND + pieces(program, kept).iter().map(bytes).sum::<usize>()
 }
 
-/// Everything that keeps its value, except what follows from the rest; and the inputs of the last scan.
-fn pieces(program: &Program) -> Vec<Piece> {
+/// Everything that keeps its value, except what follows from the rest; inputs first.
+fn pieces(program: &Program, kept: &[VarId]) -> Vec<Piece> {
     let derived = program.derived();
-    let is_kept = |id: &VarId| {
-        let role = program.variables[*id].role;
-        (role == Role::Input || role.is_kept()) && !derived.contains(id)
-    };
-    let variables = program.variables.indices().filter(is_kept).map(Piece::Variable);
+    let is_kept = |id: &VarId| program.variables[*id].role.is_kept() && !derived.contains(id);
+    let variables = kept.iter().copied().chain(program.variables.indices().filter(is_kept)).map(Piece::Variable);
     variables.chain(program.timers.indices().map(Piece::Timer)).collect()
 }
 
 /// Writes `save` and `restore`.
-pub(super) fn write(out: &mut Writer, program: &Program, places: &Places) {
+pub(super) fn write(out: &mut Writer, places: &Places, kept: &[VarId]) {
+    let program = places.program;
     let saved = Saved { program, places };
-    let pieces = pieces(program);
+    let pieces = pieces(program, kept);
     saved.save(out, &pieces);
     let exclusive = program.restoring.as_ref().map(|restoring| &restoring.exclusive[..]).unwrap_or_default();
     if !exclusive.is_empty() {
@@ -64,21 +62,21 @@ struct Saved<'p> {
 
 impl Saved<'_> {
     fn save(&self, out: &mut Writer, pieces: &[Piece]) {
-        let (chart, capitals) = (&self.places.names.chart, &self.places.names.capitals);
+        let chart = &self.places.names.chart;
         out.blank();
         out.comment("which program saved bytes belong to: another chart, or encoding, has another");
-        out.line(&format!("static const uint64_t FINGERPRINT = UINT64_C(0x{:016x});", self.program.fingerprint()));
+        out.line(&format!("static const uint64_t FINGERPRINT = 0x{:016x}u;", self.program.fingerprint()));
         out.blank();
         out.open(&format!("void {chart}_save(const {chart} *chart, uint8_t *bytes)\n{{"));
-        out.line("uint8_t *out = bytes;");
+        out.line("uint32_t at = 0u;");
         out.blank();
-        out.line("out = put(out, FINGERPRINT, 8u);");
+        out.line("at = put(bytes, at, FINGERPRINT, 8u);");
         for piece in pieces {
             match *piece {
                 Piece::Variable(id) => {
                     let (place, ty) = (self.places.read(id), self.program.variables[id].ty);
                     if self.places.state(id).is_some() {
-                        out.line(&format!("out = put_state(out, (int32_t){place});"));
+                        out.line(&format!("at = put_state(bytes, at, (int32_t){place});"));
                         continue;
                     }
                     let (value, count) = match ty {
@@ -90,16 +88,16 @@ impl Saved<'_> {
                         Type::Real => (format!("bits_of_real({place})"), 4),
                         Type::Lreal => (format!("bits_of_lreal({place})"), 8),
                     };
-                    out.line(&format!("out = put(out, {value}, {count}u);"));
+                    out.line(&format!("at = put(bytes, at, {value}, {count}u);"));
                 }
                 Piece::Timer(id) => {
                     let timer = self.places.timer(id);
-                    out.line(&format!("out = put(out, {timer}.running ? 1u : 0u, 1u);"));
-                    out.line(&format!("out = put(out, (uint64_t){timer}.elapsed, 8u);"));
+                    out.line(&format!("at = put(bytes, at, {timer}.running ? 1u : 0u, 1u);"));
+                    out.line(&format!("at = put(bytes, at, (uint64_t){timer}.elapsed, 8u);"));
                 }
             }
         }
-        out.line(&format!("(void)put(out, checksum(bytes, {capitals}_SAVED_LEN - 4u), 4u);"));
+        out.line("(void)put(bytes, at, checksum(bytes, at), 4u);");
         out.close("}");
     }
 
@@ -108,7 +106,7 @@ impl Saved<'_> {
         let is_state = |piece: &Piece| matches!(piece, Piece::Variable(id) if self.places.state(*id).is_some());
         out.blank();
         out.open(&format!("bool {chart}_restore({chart} *chart, const uint8_t *bytes, uint32_t now_ms)\n{{"));
-        out.line("const uint8_t *from = bytes;");
+        out.line("uint32_t at = 0u;");
         out.line("bool is_right = true;");
         if pieces.iter().any(is_state) {
             out.line("int32_t value;");
@@ -118,7 +116,7 @@ impl Saved<'_> {
             out.line("(void)now_ms;");
         }
         out.line(&format!("{chart}_init(chart);"));
-        out.open(&format!("if (take(&from, 8u) != FINGERPRINT || !sealed(bytes, {capitals}_SAVED_LEN)) {{"));
+        out.open(&format!("if (take(bytes, &at, 8u) != FINGERPRINT || !sealed(bytes, {capitals}_SAVED_LEN)) {{"));
         out.line("return false;");
         out.close("}");
         for piece in pieces {
@@ -126,9 +124,9 @@ impl Saved<'_> {
                 Piece::Variable(id) => self.take(out, id),
                 Piece::Timer(id) => {
                     let timer = self.places.timer(id);
-                    let line = "= take(&from, 1u) == 1u;";
+                    let line = "= take(bytes, &at, 1u) == 1u;";
                     out.line(&format!("{timer}.running {line}"));
-                    out.line(&format!("{timer}.elapsed = to_time(take(&from, 8u));"));
+                    out.line(&format!("{timer}.elapsed = to_time(take(bytes, &at, 8u));"));
                     out.line(&format!("{timer}.last = now_ms;"));
                     out.line(&format!(
                         "is_right = is_right && {timer}.elapsed >= 0 && ({timer}.running || {timer}.elapsed == 0);"
@@ -170,20 +168,20 @@ impl Saved<'_> {
             });
             values.sort_unstable();
             values.dedup();
-            out.line("value = to_dint((uint32_t)take(&from, 4u));");
+            out.line("value = to_dint((uint32_t)take(bytes, &at, 4u));");
             let ranges = ranges(&values);
             out.line(&format!("is_right = is_right && ({});", ranges.join(" || ")));
             out.line(&format!("{place} = ({})value;", state.ty));
             return;
         }
         let value = match ty {
-            Type::Bool => "take_bool(&from, &is_right)".to_owned(),
-            Type::Int => "to_int((uint32_t)take(&from, 2u))".to_owned(),
-            Type::Dint => "to_dint((uint32_t)take(&from, 4u))".to_owned(),
-            Type::Uint | Type::Udint => format!("({})take(&from, {}u)", type_name(ty), size(ty)),
-            Type::Time => "to_time(take(&from, 8u))".to_owned(),
-            Type::Real => "real_of_bits((uint32_t)take(&from, 4u))".to_owned(),
-            Type::Lreal => "lreal_of_bits(take(&from, 8u))".to_owned(),
+            Type::Bool => "take_bool(bytes, &at, &is_right)".to_owned(),
+            Type::Int => "to_int((uint32_t)take(bytes, &at, 2u))".to_owned(),
+            Type::Dint => "to_dint((uint32_t)take(bytes, &at, 4u))".to_owned(),
+            Type::Uint | Type::Udint => format!("({})take(bytes, &at, {}u)", type_name(ty), size(ty)),
+            Type::Time => "to_time(take(bytes, &at, 8u))".to_owned(),
+            Type::Real => "real_of_bits((uint32_t)take(bytes, &at, 4u))".to_owned(),
+            Type::Lreal => "lreal_of_bits(take(bytes, &at, 8u))".to_owned(),
         };
         out.line(&format!("{place} = {value};"));
     }
@@ -196,23 +194,30 @@ impl Saved<'_> {
             set.steps.iter().for_each(|s| set_of[s.index()] = number);
         }
         let always = exclusive.iter().take_while(|set| set.always).count();
+        let ty = match exclusive.len() {
+            0..256 => "uint8_t",
+            256..65536 => "uint16_t",
+            _ => "uint32_t",
+        };
         out.blank();
+        out.comment("whether the active steps can be active together");
+        out.open(&format!("static bool is_possible(const {chart} *chart)\n{{"));
         out.comment("for each step the number of the set that it excludes the others of; 0 is none");
         let numbers: Vec<String> = set_of.iter().map(|set| format!("{set}u")).collect();
-        out.open("static const uint32_t SETS[] = {");
+        out.open(&format!("static const {ty} SETS[] = {{"));
         numbers.chunks(16).enumerate().for_each(|(place, row)| {
             let comma = if (place + 1) * 16 < numbers.len() { "," } else { "" };
             out.line(&format!("{}{comma}", row.join(", ")));
         });
         out.close("};");
-        out.blank();
-        out.comment("whether the active steps can be active together");
-        out.open(&format!("static bool is_possible(const {chart} *chart)\n{{"));
-        out.line(&format!("bool taken[{}] = {{ false }};", exclusive.len()));
+        out.line(&format!("bool taken[{}];", exclusive.len()));
         out.line("uint32_t place;");
         out.blank();
+        out.open(&format!("for (place = 0u; place < {}u; place++) {{", exclusive.len()));
+        out.line("taken[place] = false;");
+        out.close("}");
         out.open(&format!("for (place = 0u; place < {capitals}_STEP_COUNT; place++) {{"));
-        out.line("const uint32_t set = SETS[place];");
+        out.line(&format!("const {ty} set = SETS[place];"));
         out.blank();
         out.open(&format!("if (set > 0u && {chart}_is_active(chart, ({chart}_step)place)) {{"));
         out.open("if (taken[set - 1u]) {");

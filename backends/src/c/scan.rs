@@ -1,15 +1,18 @@
 //! The scan: one function, and what follows from memory that has been given back.
+//!
+//! The scan reads inputs where they are given. Of those that outputs go by at once, the chart keeps the values: what gives
+//! memory back has no others.
 
 use super::expressions::Expressions;
 use super::places::Places;
 use super::statements::Statements;
 use crate::braces::Braces as _;
 use crate::writer::Writer;
-use grafc_logic::scan::{Program, VarId};
+use grafc_logic::scan::{Program, Role, VarId};
 
-/// Writes it.
-pub(super) fn write(out: &mut Writer, places: &Places, expressions: &Expressions) {
-    let statements = Statements { places, expressions, restoring: false };
+/// Writes the scan.
+pub(super) fn write(out: &mut Writer, places: &Places, expressions: &Expressions, kept: &[VarId]) {
+    let statements = Statements { places, expressions };
     let (program, chart) = (places.program, &places.names.chart);
     out.open(&format!(
         "const {chart}_outputs *{chart}_scan({chart} *chart, const {chart}_inputs *inputs, uint32_t now_ms)\n{{"
@@ -23,29 +26,45 @@ pub(super) fn write(out: &mut Writer, places: &Places, expressions: &Expressions
     if program.timers.is_empty() {
         out.line("(void)now_ms;");
     }
-    out.line("chart->inputs = *inputs;");
+    let is_unread = |(id, _)| !expressions.is_read(id);
+    if kept.is_empty() && program.of_role(Role::Input).all(is_unread) {
+        out.line("(void)inputs;");
+    }
     statements.block(out, &program.first);
     statements.block(out, &program.before);
     micro_steps(out, program, places, &statements);
     statements.block(out, &program.after);
     out.blank();
+    for id in kept {
+        let name = &places.names.variables[*id];
+        out.line(&format!("chart->kept.{name} = inputs->{name};"));
+    }
     out.line("return &chart->outputs;");
     out.close("}");
-    if let Some(restoring) = program.restoring.as_ref().filter(|restoring| !restoring.statements.is_empty()) {
-        out.blank();
-        out.comment("what follows from memory that has been given back");
-        out.open(&format!("static void restoring({chart} *chart)\n{{"));
-        let statements = Statements { restoring: true, ..statements };
-        declare(out, &statements, &places.declared(true));
-        out.blank();
-        statements.block(out, &restoring.statements);
-        out.close("}");
-    }
+}
+
+/// Writes what follows from memory that has been given back, if something does.
+pub(super) fn write_restoring(out: &mut Writer, places: &Places, expressions: &Expressions) {
+    let Some(restoring) = places.program.restoring.as_ref().filter(|_| restores(places.program)) else { return };
+    let statements = Statements { places, expressions };
+    out.blank();
+    out.comment("what follows from memory that has been given back");
+    out.open(&format!("static void restoring({} *chart)\n{{", places.names.chart));
+    declare(out, &statements, &places.declared(true));
+    out.blank();
+    statements.block(out, &restoring.statements);
+    out.close("}");
 }
 
 /// Whether there is a function that does what follows from memory that has been given back.
 pub(super) fn restores(program: &Program) -> bool {
     program.restoring.as_ref().is_some_and(|restoring| !restoring.statements.is_empty())
+}
+
+/// The inputs whose values that function asks for.
+pub(super) fn kept(program: &Program, restoring: &Expressions) -> Vec<VarId> {
+    let is_read = |id: &VarId| restores(program) && restoring.is_read(*id);
+    program.of_role(Role::Input).map(|(id, _)| id).filter(is_read).collect()
 }
 
 /// Local variables, each with a value: compilers do not see that nothing is read before it is written.
@@ -56,7 +75,7 @@ fn declare(out: &mut Writer, statements: &Statements, variables: &[VarId]) {
         let value = places.value(*v, grafc_formula::number::zero(variable.ty));
         out.line(&format!("{} {} = {value};", places.type_name(*v), places.read(*v)));
     }
-    for v in variables.iter().filter(|v| !statements.expressions.is_read(**v, statements.restoring)) {
+    for v in variables.iter().filter(|v| !statements.expressions.is_read(**v)) {
         // Comparisons that ask for it are decided without it.
         out.line(&format!("(void){};", places.read(*v)));
     }

@@ -13,8 +13,6 @@ use grafc_logic::scan::{Division, Guard, Origins, Program, TimerId, VarId};
 pub(super) struct Statements<'p> {
     pub places: &'p Places<'p>,
     pub expressions: &'p Expressions<'p>,
-    /// Whether they give memory back.
-    pub restoring: bool,
 }
 
 impl Statements<'_> {
@@ -109,9 +107,13 @@ impl Braces for Statements<'_> {
         if self.places.program.guard(division) == Guard::Never {
             return raised.iter().for_each(|line| out.line(line));
         }
+        let compared = match ty {
+            Type::Uint | Type::Udint => "0u",
+            Type::Real | Type::Lreal | Type::Bool | Type::Int | Type::Dint | Type::Time => zero,
+        };
         let (a, b) = (self.expressions.text(out, dividend), self.expressions.text(out, divisor));
         let op = if modulo { Arithmetic::Modulo } else { Arithmetic::Divide };
-        out.open(&format!("if ({b} == {zero}) {{"));
+        out.open(&format!("if ({b} == {compared}) {{"));
         raised.iter().for_each(|line| out.line(line));
         out.leave();
         out.open("} else {");
@@ -124,7 +126,7 @@ impl Braces for Statements<'_> {
 
     /// A constant that nobody reads, since comparisons that ask for it are decided without it.
     fn assigned(&self, out: &mut Writer, target: VarId) {
-        if self.places.is_constant(target) && !self.expressions.is_read(target, self.restoring) {
+        if self.places.is_constant(target) && !self.expressions.is_read(target) {
             out.line(&format!("(void){};", self.places.read(target)));
         }
     }

@@ -157,6 +157,7 @@ codes! {
     E0504 "no-double-precision" Error;
     E0505 "time-too-long-for-target" Error;
     E0506 "block-too-long" Error;
+    E0507 "no-pin" Error;
 
     E0601 "malformed-trace" Error;
     E0602 "unknown-trace-column" Error;

@@ -2,9 +2,11 @@
 
 use crate::report::Failure;
 use clap::builder::{PossibleValue, PossibleValuesParser, ValueParser};
-use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches, value_parser};
+use clap::{Arg, ArgAction, ArgMatches, Args, Command, Error, FromArgMatches, value_parser};
+use grafc::files;
 use grafc_backends::choice::{Choice, Chosen, Value, Values};
 use grafc_backends::{About, Target};
+use std::path::Path;
 
 /// Arguments that say something only where code is made.
 pub const NO_CODE: [&str; 2] = ["emit", "dump_after"];
@@ -39,6 +41,8 @@ impl FromArgMatches for Choices {
                 Values::Number(..) | Values::Interval => {
                     matches.get_one::<u32>(choice.name).copied().map(Value::Number)
                 }
+                Values::Flag => matches.get_flag(choice.name).then_some(Value::Set),
+                Values::File => matches.get_one::<Value>(choice.name).cloned(),
             };
             chosen = value.into_iter().fold(chosen, |chosen, value| chosen.with(choice, value));
         }
@@ -79,7 +83,9 @@ fn known_to(name: &str) -> impl Iterator<Item = &'static About> {
 
 fn argument(choice: &'static Choice) -> Arg {
     let Choice { name, formerly, placeholder, about, default, values } = choice;
-    let help = format!("For {}: {about} [default: {default}]", sentence(known_to(name), ""));
+    let default = if default.is_empty() { String::new() } else { format!(" [default: {default}]") };
+    let help = format!("For {}: {about}{default}", sentence(known_to(name), ""));
+    let argument = Arg::new(*name).long(*name).aliases(*formerly).help(help).conflicts_with_all(NO_CODE);
     let parser: ValueParser = match values {
         Values::Names(names) => {
             PossibleValuesParser::new(names().into_iter().map(|(name, about)| PossibleValue::new(name).help(about)))
@@ -87,9 +93,10 @@ fn argument(choice: &'static Choice) -> Arg {
         }
         Values::Number(least, greatest) => value_parser!(u32).range(i64::from(*least)..=i64::from(*greatest)).into(),
         Values::Interval => ValueParser::new(interval),
+        Values::File => ValueParser::new(file),
+        Values::Flag => return argument.action(ArgAction::SetTrue),
     };
-    let argument = Arg::new(*name).long(*name).aliases(*formerly).value_name(*placeholder);
-    argument.help(help).value_parser(parser).conflicts_with_all(NO_CODE)
+    argument.value_name(*placeholder).value_parser(parser)
 }
 
 /// Targets in a sentence: `a`, `b` and `c`.
@@ -116,6 +123,14 @@ pub fn endings() -> String {
         endings.iter().map(|(ending, _)| format!(".{ending}")).collect::<Vec<_>>().join(", ")
     };
     if open.is_empty() { listed(clear) } else { format!("{}; not {} alone", listed(clear), listed(open)) }
+}
+
+/// What a file says.
+fn file(path: &str) -> Result<Value, String> {
+    let text = files::read(Path::new(path)).map_err(|refusal| refusal.to_string())?;
+    let text = String::from_utf8(text).map_err(|_| "it is not UTF-8".to_owned())?;
+    let name = Path::new(path).file_name().unwrap_or_default().to_string_lossy().into_owned();
+    Ok(Value::File(name, text))
 }
 
 /// A cycle time in milliseconds.

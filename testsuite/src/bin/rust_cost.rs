@@ -1,10 +1,10 @@
-//! Measures what a scan of generated Rust costs, beside a `match` by hand and, where it is there, MATIEC's C.
+//! Measures what a scan of generated Rust and C costs, beside a `match` or `switch` by hand and, where it is there, MATIEC's C.
 //!
 //! ```text
 //! cargo run --release -p grafc-testsuite --bin rust_cost -- --sizes 100,1000 --folder /tmp/cost
 //! ```
 //!
-//! Needs rustc; with `iec2c` and `gcc` on PATH the SFC of MATIEC is measured too, up to 1,000 steps. What rustc could not
+//! Needs rustc; with a C compiler C is measured, too; with `iec2c` and `gcc` on PATH the SFC of MATIEC is measured too, up to 1,000 steps. What rustc could not
 //! compile in time stands in the table without figures.
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command")]
@@ -12,17 +12,17 @@
 use clap::{Parser, ValueEnum};
 use grafc_logic::Encoding;
 use grafc_model::reaction::Evolution;
-use grafc_testsuite::executors::matiec;
 use grafc_testsuite::executors::rust::Tools;
+use grafc_testsuite::executors::{c, matiec};
 use grafc_testsuite::rings::Rings;
-use grafc_testsuite::rust_cost::{BASE, Figure, Job, Row, measure};
+use grafc_testsuite::rust_cost::{BASE, Figure, Job, Others, Row, measure};
 use serde_json::json;
 use std::num::NonZero;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
-/// What a scan of generated Rust costs, beside a `match` by hand and MATIEC's SFC
+/// What a scan of generated Rust and C costs, beside a `match` or `switch` by hand and MATIEC's SFC
 #[derive(Parser, Debug)]
 struct Options {
     /// Steps of all rings
@@ -97,6 +97,8 @@ fn main() -> ExitCode {
 
 fn run(options: Options, tools: &Tools) -> Result<(), String> {
     let matiec = matiec::Tools::find().map_err(|missing| eprintln!("without the SFC of MATIEC: {missing}")).ok();
+    let c = c::Tools::find().map_err(|missing| eprintln!("without C: {missing}")).ok();
+    let others = Others { c: c.as_ref(), matiec: matiec.as_ref() };
     let scratch = tempfile::tempdir().map_err(|e| e.to_string())?;
     let folder = options.folder.unwrap_or_else(|| scratch.path().to_path_buf());
     let sizes = options.sizes.iter().map(|steps| steps.get());
@@ -109,7 +111,7 @@ fn run(options: Options, tools: &Tools) -> Result<(), String> {
         repetitions: options.repetitions.get(),
         limit: Duration::from_secs(options.limit),
     };
-    let rows = measure(tools, matiec.as_ref(), &folder, &job, &|done| eprintln!("{done}"))?;
+    let rows = measure(tools, others, &folder, &job, &|done| eprintln!("{done}"))?;
     let rustc = tools.version();
     if options.json {
         let all = json!({ "rustc": rustc, "opt_level": 3, "repetitions": job.repetitions, "base": BASE, "rows": rows });
@@ -122,16 +124,16 @@ fn run(options: Options, tools: &Tools) -> Result<(), String> {
 }
 
 fn table(rows: &[Row]) {
-    let columns = format!("{:>10} {:>6} {:>6} {:>7}", "ns", "match", BASE, "SFC");
-    println!("\n{:27} {:^32} {:^32}", "", "idle, and its ratios to", "clearing, and its ratios to");
-    println!("{:>6} {:>6}  {:19} {columns} {columns} {:>7} {:>7}", "steps", "tokens", "", "bytes", "rustc/s");
+    let columns = format!("{:>10} {:>6} {:>6} {:>7}", "ns", "hand", BASE, "SFC");
+    println!("\n{:33} {:^32} {:^32}", "", "idle, and its ratios to", "clearing, and its ratios to");
+    println!("{:>6} {:>6}  {:25} {columns} {columns} {:>7} {:>7}", "steps", "tokens", "", "bytes", "rustc/s");
     let mut before = None;
     for Row { rings, spelling, figures } in rows {
         if before.is_some_and(|before| before != rings) {
             println!();
         }
         before = Some(rings);
-        let head = format!("{:6} {:6}  {spelling:19}", rings.steps, rings.tokens);
+        let head = format!("{:6} {:6}  {spelling:25}", rings.steps, rings.tokens);
         match figures {
             Err(why) => println!("{head} {why}"),
             Ok(figures) => {

@@ -16,6 +16,7 @@
 
 mod backends;
 mod bodies;
+mod c;
 mod calls;
 mod encodings;
 mod javascript;
@@ -54,6 +55,8 @@ pub enum Part {
     Rust,
     /// JavaScript.
     JavaScript,
+    /// C.
+    C,
     /// What backends share.
     Shared,
     /// What the languages with braces share.
@@ -62,7 +65,7 @@ pub enum Part {
 
 impl Part {
     /// All of them.
-    pub const ALL: [Part; 10] = [
+    pub const ALL: [Part; 11] = [
         Part::Compiler,
         Part::StructuredText,
         Part::InstructionList,
@@ -71,6 +74,7 @@ impl Part {
         Part::Chart,
         Part::Rust,
         Part::JavaScript,
+        Part::C,
         Part::Shared,
         Part::Braces,
     ];
@@ -86,6 +90,7 @@ impl Part {
             Part::Chart => &["backends/src/plcopen/sfc"],
             Part::Rust => &["backends/src/rust"],
             Part::JavaScript => &["backends/src/js"],
+            Part::C => &["backends/src/c"],
             Part::Shared | Part::Braces => &["backends/src"],
         }
     }
@@ -128,7 +133,10 @@ pub struct Fault {
 /// All of them, along the way of a chart through the compiler.
 pub fn all() -> impl Iterator<Item = &'static Fault> {
     let compiler = [net::FAULTS, lowering::FAULTS, encodings::FAULTS, proofs::FAULTS, warnings::FAULTS];
-    compiler.into_iter().chain([backends::FAULTS, bodies::FAULTS, calls::FAULTS, javascript::FAULTS]).flatten()
+    compiler
+        .into_iter()
+        .chain([backends::FAULTS, bodies::FAULTS, calls::FAULTS, javascript::FAULTS, c::FAULTS])
+        .flatten()
 }
 
 impl Fault {

@@ -83,6 +83,15 @@ const JAVASCRIPT: &[Suite] = &[
     BACKENDS,
 ];
 
+const C: &[Suite] = &[
+    with(Tool::Cc, "c", Some("vectors")),
+    with(Tool::Cc, "c", None),
+    tests("c_projects"),
+    with(Tool::Cc, "c_elsewhere", Some("less_exact")),
+    with(Tool::Arduino, "c_projects", None),
+    BACKENDS,
+];
+
 /// What has to catch a fault.
 pub fn suites(fault: &Fault) -> &'static [Suite] {
     match fault.at.part {
@@ -93,6 +102,7 @@ pub fn suites(fault: &Fault) -> &'static [Suite] {
         Part::Ladder => LADDER,
         Part::Chart => CHART,
         Part::JavaScript | Part::Braces => JAVASCRIPT,
+        Part::C => C,
         Part::Rust | Part::Shared => RUST,
     }
 }

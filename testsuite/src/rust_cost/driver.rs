@@ -11,10 +11,10 @@ use crate::rings::Rings;
 use std::fmt::Write as _;
 
 /// Slices of about a millisecond in which a program times one thing.
-const SLICES: usize = 16;
+pub(super) const SLICES: usize = 16;
 
 /// How often the tokens are moved and the outputs compared before anything is timed.
-const CHECKED: usize = 400;
+pub(super) const CHECKED: usize = 400;
 
 const BODY: &str = r#"
 type Scan = for<'a> fn(&'a mut Ring, &Inputs, u32) -> &'a Outputs;

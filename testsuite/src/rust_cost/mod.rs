@@ -1,22 +1,25 @@
-//! What a scan of generated Rust costs: rings of steps as grafc writes them, beside a `match` by hand and MATIEC's C.
+//! What a scan of generated Rust and C costs: rings of steps as grafc writes them, beside a `match` or `switch` by hand and
+//! MATIEC's C.
 //!
 //! The chart ([`crate::rings`]), the two figures and the way they are taken are those of [`crate::scan_cost`]. Each
 //! spelling is a crate of its own, so that the time that rustc takes for it can be told (`tools`), with a program
-//! around it that checks and times it (`driver`). The programs of all sizes take turns (`crate::turns`): ratios hold
+//! around it that checks and times it (`driver`), or, in C, a unit (`in_c`). The programs of all sizes take turns (`crate::turns`): ratios hold
 //! between sizes as well as between spellings.
 
 mod by_hand;
 mod driver;
+mod in_c;
 mod tools;
 
 use crate::charts;
-use crate::executors::matiec;
 use crate::executors::rust::Tools;
+use crate::executors::{c, matiec};
 use crate::rings::Rings;
 use crate::runs::compile_saved;
 use crate::scan_cost::{self, texts};
 use crate::turns::{self, Sample};
 use grafc_backends::rust;
+use grafc_logic::scan::Program;
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::{Evolution, Profile};
 use serde::Serialize;
@@ -46,6 +49,8 @@ pub struct Job {
 enum Spelling {
     ByHand(Evolution),
     Grafc(Encoding, Evolution),
+    ByHandInC(Evolution),
+    GrafcInC(Encoding, Evolution),
     Sfc,
 }
 
@@ -54,6 +59,8 @@ impl Spelling {
         let (name, evolution) = match self {
             Spelling::ByHand(evolution) => ("match by hand", evolution),
             Spelling::Grafc(encoding, evolution) => (encoding.name(), evolution),
+            Spelling::ByHandInC(evolution) => ("switch by hand in C", evolution),
+            Spelling::GrafcInC(encoding, evolution) => (in_c::name(encoding), evolution),
             Spelling::Sfc => return "SFC of MATIEC".to_owned(),
         };
         match evolution {
@@ -65,7 +72,8 @@ impl Spelling {
     /// What it is compared with: it evolves in the same way, and the SFC of MATIEC one micro-step a scan.
     fn by_hand(self) -> Option<Spelling> {
         match self {
-            Spelling::ByHand(_) => None,
+            Spelling::ByHand(_) | Spelling::ByHandInC(_) => None,
+            Spelling::GrafcInC(_, evolution) => Some(Spelling::ByHandInC(evolution)),
             Spelling::Grafc(_, evolution) => Some(Spelling::ByHand(evolution)),
             Spelling::Sfc => Some(Spelling::ByHand(Evolution::Scan)),
         }
@@ -102,7 +110,7 @@ pub struct Figures {
 pub struct Figure {
     /// The median.
     pub nanoseconds: f64,
-    /// The ratio to the `match` by hand for the same chart and evolution.
+    /// The ratio to the `match` by hand for the same chart and evolution; in C, to the `switch` by hand.
     pub by_hand: Option<f64>,
     /// The ratio to the same spelling with [`BASE`] steps and as many tokens.
     pub growth: Option<f64>,
@@ -118,12 +126,22 @@ struct Timed {
     rustc: Option<f64>,
 }
 
-/// Measures all charts in all spellings; with MATIEC also its SFC, up to the size that its tools can take.
+/// The compilers from outside that there are, beside rustc.
+#[derive(Clone, Copy, Default)]
+pub struct Others<'t> {
+    /// A C compiler.
+    pub c: Option<&'t c::Tools>,
+    /// MATIEC.
+    pub matiec: Option<&'t matiec::Tools>,
+}
+
+/// Measures all charts in all spellings; with a C compiler also those in C, and with MATIEC its SFC, up to the size that its
+/// tools can take.
 /// `progress` is told what is done. Texts and programs are left in the folder; what is there already and has not
 /// changed is not built again.
 pub fn measure(
     tools: &Tools,
-    matiec: Option<&matiec::Tools>,
+    others: Others,
     folder: &Path,
     job: &Job,
     progress: &dyn Fn(&str),
@@ -132,12 +150,12 @@ pub fn measure(
     let mut all: Vec<(Rings, Spelling, Result<usize, String>)> = Vec::new();
     let mut timed: Vec<Timed> = Vec::new();
     for &rings in &job.rings {
-        for spelling in spellings(job, rings, matiec) {
+        for spelling in spellings(job, rings, others) {
             let Rings { steps, tokens, walked } = rings;
             let place = folder.join(format!("{steps}_{tokens}_{walked}_{}", spelling.name().replace(", ", "_")));
             let named = |said: String| format!("{}, {rings:?}: {said}", spelling.name());
             progress(&format!("building {}, {} steps, {} tokens", spelling.name(), rings.steps, rings.tokens));
-            let built = build(tools, matiec, &place, rings, spelling, job.limit).map_err(named)?;
+            let built = build(tools, others, &place, rings, spelling, job.limit).map_err(named)?;
             let index = match built {
                 Built::Program(program, rustc) => {
                     timed.push(Timed { rings, spelling, program, rustc });
@@ -159,20 +177,24 @@ pub fn measure(
     Ok(all.into_iter().map(row).collect())
 }
 
-fn spellings(job: &Job, rings: Rings, matiec: Option<&matiec::Tools>) -> Vec<Spelling> {
+fn spellings(job: &Job, rings: Rings, others: Others) -> Vec<Spelling> {
     let mut spellings = Vec::new();
     for &evolution in &job.evolutions {
         spellings.push(Spelling::ByHand(evolution));
         spellings.extend(job.encodings.iter().map(|encoding| Spelling::Grafc(*encoding, evolution)));
+        if others.c.is_some() {
+            spellings.push(Spelling::ByHandInC(evolution));
+            spellings.extend(job.encodings.iter().map(|encoding| Spelling::GrafcInC(*encoding, evolution)));
+        }
     }
-    let sfc = matiec.is_some() && rings.steps <= texts::MANY_BITS && rings.walked == rings.length();
+    let sfc = others.matiec.is_some() && rings.steps <= texts::MANY_BITS && rings.walked == rings.length();
     spellings.extend(sfc.then_some(Spelling::Sfc));
     spellings
 }
 
 fn build(
     tools: &Tools,
-    matiec: Option<&matiec::Tools>,
+    others: Others,
     place: &Path,
     rings: Rings,
     spelling: Spelling,
@@ -181,8 +203,18 @@ fn build(
     let (chart, more_stack) = match spelling {
         Spelling::ByHand(evolution) => (by_hand::write(rings, evolution), true),
         Spelling::Grafc(encoding, evolution) => (by_grafc(rings, encoding, evolution)?, false),
+        Spelling::ByHandInC(_) | Spelling::GrafcInC(..) => {
+            let unit = match spelling {
+                Spelling::GrafcInC(encoding, evolution) => in_c::by_grafc(&program(rings, encoding, evolution)?)?,
+                Spelling::ByHandInC(evolution) | Spelling::ByHand(evolution) | Spelling::Grafc(_, evolution) => {
+                    in_c::by_hand(rings, evolution)
+                }
+                Spelling::Sfc => in_c::by_hand(rings, Evolution::Scan),
+            };
+            return in_c::build(others.c.ok_or("no C compiler")?, place, &unit, rings, limit);
+        }
         Spelling::Sfc => {
-            let matiec = matiec.ok_or("no MATIEC")?;
+            let matiec = others.matiec.ok_or("no MATIEC")?;
             return scan_cost::build(matiec, place, &texts::sfc(rings), rings)
                 .map(|program| Built::Program(program, None));
         }
@@ -191,10 +223,14 @@ fn build(
 }
 
 fn by_grafc(rings: Rings, encoding: Encoding, evolution: Evolution) -> Result<String, String> {
+    let program = program(rings, encoding, evolution)?;
+    rust::emit(&program, &rust::Options::default()).map_err(|diagnostics| format!("{diagnostics:#?}"))
+}
+
+fn program(rings: Rings, encoding: Encoding, evolution: Evolution) -> Result<Program, String> {
     let chart = charts::check("ring", &rings.chart())?;
     let profile = Profile { evolution, ..Profile::default() };
-    let program = compile_saved(&chart, &Options { profile, encoding, simplify: true })?;
-    rust::emit(&program, &rust::Options::default()).map_err(|diagnostics| format!("{diagnostics:#?}"))
+    compile_saved(&chart, &Options { profile, encoding, simplify: true })
 }
 
 fn figures(timed: &[Timed], samples: &[Vec<Sample>], index: usize) -> Figures {
@@ -242,14 +278,16 @@ mod tests {
             repetitions: 1,
             limit: Duration::from_secs(300),
         };
-        let rows = measure(&tools, None, folder.path(), &job, &|_| {}).expect("all are built and run");
-        assert_eq!(rows.len(), 2 * 2 * (1 + 3));
+        let c = c::Tools::find_or_skip();
+        let others = Others { c: c.as_ref(), matiec: None };
+        let rows = measure(&tools, others, folder.path(), &job, &|_| {}).expect("all are built and run");
+        assert_eq!(rows.len(), 2 * 2 * (1 + 3) * if c.is_some() { 2 } else { 1 });
         for row in &rows {
             let figures = row.figures.as_ref().expect("rustc takes ten steps");
-            let is_by_hand = row.spelling.starts_with("match by hand");
+            let is_by_hand = row.spelling.contains(" by hand");
             assert_eq!(figures.idle.by_hand.is_none(), is_by_hand, "{}", row.spelling);
-            assert!(figures.bytes > 10 && figures.bytes < 100, "ten outputs and a little more: {}", figures.bytes);
-            assert!(figures.rustc.is_some_and(|seconds| seconds > 0.0));
+            assert!(figures.bytes > 10 && figures.bytes < 110, "ten outputs and a little more: {}", figures.bytes);
+            assert_eq!(figures.rustc.is_some_and(|seconds| seconds > 0.0), !row.spelling.contains(" in C"));
         }
     }
 

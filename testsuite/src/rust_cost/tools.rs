@@ -72,26 +72,28 @@ pub(super) fn build(tools: &Tools, folder: &Path, chart: &str, main: &str, with:
     Ok(Built::Program(program, Some(seconds)))
 }
 
-/// The seconds that rustc takes, or why it did not come to an end. What it says goes into a file: nobody reads a pipe.
-fn timed(mut rustc: Command, said: &Path, limit: Duration) -> Result<Result<f64, String>, String> {
-    let failed = |e: std::io::Error| format!("rustc: {e}");
+/// The seconds that a compiler takes, or why it did not come to an end. What it says goes into a file: nobody reads a pipe.
+pub(super) fn timed(mut compiler: Command, said: &Path, limit: Duration) -> Result<Result<f64, String>, String> {
+    let name = compiler.get_program().to_string_lossy().into_owned();
+    let name = name.rsplit('/').next().unwrap_or_default();
+    let failed = |e: std::io::Error| format!("{name}: {e}");
     let file = File::create(said).map_err(failed)?;
     let begin = Instant::now();
-    let mut child = rustc.stdout(Stdio::null()).stderr(file).spawn().map_err(failed)?;
+    let mut child = compiler.stdout(Stdio::null()).stderr(file).spawn().map_err(failed)?;
     loop {
         if let Some(status) = child.try_wait().map_err(failed)? {
             let taken = begin.elapsed().as_secs_f64();
             return match status.code() {
                 Some(0) => Ok(Ok(taken)),
-                Some(_) => Err(format!("rustc: {status}\n{}", fs::read_to_string(said).unwrap_or_default())),
+                Some(_) => Err(format!("{name}: {status}\n{}", fs::read_to_string(said).unwrap_or_default())),
                 // A signal: its stack or the machine's memory was not enough.
-                None => Ok(Err(format!("rustc broke down after {taken:.0} s: {status}"))),
+                None => Ok(Err(format!("{name} broke down after {taken:.0} s: {status}"))),
             };
         }
         if begin.elapsed() >= limit {
             child.kill().map_err(failed)?;
             child.wait().map_err(failed)?;
-            return Ok(Err(format!("rustc was stopped after {} s", limit.as_secs())));
+            return Ok(Err(format!("{name} was stopped after {} s", limit.as_secs())));
         }
         sleep(PAUSE);
     }

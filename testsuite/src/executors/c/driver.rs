@@ -26,10 +26,10 @@ static void must(bool is, const char *what)
 ";
 
 /// Clocks start here, so that they wrap around within a trace.
-const START: u32 = u32::MAX - 1500;
+pub(super) const START: u32 = u32::MAX - 1500;
 
 /// So many calls after the last, the chart is saved and restored.
-const CALLS_BETWEEN_SAVES: usize = 3;
+pub(super) const CALLS_BETWEEN_SAVES: usize = 3;
 
 /// The name of a job's chart.
 pub(super) fn chart(index: usize) -> String {
@@ -69,7 +69,7 @@ pub(super) fn write(index: usize, program: &Program, names: &CNames, stimuli: &[
     size_t row;
 
     {chart}_init(&chart);
-    inputs = chart.inputs;
+    {chart}_init_inputs(&inputs);
     for (row = 0; row < {}; row++) {{
         const {chart}_outputs *outputs;
         uint32_t step;
@@ -150,7 +150,7 @@ fn printed(ty: Type, place: &str) -> String {
     }
 }
 
-fn literal(value: Value, ty: Type) -> String {
+pub(super) fn literal(value: Value, ty: Type) -> String {
     match (value, ty) {
         (Value::Bool(b), _) => b.to_string(),
         (Value::Real(x), _) if x.is_nan() => "NAN".to_owned(),

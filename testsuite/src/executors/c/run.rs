@@ -4,6 +4,7 @@ use super::driver;
 use super::tools::Tools;
 use crate::executors::jobs::{self, Job};
 use grafc_backends::c;
+use grafc_logic::scan::Program;
 use grafc_model::reaction::Response;
 use std::fs;
 
@@ -22,12 +23,18 @@ pub fn run(tools: &Tools, jobs: &[Job]) -> Vec<Result<Vec<Response>, String>> {
 }
 
 fn unit(index: usize, job: &Job) -> Result<Unit, String> {
+    let (source, header, program) = unit_of(index, job)?;
+    let driver = driver::write(index, &program, &c::names(&program), &job.stimuli);
+    Ok(Unit { source, header, driver })
+}
+
+/// The source of a job and its header, and the program with the name that it has there.
+pub(super) fn unit_of(index: usize, job: &Job) -> Result<(String, String, Program), String> {
     let mut program = job.program.clone();
     program.name = driver::chart(index);
     let options = c::Options { include: Some(driver::header(index)), ..c::Options::default() };
     let (source, header) = c::emit(&program, &options).map_err(|diagnostics| format!("{diagnostics:#?}"))?;
-    let driver = driver::write(index, &program, &c::names(&program), &job.stimuli);
-    Ok(Unit { source, header: header.unwrap_or_default(), driver })
+    Ok((source, header.unwrap_or_default(), program))
 }
 
 fn build_and_play(tools: &Tools, batch: &[usize], units: &[&Unit]) -> Result<String, String> {

@@ -34,12 +34,12 @@ impl Tools {
         or_skip(Tool::Cc, Tools::find())
     }
 
-    /// Compiles sources of a folder to `main`, with checks for what is undefined.
+    /// Compiles sources of a folder to `main`, with checks for what is undefined and for memory.
     ///
     /// # Errors
     /// What the compiler says.
     pub fn build(&self, folder: &Path, sources: &[String]) -> Result<(), String> {
-        let checked = ["-fsanitize=undefined", "-fno-sanitize-recover=all"];
+        let checked = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
         let mut command = Command::new(&self.cc);
         call(command.args(STRICT).args(checked).args(["-o", "main"]).args(sources).arg("-lm").current_dir(folder))
             .map(|_| ())
@@ -52,6 +52,13 @@ impl Tools {
     pub fn object(&self, folder: &Path, source: &str, more: &[&str]) -> Result<(), String> {
         let mut command = Command::new(&self.cc);
         call(command.args(STRICT).args(more).args(["-c", "-o", "object.o", source]).current_dir(folder)).map(|_| ())
+    }
+
+    /// The compiler, with all warnings that there must not be.
+    pub(crate) fn command(&self) -> Command {
+        let mut command = Command::new(&self.cc);
+        command.args(STRICT);
+        command
     }
 
     /// Calls it as somebody would by hand, with all warnings that there must not be.

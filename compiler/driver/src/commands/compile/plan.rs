@@ -33,6 +33,7 @@ pub fn jobs(args: &Arguments) -> Result<Vec<Job<'_>>, Failure> {
     }
     let mut jobs = Vec::new();
     for chart in &args.charts {
+        let mut product = product(args, &asked)?;
         let mut folders = Vec::new();
         let mut place = |stream: Option<&Stream>, ending: &str| match stream {
             Some(Stream::File(path)) if Stream::is_folder(path) => {
@@ -41,10 +42,9 @@ pub fn jobs(args: &Arguments) -> Result<Vec<Job<'_>>, Failure> {
             }
             other => Ok(other.cloned()),
         };
-        let output = place(args.output.as_ref(), &asked.ending())?.unwrap_or(Stream::Standard);
+        let output = place(args.output.as_ref(), &asked.ending(&product))?.unwrap_or(Stream::Standard);
         let map = place(args.map.as_ref(), "map.json")?;
-        let beside = beside(&asked, &output);
-        let mut product = product(args, &asked)?;
+        let beside = beside(&product, &output);
         if let (Product::Code(target) | Product::Mapped(target), Some(beside)) = (&mut product, &beside) {
             target.set_beside(&beside.file_name());
         }
@@ -55,9 +55,9 @@ pub fn jobs(args: &Arguments) -> Result<Vec<Job<'_>>, Failure> {
 }
 
 /// The file beside the output, if the target writes two and the output is a file.
-fn beside(asked: &Asked, output: &Stream) -> Option<Stream> {
-    let (Asked::Target(about), Stream::File(path)) = (asked, output) else { return None };
-    let ending = about.ending_beside(&path.extension().unwrap_or_default().to_string_lossy())?;
+fn beside(product: &Product, output: &Stream) -> Option<Stream> {
+    let (Product::Code(target) | Product::Mapped(target), Stream::File(path)) = (product, output) else { return None };
+    let ending = target.ending_beside(&path.extension().unwrap_or_default().to_string_lossy())?;
     Some(Stream::File(path.with_extension(ending)))
 }
 
@@ -143,9 +143,17 @@ fn by_ending(args: &Arguments) -> Result<&'static About, Failure> {
 
 impl Asked<'_> {
     /// What the name of a file with it ends with, without the dot.
-    fn ending(&self) -> String {
+    fn ending(&self, product: &Product) -> String {
         match self {
-            Asked::Target(about) => about.extension.to_string(),
+            Asked::Target(about) => match product {
+                Product::Code(target) | Product::Mapped(target) => target.extension().to_string(),
+                Product::Tree
+                | Product::Chart
+                | Product::NetAfter(_)
+                | Product::Net
+                | Product::Equations
+                | Product::Program => about.extension.to_string(),
+            },
             Asked::Stage(stage) => {
                 stage.to_possible_value().map_or(String::new(), |value| value.get_name().to_string())
             }

@@ -1,5 +1,6 @@
-//! `grafc stats`: what a chart takes in each encoding, or what its outputs do.
+//! `grafc stats`: what a chart takes in each encoding, as a program or compiled, or what its outputs do.
 
+mod compiled;
 mod figures;
 mod outputs;
 mod table;
@@ -9,6 +10,7 @@ use crate::arguments::{ProfileArguments, QuietArgument};
 use crate::report::{Failure, Format, Report};
 use crate::stream::Stream;
 use clap::{Args, ValueEnum};
+use compiled::Compiled;
 use figures::Figures;
 use grafc::Document;
 use grafc::files::print;
@@ -19,6 +21,7 @@ const AFTER_HELP: &str = "\
 Example:
   grafc stats valve.gct --evolution scan
   grafc stats valve.gct --outputs
+  grafc stats valve.gct --compiled
 
 What is counted, and how, is in docs/statistics.md.";
 
@@ -32,6 +35,9 @@ pub struct Arguments {
     /// Which outputs are on in which situation, in place of the figures
     #[arg(long)]
     outputs: bool,
+    /// The bytes that generated C takes on microcontrollers, by the compilers that are on PATH, in place of the figures
+    #[arg(long, conflicts_with = "outputs")]
+    compiled: bool,
     #[command(flatten)]
     profile: ProfileArguments,
     /// The form of the figures, and of messages, which go to standard error
@@ -66,6 +72,9 @@ pub fn run(args: Arguments) -> Result<Exit, Failure> {
         let diagnostics;
         (found, diagnostics) = if args.outputs {
             outputs(&document, args.format)
+        } else if args.compiled {
+            let (compiled, diagnostics) = Compiled::new(&mut document, &args.profile.asked()?)?;
+            (compiled.map(|compiled| args.format.choose(&compiled, Compiled::table, Compiled::json)), diagnostics)
         } else {
             let asked = args.profile.asked()?;
             let (figures, diagnostics) = figures::figures(&mut document, &asked);

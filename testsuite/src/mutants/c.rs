@@ -1,0 +1,141 @@
+//! Faults of the backend for C.
+
+use super::{At, Fault, Part};
+
+const C: At = At::anywhere(Part::C);
+
+pub(super) const FAULTS: &[Fault] = &[
+    Fault {
+        name: "c-bound-one-late",
+        at: C,
+        breaks: "the scan is cut off one micro-step late (R9)",
+        text: "Some(limit) => (places.read(limit.count), limit.bound)",
+        instead: "Some(limit) => (places.read(limit.count), limit.bound + 1)",
+    },
+    Fault {
+        name: "c-never-given-up",
+        at: C,
+        breaks: "an evolution that is given up raises no flag (R9)",
+        text: "out.line(&format!(\"{} = true;\", places.read(limit.flag)));",
+        instead: "out.line(&format!(\"{} = false;\", places.read(limit.flag)));",
+    },
+    Fault {
+        name: "c-no-div0",
+        at: C,
+        breaks: "a division by zero raises no DIV0",
+        text: "[format!(\"{target} = {zero};\"), format!(\"{flag} = true;\")]",
+        instead: "[format!(\"{target} = {zero};\"), format!(\"{flag} = {flag};\")]",
+    },
+    Fault {
+        name: "c-remainder-is-quotient",
+        at: C,
+        breaks: "a guarded remainder is written as a quotient",
+        text: "if modulo { Arithmetic::Modulo } else { Arithmetic::Divide }",
+        instead: "Arithmetic::Divide",
+    },
+    Fault {
+        name: "c-product-is-sum",
+        at: C,
+        breaks: "a product is written as a sum",
+        text: "Arithmetic::Multiply => \"mul\"",
+        instead: "Arithmetic::Multiply => \"add\"",
+    },
+    Fault {
+        name: "c-comparison-turned",
+        at: C,
+        breaks: "a comparison with a constant at its left is decided the wrong way",
+        text: "Comparison::Less => Comparison::Greater",
+        instead: "Comparison::Less => Comparison::LessEqual",
+    },
+    Fault {
+        name: "c-unequal-is-equal",
+        at: C,
+        breaks: "a negated equality is an equality",
+        text: "self.comparison(Comparison::NotEqual, *b, *c)",
+        instead: "self.comparison(Comparison::Equal, *b, *c)",
+    },
+    Fault {
+        name: "c-delays-of-a-second",
+        at: C,
+        breaks: "every delay without a constant takes a second (X5)",
+        text: "literal(Value::Time(preset.ms), Type::Time)",
+        instead: "literal(Value::Time(1000), Type::Time)",
+    },
+    Fault {
+        name: "c-states-begin-idle",
+        at: C,
+        breaks: "a value of a state is written as another: the first one of its enum",
+        text: "state.constant(n).cloned()",
+        instead: "state.constant(state.constants[0].0).cloned()",
+    },
+    Fault {
+        name: "c-kept-inputs-forgotten",
+        at: C,
+        breaks: "outputs go by inputs of nobody after memory was given back",
+        text: "out.line(&format!(\"chart->kept.{name} = inputs->{name};\"));",
+        instead: "",
+    },
+    Fault {
+        name: "c-delays-not-saved",
+        at: C,
+        breaks: "a delay begins anew where a chart is restored (X5)",
+        text: "out.line(&format!(\"{timer}.elapsed = to_time(take(bytes, &at, 8u));\"));",
+        instead: "out.line(\"(void)take(bytes, &at, 8u);\");",
+    },
+    Fault {
+        name: "c-nothing-follows",
+        at: C,
+        breaks: "outputs are off until the next scan where a chart is restored",
+        text: "out.line(\"restoring(chart);\");",
+        instead: "",
+    },
+    Fault {
+        name: "c-restart-forgets",
+        at: C,
+        breaks: "what is retained is lost at a restart",
+        text: "out.line(&format!(\"{place} = {from};\"));",
+        instead: "",
+    },
+    Fault {
+        name: "c-variables-begin-anywhere",
+        at: C,
+        breaks: "internal variables do not begin with the values of the chart",
+        text: "self.initial(out, Role::Internal);",
+        instead: "",
+    },
+    Fault {
+        name: "c-comment-ends",
+        at: C,
+        breaks: "a text of the user's ends a comment",
+        text: "clean(text).replace(\"*/\", \"* /\")",
+        instead: "clean(text).replace(\"*/\", \"*/\")",
+    },
+    Fault {
+        name: "c-names-untold",
+        at: C,
+        breaks: "a name that had to change is not told",
+        text: "remark(&variable.name, given, variable.comment.as_deref())",
+        instead: "remark(given, given, variable.comment.as_deref())",
+    },
+    Fault {
+        name: "c-double-is-taken-as-it-is",
+        at: C,
+        breaks: "an `lreal` is a number of 32 bits where `double` is",
+        text: "\"DBL_MANT_DIG != 53\"",
+        instead: "\"DBL_MANT_DIG != DBL_MANT_DIG\"",
+    },
+    Fault {
+        name: "c-pins-not-inverted",
+        at: C,
+        breaks: "an inverted input of a sketch is read as it is",
+        text: "format!(\"digitalRead({constant}) == 0\")",
+        instead: "format!(\"digitalRead({constant}) != 0\")",
+    },
+    Fault {
+        name: "c-two-at-one-pin",
+        at: C,
+        breaks: "two variables of a sketch share a pin, and nobody is told",
+        text: "taken.insert(pin.pin.as_str().into(), id)",
+        instead: "taken.insert(pin.variable.as_str().into(), id)",
+    },
+];
