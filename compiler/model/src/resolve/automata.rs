@@ -11,7 +11,7 @@ use ecow::EcoString;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use grafc_syntax::ast::{
     ActionKind, Assignment, BinaryOp, Chart, ChartOptionKind, Clearing, Expr, ExprId, ExprKind, Exprs, Grafcet, Item,
-    Name, StepKind, StepMark, Transition,
+    Name, Step, StepKind, StepMark, Transition,
 };
 use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::smallvec;
@@ -133,16 +133,15 @@ impl Expander<'_> {
                     }
                 }
                 Item::Step(step) => {
-                    if step.kind == StepKind::Plain {
-                        states.push(step.label.clone());
-                        items.push(Item::Step(step));
-                    } else {
-                        let help = "a grafcet may have enclosing steps and macro-steps: `grafcet … { … }`";
+                    if step.kind != StepKind::Plain {
+                        let help = "leave out the word before it; a grafcet may have enclosing steps and macro-steps";
                         self.fault(step.label.span, "a state of an automaton holds nothing", help);
                     }
+                    states.push(step.label.clone());
+                    items.push(Item::Step(Step { kind: StepKind::Plain, ..step }));
                 }
                 Item::Expansion(expansion) => {
-                    let help = "an expansion belongs to a macro-step, which only a grafcet has: `grafcet … { … }`";
+                    let help = "leave it out; a grafcet may have macro-steps and their expansions";
                     self.fault(expansion.macro_step.span, "an automaton has no expansions", help);
                 }
                 item @ (Item::Declaration(_)
