@@ -151,7 +151,66 @@ fn what_is_wrong_is_an_error_at_its_place() {
     assert!(import(both, &other).expect_err("none").iter().all(|d| d.code == Code::E0703));
 }
 
-/// Files that are made to break readers: all end soon, with a report or an error.
+/// The messages of a text about the order of bodies, or about flags.
+fn told(text: &str, dialect: Dialect, words: &str) -> Vec<String> {
+    let options = Options { dialect: Some(dialect), ..Options::default() };
+    let (_, report) = import(text, &options).unwrap_or_else(|diagnostics| panic!("{diagnostics:?}\n{text}"));
+    report.iter().filter(|message| message.message.contains(words)).map(|message| message.message.clone()).collect()
+}
+
+/// In SFC a body reads what another has written before it in the same scan; in a chart it does not, but for what is stored
+/// in each scan, whose values come after those of events (R15).
+#[test]
+fn a_value_that_is_written_and_read_in_one_scan_is_told() {
+    let program = |steps: &str, transitions: &str, actions: &str| {
+        format!(
+            "PROGRAM P VAR go : BOOL; a, b, c : INT; END_VAR VAR_OUTPUT o : INT; END_VAR\n{steps}\n{transitions}\n{actions}\nEND_PROGRAM"
+        )
+    };
+    let order = |text: &str| told(text, Dialect::Iec, "takes the value of before");
+    let action = |name: &str, body: &str| format!("ACTION {name} : {body} END_ACTION\n");
+    let arc = |from: &str, to: &str| format!("TRANSITION FROM {from} TO {to} := go; END_TRANSITION\n");
+    let steps = "INITIAL_STEP S END_STEP STEP A : one(N); END_STEP STEP B : two(N); END_STEP";
+    let both = arc("S", "(A, B)") + &arc("(A, B)", "S");
+    let write = action("one", "a := a + 1;");
+    // Steps that are active together: one writes what the other reads, as a value and as a condition.
+    let value = "the step `B` reads `a` in a scan in which the step `A` writes it, and takes the value of before";
+    assert_eq!(order(&program(steps, &both, &(write.clone() + &action("two", "o := a;")))), [value]);
+    assert_eq!(
+        order(&program(steps, &both, &(write.clone() + &action("two", "IF a > 3 THEN o := 1; END_IF;")))),
+        [value]
+    );
+    // Nothing is told of what only one of them has to do with, nor where they follow each other.
+    assert!(order(&program(steps, &both, &(write.clone() + &action("two", "o := b;")))).is_empty());
+    let follow = arc("S", "A") + &arc("A", "B") + &arc("B", "S");
+    assert!(order(&program(steps, &follow, &(write + &action("two", "o := a;")))).is_empty());
+    // What is written at an exit is read by the next step's entry, and not before it by a body in each scan.
+    let exit = |qualifier: &str| {
+        format!("INITIAL_STEP S END_STEP STEP A : one(P0); END_STEP STEP B : two({qualifier}); END_STEP")
+    };
+    let bodies = action("one", "a := a + 1;") + &action("two", "o := a;");
+    assert_eq!(order(&program(&exit("P1"), &follow, &bodies)), [value]);
+    assert!(order(&program(&exit("N"), &follow, &bodies)).is_empty());
+    let other_way = arc("S", "B") + &arc("B", "A") + &arc("A", "S");
+    assert!(order(&program(&exit("P1"), &other_way, &bodies)).is_empty());
+    // The condition of a body, in the scan of its step's entry.
+    let own = "INITIAL_STEP S END_STEP STEP A : one(P1); two(N); END_STEP STEP B END_STEP";
+    let bodies = action("one", "a := 0;") + &action("two", "IF a < 3 THEN a := a + 1; END_IF;");
+    assert_eq!(
+        order(&program(own, &follow, &bodies)),
+        ["the step `A` reads `a` in the scan in which its entry writes it, and takes the value of before"]
+    );
+}
+
+#[test]
+fn flags_of_codesys_are_told() {
+    let text = "PROGRAM P VAR SFCInit, go : BOOL; END_VAR INITIAL_STEP A END_STEP STEP B END_STEP\n\
+                TRANSITION FROM A TO B := go; END_TRANSITION TRANSITION FROM B TO A := SFCPause; END_TRANSITION END_PROGRAM";
+    let what = "is a variable like any other: what it does to the chart is lost";
+    assert_eq!(told(text, Dialect::Codesys, what), [format!("`SFCInit` {what}"), format!("`SFCPause` {what}")]);
+    assert!(told(text, Dialect::Iec, what).is_empty());
+}
+
 /// A text without a chart is told of at its first character, however many bytes that has.
 #[test]
 fn a_text_without_a_chart_is_told_of_at_a_character() {
@@ -161,6 +220,7 @@ fn a_text_without_a_chart_is_told_of_at_a_character() {
     }
 }
 
+/// Files that are made to break readers: all end soon, with a report or an error.
 #[test]
 fn hostile_files_are_told_soon() {
     let wired = |kind: &str, local: usize, from: &[usize]| {

@@ -11,6 +11,7 @@ mod declarations;
 mod effects;
 mod maker;
 mod meaning;
+mod order;
 mod outcome;
 mod parts;
 mod resolve;
@@ -69,6 +70,8 @@ pub fn write(
     let transitions = maker.transitions();
     maker.delays();
     maker.named(named);
+    maker.order();
+    maker.flags(unit);
     let declarations = maker.declarations();
     let writer = Writer::new(maker, limit);
     writer.chart(unit, &declarations, &transitions)
