@@ -34,6 +34,8 @@ pub(crate) struct Shape<'p, Level> {
 pub(crate) enum Arrangement<'p> {
     /// A text that holds together.
     Atom(EcoString),
+    /// The name of a variable, or what is written in its place.
+    Name(&'p str),
     /// A word before an operand, which is at place 1.
     Prefix(&'static str, FormulaId),
     /// Texts and operands, as in a call.
@@ -94,6 +96,7 @@ impl<N: Notation> Formulas<N, N::Level> {
         };
         let width = match &shape.arrangement {
             Arrangement::Atom(text) => text.len(),
+            Arrangement::Name(text) => text.len(),
             Arrangement::Prefix(word, id) => operand(1, *id).saturating_add(word.len()),
             Arrangement::Pieces(pieces) => pieces.iter().fold(0, |sum: usize, piece| {
                 sum.saturating_add(match piece {
@@ -115,6 +118,7 @@ impl<N: Notation> Formulas<N, N::Level> {
         let shape = self.notation.shape(id);
         match &shape.arrangement {
             Arrangement::Atom(text) => out.text(text),
+            Arrangement::Name(text) => out.text(text),
             Arrangement::Prefix(word, operand) => {
                 out.text(word);
                 self.operand(out, shape.level, 1, *operand);
@@ -159,7 +163,11 @@ impl<N: Notation> Formulas<N, N::Level> {
             Arrangement::Prefix(word, operand) if out.indent() + self.width(id) + tail.len() > out.width() => {
                 self.term(out, shape.level, 1, word, *operand, tail);
             }
-            Arrangement::Atom(_) | Arrangement::Prefix(..) | Arrangement::Pieces(..) | Arrangement::Infix(..) => {
+            Arrangement::Atom(_)
+            | Arrangement::Name(_)
+            | Arrangement::Prefix(..)
+            | Arrangement::Pieces(..)
+            | Arrangement::Infix(..) => {
                 out.start();
                 self.flat(out, id);
                 out.text(tail);

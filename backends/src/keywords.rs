@@ -29,6 +29,8 @@ pub enum Family {
 #[derive(Clone)]
 pub struct Reserved {
     words: FxHashSet<&'static str>,
+    /// What the words end with, a bit a character: most names of charts end with a digit, and few words do.
+    last: u128,
     /// What the overloaded and the converting functions begin with, and what follows: `ADD_TIME`, `INT_TO_REAL`.
     heads: FxHashSet<&'static str>,
     tails: FxHashSet<&'static str>,
@@ -59,23 +61,35 @@ impl Reserved {
 
     fn iec(more: &'static str) -> Self {
         Reserved {
-            words: split(&[KEYWORDS, TYPES, FUNCTIONS, FUNCTION_BLOCKS, LATER_EDITIONS, DIALECTS, SCL, C_MACROS, more]),
             heads: split(&[TYPES, FUNCTIONS, OPERATORS, "BCD CTD CTU CTUD TO"]),
             tails: split(&[TYPES, "BCD TO TRUNC"]),
-            addresses: FxHashSet::default(),
             ends: &matiec::ENDS,
             units: split(&[matiec::PINS]),
+            ..Reserved::words(&[
+                KEYWORDS,
+                TYPES,
+                FUNCTIONS,
+                FUNCTION_BLOCKS,
+                LATER_EDITIONS,
+                DIALECTS,
+                SCL,
+                C_MACROS,
+                more,
+            ])
         }
     }
 
     fn words(tables: &[&'static str]) -> Self {
         let none = FxHashSet::default;
-        Reserved { words: split(tables), heads: none(), tails: none(), addresses: none(), ends: &[], units: none() }
+        let words = split(tables);
+        let last = words.iter().filter_map(|word| word.bytes().last()).fold(0, |last, byte| last | bit(byte));
+        Reserved { words, last, heads: none(), tails: none(), addresses: none(), ends: &[], units: none() }
     }
 
     /// Whether a word, in upper case, is reserved.
     pub fn contains(&self, word: &str) -> bool {
-        if self.words.contains(word) {
+        let may_be_word = word.bytes().last().is_some_and(|byte| self.last & bit(byte) != 0);
+        if may_be_word && self.words.contains(word) {
             return true;
         }
         if !self.addresses.is_empty() {
@@ -115,6 +129,11 @@ impl Reserved {
         };
         (0..name.len()).filter(|at| name[*at] == b'_').find(is_joint)
     }
+}
+
+/// The bit of a character; none of those that are not ASCII.
+fn bit(byte: u8) -> u128 {
+    1_u128.checked_shl(byte.into()).unwrap_or(0)
 }
 
 /// Between the types of a conversion.

@@ -40,11 +40,17 @@ fn spelled(text: &str, limit: usize) -> String {
 /// Whether a text is easily seen to be an identifier, as most names are.
 fn is_plain(text: &str, limit: usize) -> bool {
     let bytes = text.as_bytes();
+    // An underscore stands neither before nor behind another, nor at an end.
+    let mut may_part = false;
     bytes.len() <= limit
         && bytes.first().is_some_and(u8::is_ascii_alphabetic)
-        && bytes.last().is_some_and(u8::is_ascii_alphanumeric)
-        && bytes.iter().all(|b| b.is_ascii_alphanumeric() || *b == b'_')
-        && bytes.windows(2).all(|pair| pair != b"__")
+        && bytes.iter().all(|byte| {
+            let parts = *byte == b'_';
+            let is_good = if parts { may_part } else { byte.is_ascii_alphanumeric() };
+            may_part = !parts;
+            is_good
+        })
+        && may_part
 }
 
 /// The text with every character that is not ASCII spelt in ASCII; `?` for what has no spelling here.

@@ -130,7 +130,7 @@ impl<'p> Conditions<'p> {
                 let list = self.list(*list);
                 (chain(list, &operand), chain(list, &|id| self.summand(id)))
             }
-            Formula::Xor(a, b) => {
+            Formula::Xor([a, b]) => {
                 let chain = chain(&[*a, *b], &operand);
                 (chain, chain)
             }
@@ -192,7 +192,7 @@ impl<'p> Conditions<'p> {
         }
         match self.get(id) {
             Formula::Not(a) => match self.get(*a) {
-                Formula::Compare(op, x, y) => Numbers::new(self.program).compare(code, names, *op, *x, *y, true),
+                Formula::Compare(op, [x, y]) => Numbers::new(self.program).compare(code, names, *op, *x, *y, true),
                 _ => {
                     self.chain(code, names, *a, "A");
                     code.bit("NOT", "");
@@ -200,8 +200,8 @@ impl<'p> Conditions<'p> {
             },
             Formula::And(list) => self.operands(code, names, self.list(*list), "A"),
             Formula::Or(list) => self.operands(code, names, self.list(*list), "O"),
-            Formula::Xor(a, b) => self.operands(code, names, &[*a, *b], "X"),
-            Formula::Compare(op, x, y) => Numbers::new(self.program).compare(code, names, *op, *x, *y, false),
+            Formula::Xor([a, b]) => self.operands(code, names, &[*a, *b], "X"),
+            Formula::Compare(op, [x, y]) => Numbers::new(self.program).compare(code, names, *op, *x, *y, false),
             Formula::Constant(_) => code.truth(self.program.pool.as_truth(id).unwrap_or(false)),
             // These are operands, or no truth values.
             Formula::Variable(_)

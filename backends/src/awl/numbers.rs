@@ -39,10 +39,10 @@ impl<'p> Numbers<'p> {
     pub fn assign(self, code: &mut Code, names: &mut AwlNames, target: VarId, id: FormulaId) {
         let to = names.variable(target);
         match self.program.pool.get(id) {
-            Formula::Arithmetic(op @ (Arithmetic::Divide | Arithmetic::Modulo), a, b) => {
+            Formula::Arithmetic(op @ (Arithmetic::Divide | Arithmetic::Modulo), [a, b]) => {
                 self.quotient(code, names, *op == Arithmetic::Modulo, *a, *b, self.ty(id));
             }
-            Formula::Arithmetic(op, a, b) => self.arithmetic(code, names, *op, *a, *b, self.ty(id)),
+            Formula::Arithmetic(op, [a, b]) => self.arithmetic(code, names, *op, *a, *b, self.ty(id)),
             Formula::Negate(a) => {
                 self.load(code, names, *a);
                 code.number(of_width(self.ty(id), ["NEGI", "NEGD", "NEGR"]), "");

@@ -106,7 +106,7 @@ fn read(c: &C, restoring: bool) -> FxHashSet<VarId> {
             Formula::Variable(v) => {
                 found.insert(*v);
             }
-            Formula::Compare(op, a, b) if c.decided(*op, *a, *b).is_some() => {}
+            Formula::Compare(op, [a, b]) if c.decided(*op, *a, *b).is_some() => {}
             _ => open.extend(program.pool.operands(id)),
         }
     }
@@ -132,22 +132,22 @@ impl Notation for C<'_> {
         let atom = |text: EcoString| (CLevel::Atom, Arrangement::Atom(text));
         let (level, arrangement) = match pool.get(id) {
             Formula::Constant(value) => atom(literal(*value, pool.ty(id))),
-            Formula::Variable(v) => atom(self.places.read(*v).clone()),
+            Formula::Variable(v) => (CLevel::Atom, Arrangement::Name(self.places.read(*v))),
             Formula::TimerDone(timer) => {
                 let total = self.places.preset(self.places.program.timers[*timer].given_preset());
                 atom(eco_format!("delay_has_run(&{}, {total})", self.places.timer(*timer)))
             }
             Formula::TimerElapsed(timer) => atom(eco_format!("{}.elapsed", self.places.timer(*timer))),
             Formula::Not(a) => match pool.get(*a) {
-                Formula::Xor(b, c) => (CLevel::Comparison, Arrangement::Infix("==", pair(*b, *c))),
-                Formula::Compare(Comparison::Equal, b, c) => self.comparison(Comparison::NotEqual, *b, *c),
+                Formula::Xor([b, c]) => (CLevel::Comparison, Arrangement::Infix("==", pair(*b, *c))),
+                Formula::Compare(Comparison::Equal, [b, c]) => self.comparison(Comparison::NotEqual, *b, *c),
                 _ => (CLevel::Prefix, Arrangement::Prefix("!", *a)),
             },
             Formula::And(list) => (CLevel::Junction, Arrangement::Infix("&&", Cow::Borrowed(pool.list(*list)))),
             Formula::Or(list) => (CLevel::Junction, Arrangement::Infix("||", Cow::Borrowed(pool.list(*list)))),
-            Formula::Xor(a, b) => (CLevel::Comparison, Arrangement::Infix("!=", pair(*a, *b))),
-            Formula::Compare(op, a, b) => self.comparison(*op, *a, *b),
-            Formula::Arithmetic(op, a, b) => self.arithmetic(*op, pool.ty(id), *a, *b),
+            Formula::Xor([a, b]) => (CLevel::Comparison, Arrangement::Infix("!=", pair(*a, *b))),
+            Formula::Compare(op, [a, b]) => self.comparison(*op, *a, *b),
+            Formula::Arithmetic(op, [a, b]) => self.arithmetic(*op, pool.ty(id), *a, *b),
             Formula::Negate(a) => match pool.ty(id) {
                 Type::Real | Type::Lreal => (CLevel::Prefix, Arrangement::Prefix("-", *a)),
                 ty @ (Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Time) => {

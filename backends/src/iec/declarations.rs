@@ -67,8 +67,11 @@ impl VarBlock {
         [false, true].into_iter().filter_map(|retain| {
             let mut sections = Vec::with_capacity(self.sections.len());
             for (heading, entries) in &self.sections {
-                let entries: Vec<&Entry> = entries.iter().filter(|entry| entry.retain == retain).collect();
-                if !entries.is_empty() {
+                let wanted = || entries.iter().filter(|entry| entry.retain == retain);
+                let count = wanted().count();
+                if count > 0 {
+                    let mut entries = Vec::with_capacity(count);
+                    entries.extend(wanted());
                     sections.push((heading.as_ref(), entries));
                 }
             }
@@ -161,7 +164,9 @@ impl Entry {
 
     /// How long its text is, in bytes.
     fn length(&self) -> usize {
-        self.pieces().map(str::len).sum()
+        let address = self.address.as_deref().map_or(0, |address| " AT ".len() + address.len());
+        let initial = self.initial.as_deref().map_or(0, |initial| " := ".len() + initial.len());
+        self.name.len() + address + " : ".len() + self.ty.name().len() + initial + ";".len()
     }
 
     /// The pieces of its text, the name first.

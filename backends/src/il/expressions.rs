@@ -87,17 +87,17 @@ impl<'p> Expressions<'p> {
             Formula::Not(a) => Form::Then(*a, "NOT".into(), ""),
             Formula::And(list) => Form::Any("AND", pool.list(*list)),
             Formula::Or(list) => Form::Any("OR", pool.list(*list)),
-            Formula::Xor(a, b) if self.goes_first(*b, *a) => Form::Pair(*b, "XOR", *a),
-            Formula::Xor(a, b) => Form::Pair(*a, "XOR", *b),
-            Formula::Compare(op, a, b) if self.goes_first(*b, *a) => Form::Pair(*b, comparison(op.mirrored()), *a),
-            Formula::Compare(op, a, b) => Form::Pair(*a, comparison(*op), *b),
+            Formula::Xor([a, b]) if self.goes_first(*b, *a) => Form::Pair(*b, "XOR", *a),
+            Formula::Xor([a, b]) => Form::Pair(*a, "XOR", *b),
+            Formula::Compare(op, [a, b]) if self.goes_first(*b, *a) => Form::Pair(*b, comparison(op.mirrored()), *a),
+            Formula::Compare(op, [a, b]) => Form::Pair(*a, comparison(*op), *b),
             // `TIME * n` is taken everywhere, `n * TIME` is not.
-            Formula::Arithmetic(Arithmetic::Multiply, a, b)
+            Formula::Arithmetic(Arithmetic::Multiply, [a, b])
                 if pool.ty(*b) == Type::Time && pool.ty(*a) != Type::Time =>
             {
                 Form::Pair(*b, "MUL", *a)
             }
-            Formula::Arithmetic(op, a, b) => Form::Pair(*a, arithmetic(*op), *b),
+            Formula::Arithmetic(op, [a, b]) => Form::Pair(*a, arithmetic(*op), *b),
             Formula::Negate(a) => match pool.ty(id) {
                 // Negates a zero, too.
                 Type::Real => Form::Then(*a, "MUL".into(), "REAL#-1.0"),

@@ -153,22 +153,22 @@ impl Notation for JavaScript<'_> {
                 let text = literal(*value, pool.ty(id));
                 (if text.starts_with('-') { JsLevel::Prefix } else { JsLevel::Atom }, Arrangement::Atom(text))
             }
-            Formula::Variable(v) => atom(self.places.read(*v).clone()),
+            Formula::Variable(v) => (JsLevel::Atom, Arrangement::Name(self.places.read(*v))),
             Formula::TimerDone(timer) => {
                 let total = preset(self.places, self.places.program.timers[*timer].given_preset());
                 atom(eco_format!("hasRun({}, {total})", self.places.timer(*timer)))
             }
             Formula::TimerElapsed(timer) => atom(eco_format!("{}.elapsed", self.places.timer(*timer))),
             Formula::Not(a) => match pool.get(*a) {
-                Formula::Xor(b, c) => (JsLevel::Comparison, Arrangement::Infix("===", pair(*b, *c))),
-                Formula::Compare(Comparison::Equal, b, c) => self.comparison(Comparison::NotEqual, *b, *c),
+                Formula::Xor([b, c]) => (JsLevel::Comparison, Arrangement::Infix("===", pair(*b, *c))),
+                Formula::Compare(Comparison::Equal, [b, c]) => self.comparison(Comparison::NotEqual, *b, *c),
                 _ => (JsLevel::Prefix, Arrangement::Prefix("!", *a)),
             },
             Formula::And(list) => (JsLevel::Junction, Arrangement::Infix("&&", Cow::Borrowed(pool.list(*list)))),
             Formula::Or(list) => (JsLevel::Junction, Arrangement::Infix("||", Cow::Borrowed(pool.list(*list)))),
-            Formula::Xor(a, b) => (JsLevel::Comparison, Arrangement::Infix("!==", pair(*a, *b))),
-            Formula::Compare(op, a, b) => self.comparison(*op, *a, *b),
-            Formula::Arithmetic(op, a, b) => self.arithmetic(*op, pool.ty(id), *a, *b),
+            Formula::Xor([a, b]) => (JsLevel::Comparison, Arrangement::Infix("!==", pair(*a, *b))),
+            Formula::Compare(op, [a, b]) => self.comparison(*op, *a, *b),
+            Formula::Arithmetic(op, [a, b]) => self.arithmetic(*op, pool.ty(id), *a, *b),
             Formula::Negate(a) => match (pool.ty(id), wrapping(pool.ty(id))) {
                 (Type::Time, _) => atom(eco_format!("time(-{})", self.big(*a))),
                 (Type::Real | Type::Lreal, _) | (_, None) => (JsLevel::Prefix, Arrangement::Prefix("-", *a)),

@@ -137,9 +137,11 @@ impl<'p> Expressions<'p> {
                 self.broken(out, *operand, at, tail + usize::from(wrap), deeper);
                 out.text(if wrap { ")" } else { "" });
             }
-            Arrangement::Atom(_) | Arrangement::Prefix(..) | Arrangement::Pieces(_) | Arrangement::Infix(..) => {
-                self.flat(out, id)
-            }
+            Arrangement::Atom(_)
+            | Arrangement::Name(_)
+            | Arrangement::Prefix(..)
+            | Arrangement::Pieces(_)
+            | Arrangement::Infix(..) => self.flat(out, id),
         }
     }
 }
@@ -167,28 +169,28 @@ impl Notation for Rust<'_> {
                 let level = if text.starts_with('-') { RustLevel::Prefix } else { RustLevel::Atom };
                 (level, Arrangement::Atom(text))
             }
-            Formula::Variable(variable) => atom(self.places.read(*variable).clone()),
+            Formula::Variable(variable) => (RustLevel::Atom, Arrangement::Name(self.places.read(*variable))),
             Formula::TimerDone(timer) => {
                 atom(eco_format!("{}.has_run({})", self.places.timer(*timer), self.places.preset(*timer)))
             }
             Formula::TimerElapsed(timer) => atom(eco_format!("{}.elapsed()", self.places.timer(*timer))),
             Formula::Not(a) => match pool.get(*a) {
-                Formula::Xor(b, c) if self.program.pool.is_leaf(*b) && self.program.pool.is_leaf(*c) => {
+                Formula::Xor([b, c]) if self.program.pool.is_leaf(*b) && self.program.pool.is_leaf(*c) => {
                     (RustLevel::Comparison, Arrangement::Infix("==", pair(*b, *c)))
                 }
-                Formula::Compare(Comparison::Equal, b, c) => self.comparison(Comparison::NotEqual, *b, *c),
+                Formula::Compare(Comparison::Equal, [b, c]) => self.comparison(Comparison::NotEqual, *b, *c),
                 _ => (RustLevel::Prefix, Arrangement::Prefix("!", *a)),
             },
             Formula::And(list) => (RustLevel::Junction, Arrangement::Infix("&&", Cow::Borrowed(pool.list(*list)))),
             Formula::Or(list) => (RustLevel::Junction, Arrangement::Infix("||", Cow::Borrowed(pool.list(*list)))),
-            Formula::Xor(a, b) => (RustLevel::Comparison, Arrangement::Infix("!=", pair(*a, *b))),
-            Formula::Compare(op, a, b) => self.comparison(*op, *a, *b),
-            Formula::Arithmetic(Arithmetic::Multiply, a, b)
+            Formula::Xor([a, b]) => (RustLevel::Comparison, Arrangement::Infix("!=", pair(*a, *b))),
+            Formula::Compare(op, [a, b]) => self.comparison(*op, *a, *b),
+            Formula::Arithmetic(Arithmetic::Multiply, [a, b])
                 if pool.ty(*b) == Type::Time && pool.ty(*a) != Type::Time =>
             {
                 self.arithmetic(Arithmetic::Multiply, pool.ty(id), *b, *a)
             }
-            Formula::Arithmetic(op, a, b) => self.arithmetic(*op, pool.ty(id), *a, *b),
+            Formula::Arithmetic(op, [a, b]) => self.arithmetic(*op, pool.ty(id), *a, *b),
             Formula::Negate(a) => match pool.ty(id) {
                 Type::Real | Type::Lreal => (RustLevel::Prefix, Arrangement::Prefix("-", *a)),
                 Type::Bool | Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Time => {

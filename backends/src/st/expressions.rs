@@ -102,7 +102,7 @@ impl Notation for StructuredText<'_> {
                 let text = literal(*value, pool.ty(id));
                 (if text.starts_with('-') { StLevel::Signed } else { StLevel::Atom }, Arrangement::Atom(text))
             }
-            Formula::Variable(variable) => (StLevel::Atom, Arrangement::Atom(self.names.variables[*variable].clone())),
+            Formula::Variable(variable) => (StLevel::Atom, Arrangement::Name(&self.names.variables[*variable])),
             Formula::TimerDone(timer) => {
                 (StLevel::Atom, Arrangement::Atom(eco_format!("{}.Q", self.names.timers[*timer])))
             }
@@ -110,32 +110,32 @@ impl Notation for StructuredText<'_> {
                 (StLevel::Atom, Arrangement::Atom(eco_format!("{}.ET", self.names.timers[*timer])))
             }
             Formula::Not(a) => match pool.get(*a) {
-                Formula::Xor(b, c) => (StLevel::Comparison, Arrangement::Infix("=", pair(*b, *c))),
+                Formula::Xor([b, c]) => (StLevel::Comparison, Arrangement::Infix("=", pair(*b, *c))),
                 Formula::And(list) if self.bare[a.index()] => {
                     (StLevel::Junction, self.negated(" OR ", pool.list(*list)))
                 }
                 Formula::Or(list) if self.bare[a.index()] => {
                     (StLevel::Junction, self.negated(" AND ", pool.list(*list)))
                 }
-                Formula::Compare(Comparison::Equal, b, c) => {
+                Formula::Compare(Comparison::Equal, [b, c]) => {
                     (StLevel::Comparison, Arrangement::Infix("<>", pair(*b, *c)))
                 }
                 _ => (StLevel::Not, Arrangement::Prefix("NOT ", *a)),
             },
             Formula::And(list) => (StLevel::Junction, Arrangement::Infix("AND", Cow::Borrowed(pool.list(*list)))),
             Formula::Or(list) => (StLevel::Junction, Arrangement::Infix("OR", Cow::Borrowed(pool.list(*list)))),
-            Formula::Xor(a, b) if self.is_plain(*a) && self.is_plain(*b) => {
+            Formula::Xor([a, b]) if self.is_plain(*a) && self.is_plain(*b) => {
                 (StLevel::Comparison, Arrangement::Infix("<>", pair(*a, *b)))
             }
-            Formula::Xor(a, b) => (StLevel::Junction, Arrangement::Infix("XOR", pair(*a, *b))),
-            Formula::Compare(op, a, b) => (StLevel::Comparison, Arrangement::Infix(op.sign(), pair(*a, *b))),
+            Formula::Xor([a, b]) => (StLevel::Junction, Arrangement::Infix("XOR", pair(*a, *b))),
+            Formula::Compare(op, [a, b]) => (StLevel::Comparison, Arrangement::Infix(op.sign(), pair(*a, *b))),
             // `TIME * n` is taken everywhere, `n * TIME` is not.
-            Formula::Arithmetic(Arithmetic::Multiply, a, b)
+            Formula::Arithmetic(Arithmetic::Multiply, [a, b])
                 if pool.ty(*b) == Type::Time && pool.ty(*a) != Type::Time =>
             {
                 (StLevel::Arithmetic, Arrangement::Infix("*", pair(*b, *a)))
             }
-            Formula::Arithmetic(op, a, b) => (StLevel::Arithmetic, Arrangement::Infix(operator(*op), pair(*a, *b))),
+            Formula::Arithmetic(op, [a, b]) => (StLevel::Arithmetic, Arrangement::Infix(operator(*op), pair(*a, *b))),
             Formula::Negate(a) => (StLevel::Arithmetic, Arrangement::Prefix(negation(pool.ty(id)), *a)),
             Formula::Widen(a) => {
                 let function = eco_format!("{}_TO_{}(", type_name(pool.ty(*a)), type_name(pool.ty(id)));
@@ -156,7 +156,7 @@ impl StructuredText<'_> {
             Formula::Compare(..) => true,
             Formula::Not(a) => !matches!(pool.get(*a), Formula::And(_) | Formula::Or(_)) || self.bare[a.index()],
             Formula::And(list) | Formula::Or(list) => pool.list(*list).iter().all(|a| self.bare[a.index()]),
-            Formula::Xor(a, b) => {
+            Formula::Xor([a, b]) => {
                 self.is_plain(*a) && self.is_plain(*b) || self.bare[a.index()] && self.bare[b.index()]
             }
             Formula::Constant(_)
@@ -187,7 +187,7 @@ impl StructuredText<'_> {
                 Formula::Not(a) => pieces.push(Piece::Operand(0, *a)),
                 Formula::And(list) => self.negate_within(pieces, " OR ", pool.list(*list)),
                 Formula::Or(list) => self.negate_within(pieces, " AND ", pool.list(*list)),
-                Formula::Xor(a, b) => {
+                Formula::Xor([a, b]) => {
                     let both = [text("(("), Piece::Enclosed(*a), text(") = ("), Piece::Enclosed(*b), text("))")];
                     pieces.extend(both);
                 }

@@ -165,7 +165,7 @@ impl<'p> Caller<'p> {
                 Formula::Constant(Value::Bool(false)) => self.alphabet.none.clone(),
                 Formula::Variable(v) if self.program.variables[v].ty == Type::Bool => self.values[v].clone(),
                 Formula::Not(a) => of(&a).not(),
-                Formula::Xor(a, b) => of(&a).xor(of(&b)),
+                Formula::Xor([a, b]) => of(&a).xor(of(&b)),
                 Formula::And(list) => pool.list(list).iter().fold(self.alphabet.all.clone(), |set, a| set.and(of(a))),
                 Formula::Or(list) => pool.list(list).iter().fold(self.alphabet.none.clone(), |set, a| set.or(of(a))),
                 Formula::Variable(v) => return Err(self.number(v)),

@@ -278,16 +278,16 @@ impl Compiler<'_> {
             }
             Formula::And(list) => self.chain(pool.list(list), Operation::And),
             Formula::Or(list) => self.chain(pool.list(list), Operation::Or),
-            Formula::Xor(a, b) => {
+            Formula::Xor([a, b]) => {
                 let (a, b) = (self.known[&a].0.bool(), self.known[&b].0.bool());
                 self.bools(|to| Operation::Xor(to, a, b))
             }
-            Formula::Compare(op, a, b) => match (self.known[&a].0, self.known[&b].0) {
+            Formula::Compare(op, [a, b]) => match (self.known[&a].0, self.known[&b].0) {
                 (At::Whole(a), At::Whole(b)) => self.bools(|to| Operation::CompareWholes(to, op, a, b)),
                 (At::Real(a), At::Real(b)) => self.bools(|to| Operation::CompareReals(to, op, a, b)),
                 other => unreachable!("a comparison of other types: {other:?}"),
             },
-            Formula::Arithmetic(op, a, b) => {
+            Formula::Arithmetic(op, [a, b]) => {
                 let to = self.room.place(ty);
                 self.operations.push(match (to, self.known[&a].0, self.known[&b].0) {
                     (At::Whole(to), At::Whole(a), At::Whole(b)) => Operation::Wholes(to, op, ty, a, b),

@@ -55,10 +55,10 @@ fn numbers_that_are_none_do_not_differ() {
     let [x, y] = [0, 1].map(|v| pool.variable(VarId::new(v), Type::Lreal));
     let differs = pool.differs(x, y);
     let Formula::And(terms) = pool.get(differs) else { panic!("a conjunction") };
-    assert_eq!(pool.get(pool.list(*terms)[0]), &Formula::Compare(Comparison::NotEqual, x, y));
+    assert_eq!(pool.get(pool.list(*terms)[0]), &Formula::Compare(Comparison::NotEqual, [x, y]));
     let [m, n] = [2, 3].map(|v| pool.variable(VarId::new(v), Type::Int));
     let differs = pool.differs(m, n);
-    assert_eq!(pool.get(differs), &Formula::Compare(Comparison::NotEqual, m, n));
+    assert_eq!(pool.get(differs), &Formula::Compare(Comparison::NotEqual, [m, n]));
 }
 
 #[test]

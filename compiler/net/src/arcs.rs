@@ -17,8 +17,10 @@ pub struct Arcs {
 impl Arcs {
     /// The arcs of those transitions that are `wanted`.
     pub fn of(net: &Net, wanted: impl Fn(TransitionId) -> bool) -> Arcs {
-        let (mut entering, mut leaving) = (Vec::new(), Vec::new());
-        let (mut into, mut out_of, mut loops) = (Vec::new(), Vec::new(), Vec::new());
+        // Most transitions have one step before them and one behind.
+        let many = || Vec::with_capacity(net.transitions.len());
+        let (mut entering, mut leaving, mut into, mut out_of) = (many(), many(), many(), many());
+        let mut loops = Vec::new();
         // The last transition before and after a step, to tell loops in one pass.
         let mut before = vec![None; net.places.len()];
         let mut after = before.clone();

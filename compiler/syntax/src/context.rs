@@ -37,44 +37,46 @@ pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
             lexemes[at].token = Token::Name;
         } else if lexemes[at].token == Token::Name {
             let place = Place { text, lexemes: &*lexemes, at, braces: &braces };
-            match place.word(0) {
-                word if scenario.is_open() => {
-                    let found = scenario.word(word, place.before(1), place.token(1));
+            match place.bytes() {
+                // Most names are no words, and many are numbered.
+                [.., b'0'..=b'9'] if !scenario.is_open() => continue,
+                _ if scenario.is_open() => {
+                    let found = scenario.word(place.word(0), place.before(1), place.token(1));
                     found.into_iter().for_each(|token| lexemes[at].token = token);
                 }
-                AUTOMATON if braces.of_items == 0 && automaton::begins(lexemes, at) => {
+                b"automaton" if braces.of_items == 0 && automaton::begins(lexemes, at) => {
                     automaton.begin();
                     lexemes[at].token = Token::Grafcet;
                 }
-                "scenario" if place.is_scenario() => lexemes[at].token = Token::Scenario,
-                "allow" => place.allow().into_iter().for_each(|token| lexemes[at].token = token),
-                "assume" | "assert" | "reach" | "final" => {
+                b"scenario" if place.is_scenario() => lexemes[at].token = Token::Scenario,
+                b"allow" => place.allow().into_iter().for_each(|token| lexemes[at].token = token),
+                b"assume" | b"assert" | b"reach" | b"final" => {
                     place.claim().into_iter().for_each(|token| lexemes[at].token = token);
                 }
-                "at" if place.is_at_most_one() => {
+                b"at" if place.is_at_most_one() => {
                     let words = [Token::AtMost, Token::Most, Token::One, Token::Of];
                     lexemes[at..].iter_mut().zip(words).for_each(|(lexeme, word)| lexeme.token = word);
                 }
-                "after" if place.is_after() => lexemes[at].token = Token::After,
-                "leads" if place.is_leads_to() => {
+                b"after" if place.is_after() => lexemes[at].token = Token::After,
+                b"leads" if place.is_leads_to() => {
                     (lexemes[at].token, lexemes[at + 1].token) = (Token::Leads, Token::LeadsTo);
                 }
-                "evolution" if place.is_option() => lexemes[at].token = Token::Evolution,
-                "initial_actions" if place.is_option() => lexemes[at].token = Token::InitialActions,
-                "bound" if place.is_option() => lexemes[at].token = Token::Bound,
-                "child" if place.is_child() => {
+                b"evolution" if place.is_option() => lexemes[at].token = Token::Evolution,
+                b"initial_actions" if place.is_option() => lexemes[at].token = Token::InitialActions,
+                b"bound" if place.is_option() => lexemes[at].token = Token::Bound,
+                b"child" if place.is_child() => {
                     (lexemes[at].token, lexemes[at + 3].token) = (Token::Child, Token::Of);
                 }
-                "start" if place.is_pulse() => lexemes[at].token = Token::Start,
-                "kill" if place.is_pulse() => lexemes[at].token = Token::Kill,
-                "freeze" if place.is_pulse() => lexemes[at].token = Token::Freeze,
-                "resume" if place.is_pulse() => lexemes[at].token = Token::Resume,
-                "run" if !declares_run && place.is_run() => lexemes[at].token = Token::Run,
-                "each" if place.is_each_scan() => {
+                b"start" if place.is_pulse() => lexemes[at].token = Token::Start,
+                b"kill" if place.is_pulse() => lexemes[at].token = Token::Kill,
+                b"freeze" if place.is_pulse() => lexemes[at].token = Token::Freeze,
+                b"resume" if place.is_pulse() => lexemes[at].token = Token::Resume,
+                b"run" if !declares_run && place.is_run() => lexemes[at].token = Token::Run,
+                b"each" if place.is_each_scan() => {
                     (lexemes[at].token, lexemes[at + 1].token) = (Token::Each, Token::Scan);
                 }
-                word => {
-                    let found = automaton.word(word, lexemes, at);
+                _ => {
+                    let found = automaton.word(place.word(0), lexemes, at);
                     found.into_iter().for_each(|token| lexemes[at].token = token);
                 }
             }
@@ -120,6 +122,12 @@ impl<'t> Place<'t> {
     /// The token so many before it.
     fn before(self, count: usize) -> Option<Token> {
         Some(self.lexemes[self.at.checked_sub(count)?].token)
+    }
+
+    /// Its own name.
+    fn bytes(self) -> &'t [u8] {
+        let lexeme = &self.lexemes[self.at];
+        &self.text.as_bytes()[lexeme.start as usize..lexeme.end as usize]
     }
 
     /// The name so many behind it; empty if that is none.

@@ -48,7 +48,7 @@ impl Clocks {
             if let Formula::TimerDone(t) = program.pool.get(id) {
                 times[*t].extend(program.timers[*t].preset.map(|preset| preset.ms));
             }
-            let Formula::Compare(_, a, b) = program.pool.get(id) else { continue };
+            let Formula::Compare(_, [a, b]) = program.pool.get(id) else { continue };
             for (side, other) in [(a, b), (b, a)] {
                 if let Formula::TimerElapsed(t) = program.pool.get(*side) {
                     let Some(Value::Time(time)) = constant(program, *other) else {

@@ -59,13 +59,13 @@ pub(crate) fn computed(program: &Program) -> BTreeSet<VarId> {
     let mut used = |formula: FormulaId| found.extend(given(program, formula));
     for id in program.pool.ids() {
         match *program.pool.get(id) {
-            Formula::Compare(_, a, b) => {
+            Formula::Compare(_, [a, b]) => {
                 if constant(program, a).is_none() && constant(program, b).is_none() {
                     used(a);
                     used(b);
                 }
             }
-            Formula::Arithmetic(_, a, b) => {
+            Formula::Arithmetic(_, [a, b]) => {
                 used(a);
                 used(b);
             }

@@ -459,15 +459,15 @@ impl<'p> Machine<'p> {
             Formula::Not(a) => negated(known(a)),
             Formula::And(list) => junction(pool.list(list).iter().map(|f| known(*f)), false),
             Formula::Or(list) => junction(pool.list(list).iter().map(|f| known(*f)), true),
-            Formula::Xor(a, b) => both(known(a), known(b), |a, b| Value::Bool(a != b)),
-            Formula::Compare(op, a, b) => match (known(a), known(b)) {
+            Formula::Xor([a, b]) => both(known(a), known(b), |a, b| Value::Bool(a != b)),
+            Formula::Compare(op, [a, b]) => match (known(a), known(b)) {
                 (Seen::Given(v), Seen::Value(value)) => self.compared(v, op, value, path),
                 (Seen::Value(value), Seen::Given(v)) => self.compared(v, op.mirrored(), value, path),
                 (Seen::Elapsed(t), Seen::Value(value)) => self.elapsed(t, op, value, path),
                 (Seen::Value(value), Seen::Elapsed(t)) => self.elapsed(t, op.mirrored(), value, path),
                 (a, b) => both(a, b, |a, b| Value::Bool(compare(op, a, b))),
             },
-            Formula::Arithmetic(op, a, b) => both(known(a), known(b), |a, b| arithmetic(op, pool.ty(id), a, b)),
+            Formula::Arithmetic(op, [a, b]) => both(known(a), known(b), |a, b| arithmetic(op, pool.ty(id), a, b)),
             Formula::Negate(a) => both(known(a), known(a), |a, _| negate(pool.ty(id), a)),
             Formula::Widen(a) => match known(a) {
                 // The value is the same, and bounds know the type that is given.

@@ -81,7 +81,7 @@ impl FunctionBlock {
         let pool = &self.program.pool;
         match pool.get(id) {
             Formula::Variable(variable) => Ok(Activity::Bit(*variable)),
-            Formula::Compare(Comparison::Equal, a, b) => match (pool.get(*a), pool.get(*b)) {
+            Formula::Compare(Comparison::Equal, [a, b]) => match (pool.get(*a), pool.get(*b)) {
                 (Formula::Variable(variable), Formula::Constant(Value::Int(n))) => Ok(Activity::Value(*variable, *n)),
                 (a, b) => Err(format!("a step is active where {a:?} = {b:?}, which nothing here can read")),
             },

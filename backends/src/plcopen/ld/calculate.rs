@@ -24,8 +24,10 @@ impl Ladder<'_> {
         let text = |id: &FormulaId| self.text(*id);
         let (kind, operands) = match pool.get(value) {
             // `TIME * n` is taken everywhere, `n * TIME` is not.
-            Formula::Arithmetic(Arithmetic::Multiply, a, b) if pool.ty(*b) == Type::Time => ("MUL", [text(b), text(a)]),
-            Formula::Arithmetic(op, a, b) => {
+            Formula::Arithmetic(Arithmetic::Multiply, [a, b]) if pool.ty(*b) == Type::Time => {
+                ("MUL", [text(b), text(a)])
+            }
+            Formula::Arithmetic(op, [a, b]) => {
                 let kind = match op {
                     Arithmetic::Add => "ADD",
                     Arithmetic::Subtract => "SUB",

@@ -168,7 +168,7 @@ impl Ladder<'_> {
             Formula::And(list) => CircuitForm::Product(each(*list)),
             Formula::Or(list) if negated => CircuitForm::Product(each(*list)),
             Formula::Or(list) => CircuitForm::Sum(each(*list)),
-            Formula::Xor(a, b) => CircuitForm::Either((*a, false), (*b, negated)),
+            Formula::Xor([a, b]) => CircuitForm::Either((*a, false), (*b, negated)),
             Formula::Constant(_)
             | Formula::Variable(_)
             | Formula::TimerDone(_)
@@ -223,7 +223,7 @@ impl Ladder<'_> {
 
     /// Writes a formula to a new variable.
     fn part(&mut self, id: FormulaId) -> EcoString {
-        if let Formula::Compare(op, a, b) = self.program.pool.get(id) {
+        if let Formula::Compare(op, [a, b]) = self.program.pool.get(id) {
             return self.comparison(*op, [self.text(*a), self.text(*b)]).name;
         }
         let note = Some(self.texts.of(id));

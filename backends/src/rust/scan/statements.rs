@@ -90,7 +90,7 @@ impl RustStatements<'_> {
             return out.line(&format!("{} = {value};", self.target(declares, target, typed)));
         }
         // `a = a + b` has a form of its own.
-        if let Formula::Arithmetic(op, a, b) = pool.get(value)
+        if let Formula::Arithmetic(op, [a, b]) = pool.get(value)
             && declares.is_none()
             && *pool.get(*a) == Formula::Variable(target)
             && let Some(sign) = compound(*op, pool.ty(value))

@@ -44,7 +44,7 @@ pub(super) fn contradict(facts: &EdgeFacts, pool: &Pool, a: FormulaId, b: Formul
                     return true;
                 }
             }
-            Formula::Compare(comparison, x, y) => {
+            Formula::Compare(comparison, [x, y]) => {
                 bounds.add(Measured::new(pool, *comparison, *x, *y), asserted);
             }
             Formula::And(_) | Formula::Or(_) | Formula::Xor(..) => open.push(*factor),

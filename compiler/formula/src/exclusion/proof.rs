@@ -174,7 +174,7 @@ impl<'p> Proof<'p> {
                 Formula::Not(a) => not(made.get(a)?),
                 Formula::And(list) => folded(pool.list(*list), VARIABLES.mk_true(), and)?,
                 Formula::Or(list) => folded(pool.list(*list), VARIABLES.mk_false(), or)?,
-                Formula::Xor(a, b) => binary(made.get(a)?, made.get(b)?, op_function::xor)?,
+                Formula::Xor([a, b]) => binary(made.get(a)?, made.get(b)?, op_function::xor)?,
                 Formula::Variable(v) => self.variable(when, *f, *v)?,
                 Formula::Compare(..) => self.comparison(when, *f)?,
                 Formula::TimerDone(_) => self.leaf(when, *f)?,
@@ -229,7 +229,7 @@ impl<'p> Proof<'p> {
 
     fn measured(&self, f: FormulaId) -> Option<Measured> {
         match self.pool.get(f) {
-            Formula::Compare(comparison, a, b) => Measured::new(self.pool, *comparison, *a, *b),
+            Formula::Compare(comparison, [a, b]) => Measured::new(self.pool, *comparison, *a, *b),
             _ => None,
         }
     }

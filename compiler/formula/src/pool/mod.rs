@@ -10,9 +10,9 @@ use crate::number;
 pub use grafc_model::chart::{Arithmetic, Comparison, Type, Value};
 use hashbrown::HashTable;
 use index_vec::define_index_type;
-use rustc_hash::{FxHashSet, FxHasher};
+use rustc_hash::{FxBuildHasher, FxHashSet, FxHasher};
 use std::hash::{Hash, Hasher};
-use std::{array, slice};
+use std::{iter, slice};
 
 define_index_type! {
     /// A variable of a program.
@@ -53,12 +53,12 @@ pub enum Formula {
     /// Disjunction of two or more, none of them a disjunction.
     Or(List),
     /// Exclusive disjunction; also Boolean inequality.
-    Xor(FormulaId, FormulaId),
+    Xor([FormulaId; 2]),
     /// Both sides have the same type.
-    Compare(Comparison, FormulaId, FormulaId),
+    Compare(Comparison, [FormulaId; 2]),
     /// Never nested in another `Arithmetic`, `Negate` or `Compare`, save through a variable of its type: the statement
     /// that stores it wraps it around. Divides only by a constant other than 0 and -1: see `Statement::Divide`.
-    Arithmetic(Arithmetic, FormulaId, FormulaId),
+    Arithmetic(Arithmetic, [FormulaId; 2]),
     /// Arithmetic negation; nested at most as deep as `Arithmetic` is.
     Negate(FormulaId),
     /// A conversion without loss to the type.
@@ -111,9 +111,9 @@ impl Candidate<'_> {
             Formula::TimerDone(t) | Formula::TimerElapsed(t) => t.hash(&mut state),
             Formula::Not(a) | Formula::Negate(a) | Formula::Widen(a) => a.hash(&mut state),
             Formula::And(_) | Formula::Or(_) => self.list.hash(&mut state),
-            Formula::Xor(a, b) => (a, b).hash(&mut state),
-            Formula::Compare(op, a, b) => (op, a, b).hash(&mut state),
-            Formula::Arithmetic(op, a, b) => (op, a, b).hash(&mut state),
+            Formula::Xor(pair) => pair.hash(&mut state),
+            Formula::Compare(op, pair) => (op, pair).hash(&mut state),
+            Formula::Arithmetic(op, pair) => (op, pair).hash(&mut state),
         }
         state.finish()
     }
@@ -126,39 +126,6 @@ impl Candidate<'_> {
             (a, b) => a == b,
         };
         same && self.ty == other.ty
-    }
-}
-
-/// The operands of a formula.
-enum Operands<'p> {
-    List(slice::Iter<'p, FormulaId>),
-    Pair(array::IntoIter<FormulaId, 2>),
-}
-
-impl Iterator for Operands<'_> {
-    type Item = FormulaId;
-
-    fn next(&mut self) -> Option<FormulaId> {
-        match self {
-            Operands::List(list) => list.next().copied(),
-            Operands::Pair(pair) => pair.next(),
-        }
-    }
-
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        match self {
-            Operands::List(list) => list.size_hint(),
-            Operands::Pair(pair) => pair.size_hint(),
-        }
-    }
-}
-
-impl DoubleEndedIterator for Operands<'_> {
-    fn next_back(&mut self) -> Option<FormulaId> {
-        match self {
-            Operands::List(list) => list.next_back().copied(),
-            Operands::Pair(pair) => pair.next_back(),
-        }
     }
 }
 
@@ -225,17 +192,15 @@ impl Pool {
     }
 
     /// The operands of a formula, from left to right.
-    pub fn operands(&self, id: FormulaId) -> impl DoubleEndedIterator<Item = FormulaId> + '_ {
-        match self.get(id) {
-            Formula::Constant(_) | Formula::Variable(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) => {
-                Operands::List([].iter())
-            }
-            Formula::Not(a) | Formula::Negate(a) | Formula::Widen(a) => Operands::List(slice::from_ref(a).iter()),
-            Formula::Xor(a, b) | Formula::Compare(_, a, b) | Formula::Arithmetic(_, a, b) => {
-                Operands::Pair([*a, *b].into_iter())
-            }
-            Formula::And(list) | Formula::Or(list) => Operands::List(self.list(*list).iter()),
-        }
+    #[inline]
+    pub fn operands(&self, id: FormulaId) -> iter::Copied<slice::Iter<'_, FormulaId>> {
+        let operands = match self.get(id) {
+            Formula::Constant(_) | Formula::Variable(_) | Formula::TimerDone(_) | Formula::TimerElapsed(_) => &[],
+            Formula::Not(a) | Formula::Negate(a) | Formula::Widen(a) => slice::from_ref(a),
+            Formula::Xor(pair) | Formula::Compare(_, pair) | Formula::Arithmetic(_, pair) => pair.as_slice(),
+            Formula::And(list) | Formula::Or(list) => self.list(*list),
+        };
+        operands.iter().copied()
     }
 
     fn add(&mut self, formula: Formula, ty: Type) -> FormulaId {
@@ -394,7 +359,7 @@ impl Pool {
             list.truncate(kept);
             list.iter().any(|id| matches!(self.get(*id), Formula::Not(inner) if list.contains(inner)))
         } else {
-            let mut seen = FxHashSet::default();
+            let mut seen = FxHashSet::with_capacity_and_hasher(list.len(), FxBuildHasher);
             list.retain(|id| seen.insert(*id));
             list.iter().any(|id| matches!(self.get(*id), Formula::Not(inner) if seen.contains(inner)))
         };
@@ -419,7 +384,7 @@ impl Pool {
             (Some(true), _) => self.not(b),
             (_, Some(true)) => self.not(a),
             (None, None) if a == b => self.truth(false),
-            (None, None) => self.add(Formula::Xor(a, b), Type::Bool),
+            (None, None) => self.add(Formula::Xor([a, b]), Type::Bool),
         }
     }
 
@@ -433,7 +398,7 @@ impl Pool {
             (Type::Bool, Comparison::NotEqual) => self.xor(a, b),
             _ => match (self.as_constant(a), self.as_constant(b)) {
                 (Some(a), Some(b)) => self.truth(number::compare(op, a, b)),
-                (None, _) | (_, None) => self.add(Formula::Compare(op, a, b), Type::Bool),
+                (None, _) | (_, None) => self.add(Formula::Compare(op, [a, b]), Type::Bool),
             },
         }
     }
@@ -455,7 +420,7 @@ impl Pool {
     pub fn arithmetic(&mut self, op: Arithmetic, ty: Type, a: FormulaId, b: FormulaId) -> FormulaId {
         match (self.as_constant(a), self.as_constant(b)) {
             (Some(a), Some(b)) => self.constant(number::arithmetic(op, ty, a, b), ty),
-            (None, _) | (_, None) => self.add(Formula::Arithmetic(op, a, b), ty),
+            (None, _) | (_, None) => self.add(Formula::Arithmetic(op, [a, b]), ty),
         }
     }
 

@@ -86,9 +86,9 @@ impl Pool {
                     formula
                 }
                 Formula::Not(a) => Formula::Not(new[a]),
-                Formula::Xor(a, b) => Formula::Xor(new[a], new[b]),
-                Formula::Compare(op, a, b) => Formula::Compare(op, new[a], new[b]),
-                Formula::Arithmetic(op, a, b) => Formula::Arithmetic(op, new[a], new[b]),
+                Formula::Xor([a, b]) => Formula::Xor([new[a], new[b]]),
+                Formula::Compare(op, [a, b]) => Formula::Compare(op, [new[a], new[b]]),
+                Formula::Arithmetic(op, [a, b]) => Formula::Arithmetic(op, [new[a], new[b]]),
                 Formula::Negate(a) => Formula::Negate(new[a]),
                 Formula::Widen(a) => Formula::Widen(new[a]),
             };
@@ -110,9 +110,9 @@ impl Pool {
                 let operands: Vec<FormulaId> = self.list(list).iter().map(|o| new[o]).collect();
                 self.or(operands)
             }
-            Formula::Xor(a, b) => self.xor(new[&a], new[&b]),
-            Formula::Compare(op, a, b) => self.compare(op, new[&a], new[&b]),
-            Formula::Arithmetic(op, a, b) => self.arithmetic(op, self.ty(id), new[&a], new[&b]),
+            Formula::Xor([a, b]) => self.xor(new[&a], new[&b]),
+            Formula::Compare(op, [a, b]) => self.compare(op, new[&a], new[&b]),
+            Formula::Arithmetic(op, [a, b]) => self.arithmetic(op, self.ty(id), new[&a], new[&b]),
             Formula::Negate(a) => self.negate(new[&a]),
             Formula::Widen(a) => self.widen(self.ty(id), new[&a]),
         }

@@ -281,8 +281,8 @@ fn value(pool: &Pool, f: FormulaId, valuation: &Valuation) -> Value {
         Formula::Not(a) => Value::Bool(!truth(*a)),
         Formula::And(list) => Value::Bool(pool.list(*list).iter().all(|f| truth(*f))),
         Formula::Or(list) => Value::Bool(pool.list(*list).iter().any(|f| truth(*f))),
-        Formula::Xor(a, b) => Value::Bool(truth(*a) != truth(*b)),
-        Formula::Compare(op, a, b) => {
+        Formula::Xor([a, b]) => Value::Bool(truth(*a) != truth(*b)),
+        Formula::Compare(op, [a, b]) => {
             let order = match (value(pool, *a, valuation), value(pool, *b, valuation)) {
                 (Value::Int(a), Value::Int(b)) => Some(a.cmp(&b)),
                 (Value::Real(a), Value::Real(b)) => a.partial_cmp(&b),

@@ -61,7 +61,7 @@ pub(super) fn micro_step(
     let actions = stored::actions(lowering, cx, task, &clearings, step_events, input_event);
     heading(out, Heading::StoredActions, actions);
 
-    let mut situation = Vec::new();
+    let mut situation = Vec::with_capacity(lowering.net.places.len());
     for s in lowering.net.places.indices() {
         let Holder::Bit(target) = lowering.situation.holder(s) else { continue };
         if let Some(value) = clearings.next[s] {

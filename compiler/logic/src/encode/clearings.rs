@@ -7,7 +7,7 @@ use crate::encode::single_phase;
 use crate::encode::task::{SetReset, Task};
 use crate::lower::Lowering;
 use crate::scan::{Origin, Role, Statement, Told, VarId};
-use ecow::eco_format;
+use ecow::{EcoString, eco_format};
 use grafc_formula::{Formula, FormulaId};
 use grafc_model::chart::{StepId, TransitionId, Type};
 use grafc_net::{Arcs, Net};
@@ -84,7 +84,7 @@ impl<'a> Clearings<'a> {
         latch: bool,
     ) -> (Self, Vec<Statement>) {
         let net = &*lowering.net.clone();
-        let mut statements = Vec::new();
+        let mut statements = Vec::with_capacity(if latch { net.transitions.len() } else { 0 });
         let mut cleared = IndexVec::with_capacity(net.transitions.len());
         for t in net.transitions.indices() {
             let factors = clears(lowering, t, task.conditions[t], frozen, task.simplify);
@@ -94,7 +94,8 @@ impl<'a> Clearings<'a> {
                 cleared.push(value);
                 continue;
             }
-            let name = eco_format!("clr_{}", lowering.transition_word(t));
+            let mut name = EcoString::from("clr_");
+            name.push_str(&lowering.transition_word(t));
             let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
             statements.push(Statement::Assign { target, value, origin: Origin::Transition(t), told: Told::All });
             cleared.push(lowering.symbols.read(&mut lowering.pool, target));

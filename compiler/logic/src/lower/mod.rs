@@ -242,8 +242,15 @@ impl Lowering {
         if self.is_done(cx, root) {
             return;
         }
-        let mut stack = std::mem::take(&mut self.open_needs);
         let mut needs = std::mem::take(&mut self.needs);
+        needs.clear();
+        self.needs(cx, root, &mut needs);
+        // Most conditions are one name.
+        if needs.is_empty() {
+            self.needs = needs;
+            return self.build(cx, root);
+        }
+        let mut stack = std::mem::take(&mut self.open_needs);
         stack.push((root, false));
         while let Some((need, ready)) = stack.pop() {
             if self.is_done(cx, need) {

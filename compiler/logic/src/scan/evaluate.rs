@@ -224,9 +224,9 @@ impl<'p> Evaluator<'p> {
             Formula::Not(a) => Value::Bool(!holds(a)),
             Formula::And(list) => Value::Bool(pool.list(*list).iter().all(holds)),
             Formula::Or(list) => Value::Bool(pool.list(*list).iter().any(holds)),
-            Formula::Xor(a, b) => Value::Bool(holds(a) != holds(b)),
-            Formula::Compare(op, a, b) => Value::Bool(compare(*op, known(a), known(b))),
-            Formula::Arithmetic(op, a, b) => arithmetic(*op, pool.ty(id), known(a), known(b)),
+            Formula::Xor([a, b]) => Value::Bool(holds(a) != holds(b)),
+            Formula::Compare(op, [a, b]) => Value::Bool(compare(*op, known(a), known(b))),
+            Formula::Arithmetic(op, [a, b]) => arithmetic(*op, pool.ty(id), known(a), known(b)),
             Formula::Negate(a) => negate(pool.ty(id), known(a)),
             Formula::Widen(a) => match (known(a), pool.ty(id)) {
                 (Value::Int(n), Type::Real | Type::Lreal) => Value::Real(n as f64),

@@ -75,7 +75,7 @@ fn loads(pool: &Pool) -> Vec<u64> {
             Formula::And(_) | Formula::Or(_) | Formula::Xor(..) | Formula::Compare(..) => {
                 (nested.count() as u64).saturating_sub(1)
             }
-            Formula::Arithmetic(_, _, b) => u64::from(is_nested(pool, *b)),
+            Formula::Arithmetic(_, [_, b]) => u64::from(is_nested(pool, *b)),
             Formula::Negate(_) | Formula::Widen(_) => 1,
         };
         loads.push(sum.saturating_add(more));

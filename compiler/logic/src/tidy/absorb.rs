@@ -172,56 +172,79 @@ impl Absorbing {
         if !list.iter().any(|operand| dual(self.pool.get(*operand), conjunction)) {
             return inner;
         }
-        let list = list.to_vec();
-        junction(&mut self.pool, &list, conjunction).unwrap_or(inner)
+        let Some(kept) = kept(&self.pool, list, conjunction) else { return inner };
+        junction(&mut self.pool, kept, conjunction)
     }
 }
 
-/// A conjunction or disjunction without the operands that others make superfluous; none if there are no such operands.
-fn junction(pool: &mut Pool, list: &[FormulaId], conjunction: bool) -> Option<FormulaId> {
-    let operands = Operands::new(list);
+/// What is left of an operand of a conjunction or disjunction beside the others.
+enum Kept {
+    Whole(FormulaId),
+    /// Of a dual junction, those of its operands that say something.
+    Part(Vec<FormulaId>),
+}
+
+/// What is left of the operands of a conjunction or disjunction without what others make superfluous; none if that is
+/// all of them.
+fn kept(pool: &Pool, list: &[FormulaId], conjunction: bool) -> Option<Vec<Kept>> {
+    let operands = Operands::new(pool, list);
+    let inner = |operand: FormulaId| match (pool.get(operand), conjunction) {
+        (Formula::Or(inner), true) | (Formula::And(inner), false) => pool.list(*inner),
+        _ => &[],
+    };
+    let says_nothing = |f: &FormulaId| operands.contain(*f) || operands.contain_negation(pool, *f);
+    if !list.iter().any(|operand| inner(*operand).iter().any(says_nothing)) {
+        return None;
+    }
     let mut kept = Vec::with_capacity(list.len());
     for operand in list {
-        let inner = match (pool.get(*operand), conjunction) {
-            (Formula::Or(inner), true) | (Formula::And(inner), false) => pool.list(*inner),
-            _ => {
-                kept.push(*operand);
-                continue;
-            }
-        };
+        let inner = inner(*operand);
         if inner.iter().any(|i| operands.contain(*i)) {
             continue;
         }
-        let negated = |f: &FormulaId| pool.known_not(*f).is_some_and(|not| operands.contain(not));
-        if !inner.iter().any(negated) {
-            kept.push(*operand);
-            continue;
-        }
-        let left: Vec<FormulaId> = inner.iter().copied().filter(|i| !negated(i)).collect();
-        kept.push(if conjunction { pool.or(left) } else { pool.and(left) });
+        let left = || inner.iter().copied().filter(|i| !operands.contain_negation(pool, *i));
+        kept.push(if left().count() == inner.len() { Kept::Whole(*operand) } else { Kept::Part(left().collect()) });
     }
-    if kept == list {
-        return None;
-    }
-    Some(if conjunction { pool.and(kept) } else { pool.or(kept) })
+    Some(kept)
+}
+
+/// The conjunction or disjunction of what is left.
+fn junction(pool: &mut Pool, kept: Vec<Kept>, conjunction: bool) -> FormulaId {
+    let operand = |kept: Kept| match kept {
+        Kept::Whole(operand) => operand,
+        Kept::Part(left) if conjunction => pool.or(left),
+        Kept::Part(left) => pool.and(left),
+    };
+    let operands: Vec<FormulaId> = kept.into_iter().map(operand).collect();
+    if conjunction { pool.and(operands) } else { pool.or(operands) }
 }
 
 /// The operands of a junction; of a long one in a table.
 struct Operands<'l> {
     list: &'l [FormulaId],
     table: FxHashSet<FormulaId>,
+    /// Whether one of them is a negation.
+    have_negation: bool,
 }
 
 /// Up to so many operands are compared one by one.
 const SHORT: usize = 16;
 
 impl<'l> Operands<'l> {
-    fn new(list: &'l [FormulaId]) -> Self {
+    fn new(pool: &Pool, list: &'l [FormulaId]) -> Self {
         let table = if list.len() > SHORT { list.iter().copied().collect() } else { FxHashSet::default() };
-        Operands { list, table }
+        let have_negation = list.iter().any(|operand| matches!(pool.get(*operand), Formula::Not(_)));
+        Operands { list, table, have_negation }
     }
 
     fn contain(&self, f: FormulaId) -> bool {
         if self.table.is_empty() { self.list.contains(&f) } else { self.table.contains(&f) }
+    }
+
+    fn contain_negation(&self, pool: &Pool, f: FormulaId) -> bool {
+        match pool.get(f) {
+            Formula::Not(inner) => self.contain(*inner),
+            _ => self.have_negation && pool.known_not(f).is_some_and(|not| self.contain(not)),
+        }
     }
 }

@@ -160,7 +160,7 @@ fn asked(pool: &Pool, of_state: &FxHashMap<VarId, usize>, input: FormulaId) -> O
 
 fn comparison(pool: &Pool, id: FormulaId) -> Option<(VarId, i64)> {
     match pool.get(id) {
-        Formula::Compare(Comparison::Equal, a, b) => match (pool.get(*a), pool.get(*b)) {
+        Formula::Compare(Comparison::Equal, [a, b]) => match (pool.get(*a), pool.get(*b)) {
             (Formula::Variable(v), Formula::Constant(Value::Int(n))) => Some((*v, *n)),
             _ => None,
         },

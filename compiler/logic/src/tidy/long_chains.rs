@@ -89,7 +89,9 @@ impl Cutter<'_> {
                     self.block(otherwise);
                 }
             }
-            pieces.extend(before.drain(..).map(|piece| (place, piece)));
+            if !before.is_empty() {
+                pieces.extend(before.drain(..).map(|piece| (place, piece)));
+            }
         }
         insert(statements, pieces);
     }

@@ -85,6 +85,9 @@ impl Needed {
 
     fn reads(&mut self, pool: &Pool, id: FormulaId) {
         // Operands come first, and formulas are only added.
+        let more = pool.len() - self.read.any.len();
+        self.read.any.reserve(more);
+        self.read.seen.reserve(more);
         for new in (self.read.any.len()..pool.len()).map(FormulaId::from_usize) {
             let reads = match pool.get(new) {
                 Formula::Variable(v) => self.temporary[*v],

@@ -16,6 +16,9 @@ use rustc_hash::FxHashSet;
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     let sensitive = sensitive(chart);
+    if sensitive.iter().all(Option::is_none) {
+        return;
+    }
     let mut after = FxHashSet::default();
     for transition in &chart.transitions {
         after.clear();

@@ -180,10 +180,10 @@ impl<'a> Interpretation<'_, 'a> {
     /// are.
     fn stray_word(&mut self, action: &ast::Action, next: Option<&ast::Action>, step: &str) -> bool {
         let ast::ActionKind::Continuous { target: name, condition: None } = &action.kind else { return false };
+        let Some(next) = next else { return false };
         if name.quoted || self.scope.reference(&name.text).is_some() {
             return false;
         }
-        let Some(next) = next else { return false };
         let Some(stray) = habits::stray(&name.text, next, step) else { return false };
         self.symbols.missed(name.span, Wanted::Target);
         let diagnostic = Diagnostic::new(Code::E0201, name.span, format!("nothing is called `{}`", name.text));

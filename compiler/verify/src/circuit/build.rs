@@ -506,12 +506,12 @@ impl Builder<'_> {
             Formula::Not(a) => Held::Bool(!truth(a)),
             Formula::And(list) => Held::Bool(self.graph.all(pool.list(*list).iter().map(truth))),
             Formula::Or(list) => Held::Bool(self.graph.any(pool.list(*list).iter().map(truth))),
-            Formula::Xor(a, b) => Held::Bool(self.graph.xor(truth(a), truth(b))),
-            Formula::Compare(op, a, b) => Held::Bool(match (bits(a), bits(b)) {
+            Formula::Xor([a, b]) => Held::Bool(self.graph.xor(truth(a), truth(b))),
+            Formula::Compare(op, [a, b]) => Held::Bool(match (bits(a), bits(b)) {
                 (Some(left), Some(right)) => self.graph.compare(*op, pool.ty(*a), left, right),
                 (None, _) | (_, None) => self.elapsed(*op, *a, *b)?,
             }),
-            Formula::Arithmetic(op, a, b) => match (bits(a), bits(b)) {
+            Formula::Arithmetic(op, [a, b]) => match (bits(a), bits(b)) {
                 (Some(a), Some(b)) => Held::Number(self.graph.arithmetic(*op, ty, a, b)),
                 (None, _) | (_, None) => Held::Unknown,
             },

@@ -100,7 +100,7 @@ impl Bits {
             {
                 wanted.insert(Wanted::Asked(Atom::Holds(*v)));
             }
-            let Formula::Compare(op, a, b) = *program.pool.get(id) else { continue };
+            let Formula::Compare(op, [a, b]) = *program.pool.get(id) else { continue };
             for (side, other, op) in [(a, b, op), (b, a, op.mirrored())] {
                 let (Some(v), Some(value)) = (given(program, side), constant(program, other)) else { continue };
                 let ty = program.variables[v].ty;

@@ -33,7 +33,7 @@ impl Counters {
             }
         };
         for id in program.pool.ids() {
-            let Formula::Compare(_, a, b) = *program.pool.get(id) else { continue };
+            let Formula::Compare(_, [a, b]) = *program.pool.get(id) else { continue };
             for (side, other) in [(a, b), (b, a)] {
                 if let Formula::Variable(v) = program.pool.get(side) {
                     note(*v, constant(program, other));

@@ -198,8 +198,8 @@ impl<'p> Run<'p> {
                 }
                 Seen::Truth(out)
             }
-            Formula::Xor(a, b) => Seen::Truth(truth(a).xor(&truth(b))),
-            Formula::Compare(op, a, b) => Seen::Truth(match (&known[&a], &known[&b]) {
+            Formula::Xor([a, b]) => Seen::Truth(truth(a).xor(&truth(b))),
+            Formula::Compare(op, [a, b]) => Seen::Truth(match (&known[&a], &known[&b]) {
                 (Seen::Given(v), _) => self.compared(*v, op, constant(self.program, b).ok_or_else(cannot)?),
                 (_, Seen::Given(v)) => self.compared(*v, op.mirrored(), constant(self.program, a).ok_or_else(cannot)?),
                 (Seen::Elapsed(t), _) => self.elapsed(*t, op, constant(self.program, b)).ok_or_else(cannot)?,
@@ -210,7 +210,7 @@ impl<'p> Run<'p> {
                 (Seen::Truth(a), Seen::Truth(b)) => number::compare_truths(op, a, b).ok_or_else(cannot)?,
                 _ => return Err(cannot()),
             }),
-            Formula::Arithmetic(op, a, b) => {
+            Formula::Arithmetic(op, [a, b]) => {
                 let (Seen::Number(a), Seen::Number(b)) = (&known[&a], &known[&b]) else { return Err(cannot()) };
                 number::arithmetic(all, pool.ty(id), op, a, b).ok_or_else(cannot)?
             }

@@ -85,7 +85,7 @@ fn step_read(
     let pool = &program.pool;
     match pool.get(id) {
         Formula::Variable(v) => Ok(json!([names[*v], "BOOL", null])),
-        Formula::Compare(Comparison::Equal, a, b) => match (pool.get(*a), pool.get(*b)) {
+        Formula::Compare(Comparison::Equal, [a, b]) => match (pool.get(*a), pool.get(*b)) {
             (Formula::Variable(v), Formula::Constant(Value::Int(n))) => {
                 Ok(json!([names[*v], type_name(program.variables[*v].ty), n]))
             }

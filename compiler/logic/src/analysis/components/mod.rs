@@ -150,15 +150,18 @@ pub(crate) fn find(net: &Net, arcs: &Arcs, facts: &EdgeFacts, conditions: &Condi
     let wanted = |part: &Part| !one_token(part, &arranged);
     let reachable = Reachable::find(&canonical, &parts, conditions, facts, &rivals, wanted);
     for _ in 0..ROUNDS {
-        let before = apart.len();
-        let known = components(net, written(&canonical, &arranged, to_write)).0;
         let unknown = |t: TransitionId| net.transitions[t].pre.first().is_none_or(|s| reachable.part(*s).is_none());
-        let pairs = rivals.pairs().filter(|(a, b)| unknown(*a) && !apart.contains(&(*a, *b)));
-        let found: Vec<_> = pairs.filter(|(a, b)| known_apart(&canonical, &known, *a, *b)).collect();
-        apart.extend(found);
-        if apart.len() == before {
+        let is_open = |(a, b): &(TransitionId, TransitionId)| unknown(*a) && !apart.contains(&(*a, *b));
+        let open: Vec<_> = rivals.pairs().filter(is_open).collect();
+        if open.is_empty() {
             break;
         }
+        let known = components(net, written(&canonical, &arranged, to_write)).0;
+        let found: Vec<_> = open.into_iter().filter(|(a, b)| known_apart(&canonical, &known, *a, *b)).collect();
+        if found.is_empty() {
+            break;
+        }
+        apart.extend(found);
         arranged = search(&canonical, &rivals, &apart);
     }
     let whole = parts.iter().filter(|part| one_token(part, &arranged)).flat_map(|part| &part.steps);

@@ -58,8 +58,8 @@ fn operands(program: &Program) -> Result<(), String> {
                 let list = pool.list(*list);
                 list.len() > 1 && list.iter().all(boolean)
             }
-            Formula::Xor(a, b) => boolean(a) && boolean(b),
-            Formula::Compare(_, a, b) => pool.ty(*a) == pool.ty(*b),
+            Formula::Xor([a, b]) => boolean(a) && boolean(b),
+            Formula::Compare(_, [a, b]) => pool.ty(*a) == pool.ty(*b),
             Formula::Constant(_)
             | Formula::Variable(_)
             | Formula::TimerDone(_)

@@ -52,7 +52,7 @@ fn holds(program: &Program, step: &Step) -> Result<(), String> {
     let read = |variable: VarId, id| *pool.get(id) == Formula::Variable(variable);
     let fits = match (step.held, pool.get(step.active)) {
         (Held::Bit(v), Formula::Variable(read)) => v == *read && program.variables[v].role == Role::Step,
-        (Held::State(place, value), Formula::Compare(Comparison::Equal, a, b)) => {
+        (Held::State(place, value), Formula::Compare(Comparison::Equal, [a, b])) => {
             let state = program.states.get(place);
             state.is_some_and(|state| read(state.variable, *a) && state.values.iter().any(|(_, n)| *n == value))
                 && pool.as_constant(*b) == Some(Value::Int(value))
