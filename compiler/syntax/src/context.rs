@@ -22,7 +22,7 @@
 //!
 //! What `automaton`, `state` and `arc` are, `automaton` says.
 
-use crate::automaton::{self, AUTOMATON, Automaton};
+use crate::automaton::{self, Automaton};
 use crate::scenario::Scenario;
 use crate::token::{Lexeme, Token, begins_item, declares, is_claim, may_end_item, opens_block};
 
@@ -30,7 +30,8 @@ use crate::token::{Lexeme, Token, begins_item, declares, is_claim, may_end_item,
 pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
     let mut braces = Braces::default();
     let mut scenario = Scenario::default();
-    let declares_run = declares_run(text, lexemes);
+    // Asked once, and only where somebody says `run`.
+    let mut run_is_declared = None;
     let mut automaton = Automaton::default();
     for at in 0..lexemes.len() {
         if lexemes[at].token == Token::On && at > 0 && lexemes[at - 1].token == Token::InitialActions {
@@ -71,7 +72,11 @@ pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
                 b"kill" if place.is_pulse() => lexemes[at].token = Token::Kill,
                 b"freeze" if place.is_pulse() => lexemes[at].token = Token::Freeze,
                 b"resume" if place.is_pulse() => lexemes[at].token = Token::Resume,
-                b"run" if !declares_run && place.is_run() => lexemes[at].token = Token::Run,
+                b"run"
+                    if place.is_run() && !*run_is_declared.get_or_insert_with(|| declares_run(text, place.lexemes)) =>
+                {
+                    lexemes[at].token = Token::Run
+                }
                 b"each" if place.is_each_scan() => {
                     (lexemes[at].token, lexemes[at + 1].token) = (Token::Each, Token::Scan);
                 }
