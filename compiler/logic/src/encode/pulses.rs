@@ -188,7 +188,8 @@ impl Pulses {
                 own.insert(*s, value);
                 continue;
             }
-            let value = latched(lowering, origin, &format!("kept_{}", net.places[*s].label), value, statements);
+            // The next activity of the step, which it may read, is written again before what is saved is.
+            let value = in_new(lowering, origin, &format!("kept_{}", net.places[*s].label), value, statements);
             tokens.push(value);
             saved_steps.push((*s, value));
             own.insert(*s, lowering.pool.and([value, not_stopped]));
@@ -248,7 +249,21 @@ fn latched(
 ) -> FormulaId {
     let is_temporary = matches!(lowering.pool.get(value), Formula::Variable(v)
         if lowering.symbols.table[*v].role == Role::Temporary);
-    if is_temporary || lowering.pool.as_truth(value).is_some() {
+    if is_temporary {
+        return value;
+    }
+    in_new(lowering, origin, name, value, statements)
+}
+
+/// The same, also of a temporary.
+fn in_new(
+    lowering: &mut Lowering,
+    origin: Origin,
+    name: &str,
+    value: FormulaId,
+    statements: &mut Vec<Statement>,
+) -> FormulaId {
+    if lowering.pool.as_truth(value).is_some() {
         return value;
     }
     let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
