@@ -1,6 +1,6 @@
 //! What must hold for any text: of an import, of a trace, and through the whole compiler.
 //!
-//! The fuzz targets in `testsuite/fuzz` call these functions, and `testsuite/tests/fuzzing.rs` calls them with the
+//! The fuzz targets in `testsuite/fuzz` call these functions, and `testsuite/tests/suite/fuzzing.rs` calls them with the
 //! seeds. A text that breaks a rule ends in a panic, which is what a fuzzer looks for. (The parser's own rules are beside
 //! it, in `compiler/syntax/tests/common`.)
 

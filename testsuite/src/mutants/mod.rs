@@ -10,7 +10,7 @@
 //! reader must tell them apart each time. So a fault stays a text, but one that hangs on as little as possible
 //! (`spot`): tokens, not characters; in any file of a part of the compiler; in a function only where the text is in
 //! several; under other names of local variables, if need be. Code can be moved, laid out and renamed in this way without
-//! a change here. A line that is written differently needs its fault written differently: `testsuite/tests/mutants.rs`
+//! a change here. A line that is written differently needs its fault written differently: `testsuite/tests/suite/mutants.rs`
 //! says at once which fault has no place any more. `cargo run --release -p grafc-testsuite --bin mutants` tries them
 //! all.
 

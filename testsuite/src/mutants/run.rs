@@ -17,12 +17,12 @@ use std::time::{Duration, Instant};
 const PATIENCE: (Duration, u32) = (Duration::from_secs(20), 5);
 
 /// A file of the test suite.
-const fn tests(test: &'static str) -> Suite {
-    suite("grafc-testsuite", "testsuite", Some(test))
+const fn tests(file: &'static str) -> Suite {
+    Suite { file: Some(file), ..suite("grafc-testsuite", "testsuite", Some("suite")) }
 }
 
 const fn suite(package: &'static str, folder: &'static str, test: Option<&'static str>) -> Suite {
-    Suite { package, folder, test, only: None, needs: None }
+    Suite { package, folder, test, file: None, only: None, needs: None }
 }
 
 /// Tests that need a tool, of a file of the test suite those whose names have a part.
@@ -138,7 +138,7 @@ pub enum Ended {
 pub fn ended(test: &TestProgram, fault: Option<&Fault>, longest: Duration, log: &Path) -> io::Result<Ended> {
     let log = File::create(log)?;
     let mut command = Command::new(&test.program);
-    command.args(test.suite.only).current_dir(&test.folder).env_remove(VARIABLE).env("RUST_BACKTRACE", "0");
+    command.args(&test.tests).arg("--exact").current_dir(&test.folder).env_remove(VARIABLE).env("RUST_BACKTRACE", "0");
     if let Some(fault) = fault {
         command.env(VARIABLE, fault.name);
     }

@@ -60,6 +60,8 @@ pub struct TestProgram {
     pub program: PathBuf,
     /// The folder of its package.
     pub folder: PathBuf,
+    /// The tests of it to run.
+    pub tests: Vec<String>,
 }
 
 /// Tests of one crate.
@@ -69,8 +71,10 @@ pub struct Suite {
     pub package: &'static str,
     /// Its folder in the workspace.
     pub folder: &'static str,
-    /// The file in `tests`; without it the tests beside the code.
+    /// The test program; without it the tests beside the code.
     pub test: Option<&'static str>,
+    /// The file of the test program, where it has several.
+    pub file: Option<&'static str>,
     /// Only tests whose names have this part.
     pub only: Option<&'static str>,
     /// What the tests need.
@@ -80,7 +84,8 @@ pub struct Suite {
 impl Suite {
     /// What it is called in the report.
     pub fn name(self) -> String {
-        let file = self.test.map_or_else(|| format!("{} (unit tests)", self.package), str::to_owned);
+        let file = self.file.or(self.test);
+        let file = file.map_or_else(|| format!("{} (unit tests)", self.package), str::to_owned);
         self.only.map_or(file.clone(), |only| format!("{file} ({only})"))
     }
 }
@@ -104,7 +109,22 @@ pub fn build(copy: &Path, suite: Suite) -> Result<TestProgram, String> {
     let messages = String::from_utf8_lossy(&output.stdout);
     let program = messages.lines().filter_map(executable).next_back();
     let program = program.ok_or_else(|| format!("cargo names no program for {}", suite.name()))?;
-    Ok(TestProgram { suite, program, folder: copy.join(suite.folder) })
+    let tests = listed(&program, suite)?;
+    Ok(TestProgram { suite, program, folder: copy.join(suite.folder), tests })
+}
+
+/// The tests of a program that a suite has.
+fn listed(program: &Path, suite: Suite) -> Result<Vec<String>, String> {
+    let output = Command::new(program).args(["--list", "--format", "terse"]).output();
+    let output = output.map_err(|error| format!("{}: {error}", program.display()))?;
+    let all = String::from_utf8_lossy(&output.stdout);
+    let is_of = |name: &&str| {
+        let in_file = suite.file.is_none_or(|file| name.split_once("::").is_some_and(|(begin, _)| begin == file));
+        in_file && suite.only.is_none_or(|part| name.contains(part))
+    };
+    let names: Vec<String> =
+        all.lines().filter_map(|line| line.strip_suffix(": test")).filter(is_of).map(str::to_owned).collect();
+    if names.is_empty() { Err(format!("there is no test in {}", suite.name())) } else { Ok(names) }
 }
 
 /// The test program that a message of cargo tells of.

@@ -1,6 +1,6 @@
 //! Changes of random charts that bring them to the border between what is warned of and what is not.
 
-use crate::probes::variable;
+use super::probes::variable;
 use fastrand::Rng;
 use grafc_diagnostics::{FileId, Span};
 use grafc_model::chart::{

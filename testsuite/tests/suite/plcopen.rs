@@ -12,9 +12,9 @@ use grafc_testsuite::plcopen_lint::{Rule, lint};
 use grafc_testsuite::plcopen_tools::{find_or_skip, take_or_skip};
 use std::collections::BTreeSet;
 
-const NEUTRAL: &str = include_str!("../plcopen/neutral.xml");
-const CODESYS: &str = include_str!("../plcopen/codesys.xml");
-const LADDER: &str = include_str!("../plcopen/ladder.xml");
+const NEUTRAL: &str = include_str!("../../plcopen/neutral.xml");
+const CODESYS: &str = include_str!("../../plcopen/codesys.xml");
+const LADDER: &str = include_str!("../../plcopen/ladder.xml");
 
 /// A rule, and an edit of the right ladder that breaks it.
 const BROKEN_LADDERS: &[(Rule, &str, &str)] = &[

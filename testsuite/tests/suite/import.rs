@@ -2,7 +2,7 @@
 //!
 //! `testsuite/imports` holds `NAME.grafcet`, the chart `NAME.gct` and the report `NAME.report`, written by hand; those
 //! whose name begins with `delays` are imported with that option. AGRAFE's own charts are tested where they are
-//! available, see [`xmi::collection`]. A long run of them is `cargo test --release -p grafc-testsuite --test import --
+//! available, see [`xmi::collection`]. A long run of them is `cargo test --release -p grafc-testsuite import:: --
 //! --ignored --nocapture`.
 
 use grafc_backends::st;

@@ -11,7 +11,6 @@
 
 #![allow(clippy::print_stdout, reason = "how much was compared")]
 
-#[path = "micro_steps/runs.rs"]
 mod runs;
 
 use fastrand::Rng;

@@ -1,8 +1,6 @@
 //! How many micro-steps a reaction needs, as the compiler proves it, against the reference simulator.
 
-#[path = "transient/explore.rs"]
 mod explore;
-#[path = "transient/tiny.rs"]
 mod tiny;
 
 use explore::{ENDLESS, explore};

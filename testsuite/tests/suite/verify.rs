@@ -266,11 +266,7 @@ fn say(what: &str) {
     eprintln!("{what}");
 }
 
-#[path = "verify/by_hand.rs"]
 mod by_hand;
-#[path = "verify/claims.rs"]
 mod claims;
-#[path = "verify/plants.rs"]
 mod plants;
-#[path = "verify/textbook.rs"]
 mod textbook;

@@ -2,7 +2,7 @@
 //! written as a table and read again they are so still.
 //!
 //! Machines of others are tried where `KISS2_MACHINES` names a folder of them:
-//! `cargo test --release -p grafc-testsuite --test kiss2 -- --ignored --nocapture`.
+//! `cargo test --release -p grafc-testsuite kiss2:: -- --ignored --nocapture`.
 
 use fastrand::Rng;
 use grafc_automata::{Kind, Machine, convert, explore, kiss2, product};

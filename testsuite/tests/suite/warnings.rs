@@ -14,11 +14,8 @@
 
 #![allow(clippy::print_stdout, reason = "how much was compared")]
 
-#[path = "warnings/enrich.rs"]
 mod enrich;
-#[path = "warnings/impossible.rs"]
 mod impossible;
-#[path = "warnings/probes.rs"]
 mod probes;
 
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};

@@ -12,7 +12,7 @@ fn without_awlsim() {
 
 fn run(required: &str) -> Output {
     let mut test = Command::new(std::env::current_exe().expect("the path of this test"));
-    test.args(["--ignored", "--exact", "without_awlsim", "--nocapture"]).env(REQUIRE, required);
+    test.args(["--ignored", "--exact", "tools::without_awlsim", "--nocapture"]).env(REQUIRE, required);
     test.output().expect("this test runs")
 }
 
