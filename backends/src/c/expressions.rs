@@ -207,7 +207,7 @@ impl C<'_> {
         // As if the constant stood at the right.
         let (op, n) = match (number(a), number(b)) {
             (None, Some(n)) => (op, n),
-            (Some(n), None) => (turned(op), n),
+            (Some(n), None) => (op.mirrored(), n),
             (Some(_), Some(_)) | (None, None) => return None,
         };
         match op {
@@ -259,16 +259,5 @@ pub(super) fn sign(op: Arithmetic) -> &'static str {
         Arithmetic::Multiply => "*",
         Arithmetic::Divide => "/",
         Arithmetic::Modulo => "%",
-    }
-}
-
-/// A comparison with its sides exchanged.
-fn turned(op: Comparison) -> Comparison {
-    match op {
-        Comparison::Less => Comparison::Greater,
-        Comparison::LessEqual => Comparison::GreaterEqual,
-        Comparison::Greater => Comparison::Less,
-        Comparison::GreaterEqual => Comparison::LessEqual,
-        Comparison::Equal | Comparison::NotEqual => op,
     }
 }

@@ -63,11 +63,11 @@ impl<'p> Expressions<'p> {
             return out.end();
         }
         let mut beside = out.apart();
-        self.broken(&mut beside, id, head.len() + 3, 1, true);
+        self.broken(&mut beside, id, out.indent() + head.len() + 3, 1, true);
         let beside = beside.finish();
         out.enter();
         let mut below = out.apart();
-        self.broken(&mut below, id, 0, 1, true);
+        self.broken(&mut below, id, out.indent(), 1, true);
         let below = below.finish();
         out.leave();
         let lines = |text: &str| text.bytes().filter(|byte| *byte == b'\n').count();
@@ -95,15 +95,15 @@ impl<'p> Expressions<'p> {
             out.end();
             return;
         }
-        self.broken(out, id, head.len() + 1, 2, true);
+        self.broken(out, id, out.indent() + head.len() + 1, 2, true);
         out.end();
         out.line("{");
     }
 
-    /// Writes a formula from a column of the current line on, a term a line if it would not fit with `tail` more columns.
+    /// Writes a formula from a column on, a term a line if it would not fit with `tail` more columns.
     /// The lines are one level `deeper`, except where the formula is the first term of another that is broken.
     fn broken(&self, out: &mut Writer, id: FormulaId, column: usize, tail: usize, deeper: bool) {
-        let fits = (out.indent() + column + tail).saturating_add(self.width(id)) <= WIDTH;
+        let fits = (column + tail).saturating_add(self.width(id)) <= WIDTH;
         let shape = self.formulas.notation.shape(id);
         match &shape.arrangement {
             Arrangement::Infix(operator, operands) if !fits => {
@@ -111,13 +111,13 @@ impl<'p> Expressions<'p> {
                     out.enter();
                 }
                 for (place, operand) in operands.iter().enumerate() {
-                    let mut at = column.saturating_sub(if deeper { STEP } else { 0 });
+                    let mut at = column;
                     if place > 0 {
                         out.end();
                         out.start();
                         out.text(operator);
                         out.text(" ");
-                        at = operator.len() + 1;
+                        at = out.indent() + operator.len() + 1;
                     }
                     let wrap = self.formulas.needs_parentheses(shape.level, place, *operand);
                     out.text(if wrap { "(" } else { "" });

@@ -27,6 +27,11 @@ impl Automaton {
         *self = Automaton { is_begun: true, ..Automaton::default() };
     }
 
+    /// Whether its braces are open.
+    pub(crate) fn is_open(&self) -> bool {
+        self.braces > 0
+    }
+
     /// What a name at a place is here, if it is a word or an output of an arc.
     pub(crate) fn word(&self, word: &str, lexemes: &[Lexeme], at: usize) -> Option<Token> {
         let token = |at: Option<usize>| at.and_then(|at| lexemes.get(at)).map(|lexeme| lexeme.token);

@@ -40,7 +40,7 @@ pub(crate) fn words(text: &str, lexemes: &mut [Lexeme]) {
             let place = Place { text, lexemes: &*lexemes, at, braces: &braces };
             match place.bytes() {
                 // Most names are no words, and many are numbered.
-                [.., b'0'..=b'9'] if !scenario.is_open() => continue,
+                [.., b'0'..=b'9'] if !scenario.is_open() && !automaton.is_open() => continue,
                 _ if scenario.is_open() => {
                     let found = scenario.word(place.word(0), place.before(1), place.token(1));
                     found.into_iter().for_each(|token| lexemes[at].token = token);

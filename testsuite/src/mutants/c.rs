@@ -9,8 +9,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "c-bound-one-late",
         at: C,
         breaks: "the scan is cut off one micro-step late (R9)",
-        text: "Some(limit) => (places.read(limit.count), limit.bound)",
-        instead: "Some(limit) => (places.read(limit.count), limit.bound + 1)",
+        text: "(places.read(limit.count), limit.bound)",
+        instead: "(places.read(limit.count), limit.bound + 1)",
     },
     Fault {
         name: "c-never-given-up",
@@ -35,17 +35,17 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "c-product-is-sum",
-        at: C,
+        at: C.within("function"),
         breaks: "a product is written as a sum",
-        text: "Arithmetic::Multiply => \"mul\"",
-        instead: "Arithmetic::Multiply => \"add\"",
+        text: "\"mul\"",
+        instead: "\"add\"",
     },
     Fault {
         name: "c-comparison-turned",
         at: C,
         breaks: "a comparison with a constant at its left is decided the wrong way",
-        text: "Comparison::Less => Comparison::Greater",
-        instead: "Comparison::Less => Comparison::LessEqual",
+        text: "op.mirrored()",
+        instead: "op",
     },
     Fault {
         name: "c-unequal-is-equal",
