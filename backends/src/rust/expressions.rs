@@ -3,7 +3,7 @@
 use super::literals::{literal, type_name};
 use super::places::Places;
 use crate::formulas::{Arrangement, Formulas, Notation, Piece, Shape};
-use crate::writer::{STEP, Writer};
+use crate::writer::Writer;
 use ecow::{EcoString, eco_format};
 use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Type, Value};
 use grafc_logic::scan::Program;
