@@ -39,7 +39,7 @@ pub struct Graph {
 /// A vertex of a graph.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct GraphVertex {
-    /// The label of its step; [`REST`] where none is active.
+    /// The label of its step; `-` where none is active.
     pub label: String,
     /// Whether it begins there.
     pub initial: bool,

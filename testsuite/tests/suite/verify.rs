@@ -213,7 +213,7 @@ fn random_boolean_charts_have_the_answers_that_trying_everything_gives() {
 /// What is said never to happen does not, and what is said to happen replays: charts of the whole language, with delays.
 #[test]
 fn what_holds_survives_random_runs() {
-    let (count, scans) = if cfg!(debug_assertions) { (30, 300) } else { (400, 20_000) };
+    let (count, scans) = if cfg!(debug_assertions) { (30, 300) } else { (400, 100_000) };
     let (mut decided, mut open, mut traces) = (0, 0, 0);
     for seed in 0..count {
         let kind = if seed % 2 == 0 { ChartKind::Flat } else { ChartKind::Hierarchical };

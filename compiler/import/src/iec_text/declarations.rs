@@ -3,7 +3,7 @@
 use super::reader::Reader;
 use crate::code::expression;
 use crate::code::token::{Keyword, Token};
-use crate::sfc::{Enumeration, Section, Structure, Variable};
+use crate::sfc::{ByName, Enumeration, Section, Structure, Variable};
 
 impl Reader<'_> {
     /// The variables up to `END_VAR`.
@@ -78,7 +78,7 @@ impl Reader<'_> {
     }
 
     /// The types up to `END_TYPE`.
-    pub fn types(&mut self, enumerations: &mut Vec<Enumeration>, structures: &mut Vec<Structure>) {
+    pub fn types(&mut self, enumerations: &mut ByName<Enumeration>, structures: &mut ByName<Structure>) {
         self.advance();
         let (range, _) = self.up_to(Keyword::EndType);
         let behind = std::mem::replace(&mut self.at, range.start);
@@ -94,7 +94,7 @@ impl Reader<'_> {
                 let stop = (self.at..range.end)
                     .find(|&at| self.token_at(at) == Some(Token::Keyword(Keyword::EndStruct)))
                     .unwrap_or(range.end);
-                let mut members = Vec::new();
+                let mut members = ByName::default();
                 while self.at < stop {
                     let end = self.end_of_declaration(stop);
                     members.extend(self.declaration(end, Section::Local));
@@ -134,7 +134,7 @@ impl Reader<'_> {
     }
 
     /// The global variables of a configuration; the rest of it says who runs what.
-    pub fn configuration(&mut self, globals: &mut Vec<Variable>) {
+    pub fn configuration(&mut self, globals: &mut ByName<Variable>) {
         self.advance();
         let (range, _) = self.up_to(Keyword::EndConfiguration);
         let behind = std::mem::replace(&mut self.at, range.start);

@@ -3,7 +3,7 @@
 use crate::code::source::Source;
 use crate::code::token::{Keyword, Lexeme, Token, lex};
 use crate::code::tree::Code;
-use crate::sfc::Unit;
+use crate::sfc::{ByName, Unit};
 use grafc_diagnostics::{Code as ErrorCode, Diagnostic, Diagnostics, FileId, Span};
 use std::ops::Range;
 
@@ -108,7 +108,13 @@ impl<'a> Reader<'a> {
             self.malformed(span, "a program organisation unit has no name", "write its name behind the keyword");
             return None;
         };
-        Some(Unit { name: name.to_string(), span, variables: Vec::new(), actions: Vec::new(), chart: None })
+        Some(Unit {
+            name: name.to_string(),
+            span,
+            variables: ByName::default(),
+            actions: ByName::default(),
+            chart: None,
+        })
     }
 }
 

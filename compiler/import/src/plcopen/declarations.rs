@@ -5,7 +5,7 @@ use super::document::{child, children, name, number};
 use super::graph::is_true;
 use crate::code::expression;
 use crate::code::source::Source;
-use crate::sfc::{Enumeration, Section, Structure, Variable};
+use crate::sfc::{ByName, Enumeration, Section, Structure, Variable};
 use crate::xml::ElementId;
 
 /// The lists of an interface and what they declare.
@@ -87,7 +87,12 @@ impl Reading<'_> {
     }
 
     /// A type of its own.
-    pub fn data_type(&mut self, id: ElementId, enumerations: &mut Vec<Enumeration>, structures: &mut Vec<Structure>) {
+    pub fn data_type(
+        &mut self,
+        id: ElementId,
+        enumerations: &mut ByName<Enumeration>,
+        structures: &mut ByName<Structure>,
+    ) {
         let Some(name) = name(&self.document.elements[id]).map(str::to_string) else { return };
         let Some(base) = child(self.document, id, "baseType") else { return };
         let Some(&inner) = self.document.elements[base].children.first() else { return };

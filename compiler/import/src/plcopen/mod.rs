@@ -17,7 +17,7 @@ mod vendor;
 mod wires;
 
 use crate::code::tree::Code;
-use crate::sfc::{Body, NamedAction, Project, Section, Unit};
+use crate::sfc::{Body, ByName, NamedAction, Project, Section, Unit};
 use crate::xml::{Document, ElementId};
 use bodies::{Conditions, Reading};
 use document::{child, children, name};
@@ -65,9 +65,16 @@ fn unit(reading: &mut Reading, id: ElementId) -> Option<Unit> {
         );
         return None;
     };
-    let variables = child(document, id, "interface").map(|interface| reading.interface(interface)).unwrap_or_default();
+    let variables = child(document, id, "interface").map(|interface| reading.interface(interface));
     let conditions = transitions(reading, id);
-    let mut unit = Unit { name: name.to_string(), span: element.span, variables, actions: Vec::new(), chart: None };
+    let mut unit = Unit {
+        name: name.to_string(),
+        span: element.span,
+        variables: ByName::default(),
+        actions: ByName::default(),
+        chart: None,
+    };
+    unit.variables.extend(variables.into_iter().flatten());
     if let Some(list) = child(document, id, "actions") {
         let named: Vec<ElementId> = children(document, list, "action").collect();
         for action in named {

@@ -3,7 +3,10 @@
 //! A project has program organisation units, each with its declarations; a unit, or a named action of one, has a chart as
 //! its body. Names are as in the file and mean the same in any case. Conditions and bodies lie in one [`Code`].
 
+mod by_name;
+
 use crate::code::tree::{Code, ExprId, Statement};
+pub use by_name::ByName;
 use grafc_diagnostics::Span;
 
 /// All that a file has.
@@ -12,9 +15,9 @@ pub struct Project {
     pub code: Code,
     pub units: Vec<Unit>,
     /// Variables outside of units.
-    pub globals: Vec<Variable>,
-    pub enumerations: Vec<Enumeration>,
-    pub structures: Vec<Structure>,
+    pub globals: ByName<Variable>,
+    pub enumerations: ByName<Enumeration>,
+    pub structures: ByName<Structure>,
     /// The product that wrote the file, if it says so.
     pub product: Option<String>,
 }
@@ -23,8 +26,8 @@ pub struct Project {
 pub struct Unit {
     pub name: String,
     pub span: Span,
-    pub variables: Vec<Variable>,
-    pub actions: Vec<NamedAction>,
+    pub variables: ByName<Variable>,
+    pub actions: ByName<NamedAction>,
     /// The body, if it is a chart.
     pub chart: Option<Chart>,
 }
@@ -65,7 +68,7 @@ pub struct Enumeration {
 /// A type with members.
 pub struct Structure {
     pub name: String,
-    pub members: Vec<Variable>,
+    pub members: ByName<Variable>,
 }
 
 /// An action with a name.

@@ -60,15 +60,14 @@ impl Maker<'_> {
     /// The block of an instance.
     pub fn standard_block(&self, scope: &Scope, instance: &str) -> Option<Standard> {
         let unit = self.unit(scope);
-        let ty = unit.variables.iter().find(|variable| variable.name.eq_ignore_ascii_case(instance));
+        let ty = unit.variables.find(instance);
         standard(&ty?.ty)
     }
 
     /// What an output of a block is; none if the path is no such output.
     pub fn block_output(&mut self, path: &str, span: Span, site: &Site) -> Result<Option<TermId>, Loss> {
         let Some((instance, pin)) = path.rsplit_once('.') else { return Ok(None) };
-        let Some(variable) = self.unit(&site.scope).variables.iter().find(|v| v.name.eq_ignore_ascii_case(instance))
-        else {
+        let Some(variable) = self.unit(&site.scope).variables.find(instance) else {
             return Ok(None);
         };
         let Some(block) = standard(&variable.ty) else {

@@ -374,7 +374,7 @@ impl<'a> Maker<'a> {
     /// Why a call cannot be said.
     fn why_no_call(&self, site: &Site, name: &str) -> String {
         let unit = self.unit(&site.scope);
-        let ty = unit.variables.iter().find(|v| v.name.eq_ignore_ascii_case(name)).map(|v| v.ty.as_str());
+        let ty = unit.variables.find(name).map(|v| v.ty.as_str());
         let upper = name.to_ascii_uppercase();
         match (upper.as_str(), ty) {
             ("GSTART" | "GKILL" | "GFREEZE" | "GRST", _) => format!("charts that were read cannot order `{name}` yet"),

@@ -113,7 +113,7 @@ impl<'a> Maker<'a> {
         let mut segments: Vec<&str> = name.split('.').collect();
         let last = segments.pop()?;
         for segment in segments {
-            let variable = self.unit(&scope).variables.iter().find(|v| v.name.eq_ignore_ascii_case(segment));
+            let variable = self.unit(&scope).variables.find(segment);
             let ty = match variable {
                 Some(variable) => variable.ty.as_str(),
                 // The name of a program stands for its only instance.
@@ -123,8 +123,7 @@ impl<'a> Maker<'a> {
             let prefix = if variable.is_some() { format!("{}{segment}.", scope.prefix) } else { format!("{segment}.") };
             scope = Scope { unit, prefix };
         }
-        let actions = &self.unit(&scope).actions;
-        let place = actions.iter().position(|action| action.name.eq_ignore_ascii_case(last))?;
+        let place = self.unit(&scope).actions.place(last)?;
         Some((scope, place))
     }
 

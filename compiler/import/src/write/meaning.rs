@@ -117,7 +117,7 @@ impl Maker<'_> {
             _ => name,
         };
         let Some(step) = self.step(site.part, name) else { return Ok(None) };
-        if unit.variables.iter().any(|variable| variable.name.eq_ignore_ascii_case(name)) {
+        if unit.variables.find(name).is_some() {
             return Ok(None);
         }
         Ok(Some(match (flag.as_str(), site.own) {
@@ -131,30 +131,29 @@ impl Maker<'_> {
     fn declared(&mut self, path: &str, span: Span, site: &Site) -> Result<Option<VarId>, Loss> {
         let project = self.project;
         let unit = self.unit(&site.scope);
-        let global = |name: &str| project.globals.iter().find(|variable| variable.name.eq_ignore_ascii_case(name));
+        let global = |name: &str| project.globals.find(name);
         let (first, rest) = path.split_once('.').map_or((path, None), |(first, rest)| (first, Some(rest)));
         let first = first.split('[').next().unwrap_or(first);
-        let (variable, rest, key) =
-            if let Some(own) = unit.variables.iter().find(|v| v.name.eq_ignore_ascii_case(first)) {
-                (own, rest, format!("{}{path}", site.scope.prefix))
-            } else if let Some(own) = global(path) {
-                (own, None, path.to_string())
-            } else if let Some(own) = global(first) {
-                (own, rest, path.to_string())
-            } else if let Some((list, inner)) = rest.and_then(|rest| {
-                let (name, inner) = rest.split_once('.').map_or((rest, None), |(name, inner)| (name, Some(inner)));
-                global(&format!("{first}.{name}")).map(|variable| (variable, inner))
-            }) {
-                (list, inner, path.to_string())
-            } else if let (Some(&other), Some(rest)) = (self.units.get(&first.to_lowercase()), rest) {
-                let name = rest.split(['.', '[']).next().unwrap_or(rest);
-                match project.units[other].variables.iter().find(|v| v.name.eq_ignore_ascii_case(name)) {
-                    Some(variable) => (variable, rest.split_once('.').map(|(_, rest)| rest), path.to_string()),
-                    None => return Ok(None),
-                }
-            } else {
-                return Ok(None);
-            };
+        let (variable, rest, key) = if let Some(own) = unit.variables.find(first) {
+            (own, rest, format!("{}{path}", site.scope.prefix))
+        } else if let Some(own) = global(path) {
+            (own, None, path.to_string())
+        } else if let Some(own) = global(first) {
+            (own, rest, path.to_string())
+        } else if let Some((list, inner)) = rest.and_then(|rest| {
+            let (name, inner) = rest.split_once('.').map_or((rest, None), |(name, inner)| (name, Some(inner)));
+            global(&format!("{first}.{name}")).map(|variable| (variable, inner))
+        }) {
+            (list, inner, path.to_string())
+        } else if let (Some(&other), Some(rest)) = (self.units.get(&first.to_lowercase()), rest) {
+            let name = rest.split(['.', '[']).next().unwrap_or(rest);
+            match project.units[other].variables.find(name) {
+                Some(variable) => (variable, rest.split_once('.').map(|(_, rest)| rest), path.to_string()),
+                None => return Ok(None),
+            }
+        } else {
+            return Ok(None);
+        };
         if let Some(id) = self.variables.find(&key) {
             return Ok(Some(id));
         }

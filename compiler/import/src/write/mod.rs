@@ -80,7 +80,7 @@ pub fn write(
 /// The numbers of named values, by the value alone and with its type.
 fn constants(project: &Project) -> FxHashMap<String, i64> {
     let mut found = FxHashMap::default();
-    for enumeration in &project.enumerations {
+    for enumeration in project.enumerations.iter() {
         for (name, number) in &enumeration.values {
             found.insert(format!("{}.{}", enumeration.name, name).to_lowercase(), *number);
             found.entry(name.to_lowercase()).or_insert(*number);

@@ -115,7 +115,7 @@ impl<'a> Maker<'a> {
         }
         let span = association.span;
         let site = Site { scope, part, own: Some((step, true)) };
-        let is_known = self.unit(&site.scope).variables.iter().any(|v| v.name.eq_ignore_ascii_case(name));
+        let is_known = self.unit(&site.scope).variables.find(name).is_some();
         if !is_known && name.contains('.') {
             let message = format!("the action `{name}` is lost: it is in none of the units of the file");
             self.diagnostics.push(lost(span, message));

@@ -18,9 +18,9 @@ impl Maker<'_> {
         let mut ty = element(ty);
         for segment in rest.into_iter().flat_map(|rest| rest.split('.')) {
             let name = segment.split('[').next().unwrap_or(segment);
-            let structure = project.structures.iter().find(|s| s.name.eq_ignore_ascii_case(&ty)).map(|s| &s.members);
+            let structure = project.structures.find(&ty).map(|s| &s.members);
             let unit = self.units.get(&ty.to_lowercase()).map(|&unit| &project.units[unit].variables);
-            let member = structure.or(unit).and_then(|list| list.iter().find(|m| m.name.eq_ignore_ascii_case(name)));
+            let member = structure.or(unit).and_then(|list| list.find(name));
             let Some(member) = member else { return String::new() };
             ty = element(&member.ty);
         }
@@ -89,18 +89,17 @@ impl Maker<'_> {
         let globals = &self.project.globals;
         let variable = unit
             .variables
-            .iter()
-            .find(|v| v.name.eq_ignore_ascii_case(first))
+            .find(first)
             .map(|variable| (variable, rest))
-            .or_else(|| globals.iter().find(|v| v.name.eq_ignore_ascii_case(path)).map(|variable| (variable, None)))
-            .or_else(|| globals.iter().find(|v| v.name.eq_ignore_ascii_case(first)).map(|variable| (variable, rest)));
+            .or_else(|| globals.find(path).map(|variable| (variable, None)))
+            .or_else(|| globals.find(first).map(|variable| (variable, rest)));
         let (variable, rest) = variable?;
         self.type_named(&self.member_type(&variable.ty, rest))
     }
 
     /// A type by its name; enumerations are numbers.
     pub(super) fn type_named(&self, name: &str) -> Option<Type> {
-        let is_enumeration = || self.project.enumerations.iter().any(|e| e.name.eq_ignore_ascii_case(name));
+        let is_enumeration = || self.project.enumerations.find(name).is_some();
         elementary(name).or_else(|| is_enumeration().then_some(Type::Int))
     }
 
