@@ -107,8 +107,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "pulse-again-untold",
         at: COMPILER,
         breaks: "what pulse orders change asks for another micro-step (R15)",
-        text: "pulses.iter().flat_map(|pulses| pulses.changes.iter().copied())",
-        instead: "pulses.iter().flat_map(|pulses| pulses.changes.iter().copied().take(0))",
+        text: "pulses.changes.iter().copied()",
+        instead: "pulses.changes[..0].iter().copied()",
     },
     Fault {
         name: "each-scan-sees-old-values",

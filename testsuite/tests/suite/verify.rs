@@ -210,6 +210,28 @@ fn random_boolean_charts_have_the_answers_that_trying_everything_gives() {
     assert!(compared > 80 && traces > 80, "{compared} were compared, {traces} replayed");
 }
 
+/// Twelve rings of ten steps, each moved on by the edge of an input: 10^12 situations, and whether each input was true.
+#[test]
+fn ten_to_the_twelfth_situations_are_counted() {
+    use std::fmt::Write as _;
+    let mut text = String::from("chart Rings\n");
+    for ring in 1..=12 {
+        let _ = write!(text, "input a{ring} : bool\ngrafcet G{ring} {{ initial step {ring}00\n");
+        (1..10).for_each(|step| _ = writeln!(text, "step {}", 100 * ring + step));
+        (0..10).for_each(|step| {
+            _ = writeln!(text, "transition {} -> {} : ↑a{ring}", 100 * ring + step, 100 * ring + (step + 1) % 10);
+        });
+        text.push_str("}\n");
+    }
+    text.push_str("assert \"one\" : not (X105 and X106)\nassert \"free\" : not (X105 and X205)\n");
+    let found = verified(&check("rings", &text).expect("a chart"), Profile::default());
+    assert_eq!((found.searched.states, found.searched.limit), (4_096e12, None));
+    holds(&found, "one");
+    // Five edges of both: five calls with the inputs true, each after one with them false.
+    assert_eq!(fails(&found, "free").rows.len(), 10);
+    assert!(found.verdicts.iter().all(|verdict| !matches!(verdict.answer, Answer::Open(_))));
+}
+
 /// What is said never to happen does not, and what is said to happen replays: charts of the whole language, with delays.
 #[test]
 fn what_holds_survives_random_runs() {
