@@ -206,8 +206,8 @@ fn a_value_that_is_written_and_read_in_one_scan_is_told() {
 fn flags_of_codesys_are_told() {
     let text = "PROGRAM P VAR SFCInit, go : BOOL; END_VAR INITIAL_STEP A END_STEP STEP B END_STEP\n\
                 TRANSITION FROM A TO B := go; END_TRANSITION TRANSITION FROM B TO A := SFCPause; END_TRANSITION END_PROGRAM";
-    let what = "is a variable like any other: what it does to the chart is lost";
-    assert_eq!(told(text, Dialect::Codesys, what), [format!("`SFCInit` {what}"), format!("`SFCPause` {what}")]);
+    let what = "would do to the chart, or tell of it, is lost";
+    assert_eq!(told(text, Dialect::Codesys, what), [format!("what `SFCInit`, `SFCPause` {what}")]);
     assert!(told(text, Dialect::Iec, what).is_empty());
 }
 

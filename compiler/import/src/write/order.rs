@@ -13,7 +13,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 type Doer = Option<StepId>;
 
 /// When something is written.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 enum Written {
     Entry,
     Exit,
@@ -94,13 +94,13 @@ impl Maker<'_> {
             self.project.units[unit].variables.iter().map(|variable| (variable.name.as_str(), variable.span));
         let read = self.variables.list.iter().map(|variable| (variable.path.as_str(), variable.span));
         let flag = |name: &str| FLAGS.into_iter().find(|flag| flag.eq_ignore_ascii_case(name));
-        let found: Vec<_> = declared.chain(read).filter_map(|(name, span)| Some((flag(name)?, span))).collect();
-        for (flag, span) in found {
-            if self.once(format!("flag {flag}")) {
-                let message = format!("`{flag}` is a variable like any other: what it does to the chart is lost");
-                self.diagnostics.push(lost(span, message).note("in CODESYS it acts on the chart, or tells of it"));
-            }
-        }
+        let mut found: Vec<_> = declared.chain(read).filter_map(|(name, span)| Some((flag(name)?, span))).collect();
+        let mut met = FxHashSet::default();
+        found.retain(|(flag, _)| met.insert(*flag));
+        let Some((_, first)) = found.first() else { return };
+        let flags: Vec<String> = found.iter().map(|(flag, _)| format!("`{flag}`")).collect();
+        let message = format!("what {} would do to the chart, or tell of it, is lost", flags.join(", "));
+        self.diagnostics.push(lost(*first, message).note("flags of CODESYS are variables like all others here"));
     }
 
     fn all_actions(&self) -> Vec<(Doer, Action)> {
