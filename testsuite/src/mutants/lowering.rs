@@ -389,14 +389,14 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "no-conflict-of-literals",
         at: COMPILER,
         breaks: "two literals assigned at once raise no ALLOC_CONFLICT (R7)",
-        text: "out.extend(raise_conflict(lowering, Origin::Actions(variable), conflict));",
+        text: "out.extend(raise(lowering, Flag::AllocConflict, Origin::Actions(variable), conflict));",
         instead: "",
     },
     Fault {
         name: "no-conflict-of-values",
         at: COMPILER,
         breaks: "two values assigned at once raise no ALLOC_CONFLICT (R7)",
-        text: "body.extend(raise_conflict(lowering, trigger.origin, conflict));",
+        text: "body.extend(raise(lowering, Flag::AllocConflict, trigger.origin, conflict));",
         instead: "",
     },
     Fault {

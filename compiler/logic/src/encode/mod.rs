@@ -13,6 +13,7 @@
 mod allocate;
 mod bits;
 mod by_grafcet;
+mod choose;
 pub(crate) mod claims;
 pub(crate) mod clearings;
 mod commanded;

@@ -12,6 +12,7 @@
 //!
 //! `own` is what clearings and links make of the step. What is remembered is written at the end of the micro-step.
 
+use crate::encode::choose::raise;
 use crate::encode::clearings::Clearings;
 use crate::encode::input_event::InputEvent;
 use crate::encode::settle::InForce;
@@ -19,7 +20,7 @@ use crate::encode::stored;
 use crate::encode::task::Task;
 use crate::lower::Lowering;
 use crate::scan::{Flag, Origin, Role, Statement};
-use grafc_formula::{Formula, FormulaId, Type};
+use grafc_formula::{Formula, FormulaId};
 use grafc_model::chart::{Event, GrafcetId, PulseKind, StepId};
 use grafc_net::net::CommandsOn;
 use index_vec::IndexVec;
@@ -189,7 +190,10 @@ impl Pulses {
                 continue;
             }
             // The next activity of the step, which it may read, is written again before what is saved is.
-            let value = in_new(lowering, origin, &format!("kept_{}", net.places[*s].label), value, statements);
+            let value = match lowering.pool.as_truth(value) {
+                Some(_) => value,
+                None => lowering.in_new(origin, &format!("kept_{}", net.places[*s].label), value, statements),
+            };
             tokens.push(value);
             saved_steps.push((*s, value));
             own.insert(*s, lowering.pool.and([value, not_stopped]));
@@ -247,28 +251,12 @@ fn latched(
     value: FormulaId,
     statements: &mut Vec<Statement>,
 ) -> FormulaId {
-    let is_temporary = matches!(lowering.pool.get(value), Formula::Variable(v)
-        if lowering.symbols.table[*v].role == Role::Temporary);
-    if is_temporary {
-        return value;
-    }
-    in_new(lowering, origin, name, value, statements)
-}
-
-/// The same, also of a temporary.
-fn in_new(
-    lowering: &mut Lowering,
-    origin: Origin,
-    name: &str,
-    value: FormulaId,
-    statements: &mut Vec<Statement>,
-) -> FormulaId {
-    if lowering.pool.as_truth(value).is_some() {
-        return value;
-    }
-    let target = lowering.symbols.fresh(Role::Temporary, name, Type::Bool, None);
-    statements.push(Statement::assign(origin, target, value));
-    lowering.symbols.read(&mut lowering.pool, target)
+    let stays = match lowering.pool.get(value) {
+        Formula::Variable(v) => lowering.symbols.table[*v].role == Role::Temporary,
+        Formula::Constant(_) => true,
+        _ => false,
+    };
+    if stays { value } else { lowering.in_new(origin, name, value, statements) }
 }
 
 /// Different kinds given at once raise the flag; kill with start is a restart.
@@ -283,11 +271,5 @@ fn disagree(
     let terms = pairs.map(|(a, b)| lowering.pool.and([a, b]));
     let both = lowering.pool.or(terms);
     let when = lowering.pool.and([Some(both), within].into_iter().flatten());
-    if lowering.pool.as_truth(when) == Some(false) {
-        return;
-    }
-    let target = lowering.symbols.flag(Flag::ForceConflict);
-    let value = lowering.pool.truth(true);
-    let body = vec![Statement::assign(Origin::Orders(g), target, value)];
-    statements.push(Statement::If { branches: vec![(when, body)], otherwise: Vec::new() });
+    statements.extend(raise(lowering, Flag::ForceConflict, Origin::Orders(g), when));
 }

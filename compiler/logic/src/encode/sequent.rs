@@ -8,8 +8,8 @@
 
 use super::in_order::{Bundle, in_order};
 use super::task::Task;
-use crate::encode::allocate::choose;
 use crate::encode::by_grafcet::headed;
+use crate::encode::choose::choose;
 use crate::encode::clearings::{Clearings, clears};
 use crate::encode::settle;
 use crate::lower::Lowering;

@@ -13,6 +13,7 @@
 //! on which nothing acts keeps the short formula.
 
 use crate::analysis::components::Components;
+use crate::encode::choose::raise;
 use crate::encode::commanded;
 use crate::lower::Lowering;
 use crate::scan::{Flag, Origin, Role, Statement};
@@ -202,13 +203,7 @@ fn conflict(
         both
     };
     let when = lowering.pool.and(within.into_iter().chain([when]));
-    if lowering.pool.as_truth(when) == Some(false) {
-        return;
-    }
-    let target = lowering.symbols.flag(Flag::ForceConflict);
-    let value = lowering.pool.truth(true);
-    let body = vec![Statement::assign(Origin::Orders(g), target, value)];
-    statements.push(Statement::If { branches: vec![(when, body)], otherwise: Vec::new() });
+    statements.extend(raise(lowering, Flag::ForceConflict, Origin::Orders(g), when));
 }
 
 /// The next activity of a step on which an enclosing step or orders act, from what clearings make of it.

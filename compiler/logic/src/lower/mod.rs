@@ -384,9 +384,7 @@ impl Lowering {
         if self.pool.is_leaf(activity) {
             return activity;
         }
-        let target = self.symbols.fresh(Role::Temporary, eco_format!("X{label}"), Type::Bool, None);
-        cx.statements.push(Statement::assign(cx.origin, target, activity));
-        self.symbols.read(&mut self.pool, target)
+        self.in_new(cx.origin, &format!("X{label}"), activity, &mut cx.statements)
     }
 
     /// A wire is true while one of its actions applies; the name itself carries the value (B4).
@@ -494,9 +492,17 @@ impl Lowering {
             Formula::Compare(..) => true,
             _ => self.pool.is_leaf(value),
         };
-        if short {
-            return value;
-        }
+        if short { value } else { self.in_new(origin, name, value, statements) }
+    }
+
+    /// A Boolean value in a new temporary.
+    pub(crate) fn in_new(
+        &mut self,
+        origin: Origin,
+        name: &str,
+        value: FormulaId,
+        statements: &mut Vec<Statement>,
+    ) -> FormulaId {
         let target = self.symbols.fresh(Role::Temporary, name, Type::Bool, None);
         statements.push(Statement::assign(origin, target, value));
         self.symbols.read(&mut self.pool, target)

@@ -8,7 +8,8 @@
 //! All that are done agree if each of them gave the value that stays. Right sides with operators are computed before, from
 //! old values.
 
-use super::{Trigger, branch_with, choose, raise_conflict, tell_again};
+use super::{Trigger, branch_with, tell_again};
+use crate::encode::choose::{choose, raise};
 use crate::lower::{Context, Lowering};
 use crate::scan::{Flag, Origin, Role, Statement, VarId};
 use ecow::eco_format;
@@ -115,7 +116,7 @@ fn one_after_the_other(
             let read_next = lowering.symbols.read(&mut lowering.pool, next);
             let differs = lowering.pool.differs(read_new, read_next);
             let conflict = lowering.pool.and([read_given, differs]);
-            body.extend(raise_conflict(lowering, trigger.origin, conflict));
+            body.extend(raise(lowering, Flag::AllocConflict, trigger.origin, conflict));
             body.push(Statement::assign(origin, new, read_next));
         }
         body.push(Statement::assign(origin, given, yes));

@@ -10,6 +10,7 @@ mod last_wins;
 mod order;
 
 use crate::analysis::components::Components;
+use crate::encode::choose::{choose, raise};
 use crate::lower::{Context, Lowering};
 use crate::scan::{Flag, Origin, Role, Statement, Told, VarId};
 use exclusive::exclusive;
@@ -17,7 +18,6 @@ use grafc_formula::{Formula, FormulaId};
 use grafc_model::chart::{ExprId, ExprKind, StepId, TransitionId, VariableId};
 use grafc_net::Arcs;
 use order::{Turn, order};
-use rustc_hash::FxHashSet;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// One assignment and when it is done.
@@ -169,7 +169,7 @@ fn constants(
         let done: Vec<FormulaId> = by_value.into_values().map(|whens| lowering.pool.or(whens)).collect();
         if let [a, b] = done[..] {
             let conflict = lowering.pool.and([a, b]);
-            out.extend(raise_conflict(lowering, Origin::Actions(variable), conflict));
+            out.extend(raise(lowering, Flag::AllocConflict, Origin::Actions(variable), conflict));
         }
     }
     let mut runs: Vec<(Trigger, FormulaId, Vec<FormulaId>)> = Vec::new();
@@ -244,36 +244,4 @@ fn tell_again(
     let already = lowering.symbols.read(&mut lowering.pool, again);
     let value = lowering.pool.or([already, differs]);
     (value != already).then_some(Statement::assign(origin, again, value))
-}
-
-fn raise_conflict(lowering: &mut Lowering, origin: Origin, when: FormulaId) -> Vec<Statement> {
-    if lowering.pool.as_truth(when) == Some(false) {
-        return Vec::new();
-    }
-    let target = lowering.symbols.flag(Flag::AllocConflict);
-    let value = lowering.pool.truth(true);
-    choose(lowering, vec![(when, vec![Statement::assign(origin, target, value)])])
-}
-
-/// An IF with these branches, less those that are never taken and what follows one that always is: a source transition
-/// on 1 whose clearing is not named, as in the r- and s-trigger, is done otherwise.
-pub(crate) fn choose(lowering: &Lowering, branches: Vec<(FormulaId, Vec<Statement>)>) -> Vec<Statement> {
-    let mut kept = Vec::with_capacity(branches.len());
-    let mut otherwise = Vec::new();
-    let mut asked = FxHashSet::default();
-    for (when, body) in branches {
-        // What has been asked before is not true any more.
-        if !asked.insert(when) {
-            continue;
-        }
-        match lowering.pool.as_truth(when) {
-            Some(false) => {}
-            Some(true) => {
-                otherwise = body;
-                break;
-            }
-            None => kept.push((when, body)),
-        }
-    }
-    if kept.is_empty() { otherwise } else { vec![Statement::If { branches: kept, otherwise }] }
 }

@@ -2,7 +2,7 @@
 
 use super::moves::changes_of;
 use super::{Switch, assign_number, assign_truth, copy, differs, entered, uncovered, within};
-use crate::encode::allocate::choose;
+use crate::encode::choose::choose;
 use crate::encode::clearings::Clearings;
 use crate::encode::state_case::StateCase;
 use crate::lower::Lowering;

@@ -16,8 +16,8 @@
 
 use super::moves::{changes_of, home};
 use super::{assign_number, copy, differs, next_in_set, uncovered, value_of, within};
-use crate::encode::allocate::choose;
 use crate::encode::by_grafcet::sorted;
+use crate::encode::choose::choose;
 use crate::encode::clearings::{Clearings, StepEvents, clears};
 use crate::encode::heading::heading;
 use crate::encode::input_event::InputEvent;

@@ -1,7 +1,7 @@
 //! Enclosures and orders on the next situation, from the top of the hierarchy down.
 
 use super::{Switch, assign_number, differs, next_in_set, uncovered, value_of, within};
-use crate::encode::allocate::choose;
+use crate::encode::choose::choose;
 use crate::encode::clearings::Clearings;
 use crate::encode::settle;
 use crate::encode::state_case::StateCase;

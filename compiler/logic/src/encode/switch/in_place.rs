@@ -3,8 +3,8 @@
 use super::super::in_order::{Bundle, in_order};
 use super::moves::changes_of;
 use super::{assign_number, assign_truth};
-use crate::encode::allocate::choose;
 use crate::encode::by_grafcet::headed;
+use crate::encode::choose::choose;
 use crate::encode::clearings::clears;
 use crate::encode::heading::heading;
 use crate::encode::outputs::Followers;

@@ -2,7 +2,7 @@
 
 use super::moves::{changes_of, home};
 use super::{Switch, assign_number, assign_truth, within};
-use crate::encode::allocate::choose;
+use crate::encode::choose::choose;
 use crate::encode::clearings::clears;
 use crate::encode::settle;
 use crate::encode::state_case::StateCase;
