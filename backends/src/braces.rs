@@ -1,12 +1,11 @@
 //! Statements between braces, as C and JavaScript have them: what both notations share, which is all but how things are
 //! spelt.
 
+use crate::branches::{Words, write_branches};
 use crate::writer::{Writer, column_of};
 use ecow::EcoString;
 use grafc_formula::FormulaId;
-use grafc_logic::scan::{
-    Arm, Division, Origins, Program, Statement, TimerId, VarId, is_empty, origin_of, origin_of_end,
-};
+use grafc_logic::scan::{Arm, Division, Origins, Program, Statement, TimerId, VarId};
 
 /// How a language with braces spells statements.
 pub(crate) trait Braces {
@@ -209,29 +208,9 @@ pub(crate) trait Braces {
     }
 
     fn branch(&self, out: &mut Writer, branches: &[(FormulaId, Vec<Statement>)], otherwise: &[Statement]) {
-        let mut head = "if (";
-        for (condition, body) in branches {
-            let outer = out.inner_origin(origin_of(body));
-            self.enclosed(out, head, *condition, ") {");
-            out.enter();
-            self.block(out, body);
-            out.leave();
-            out.origin(outer);
-            head = "} else if (";
-        }
-        if branches.is_empty() {
-            return self.block(out, otherwise);
-        }
-        if !is_empty(otherwise) {
-            let outer = out.inner_origin(origin_of(otherwise));
-            out.open("} else {");
-            self.block(out, otherwise);
-            out.leave();
-            out.origin(outer);
-        }
-        let outer = out.inner_origin(origin_of_end(branches, otherwise));
-        out.line("}");
-        out.origin(outer);
+        let words = Words { first: "if (", next: "} else if (", otherwise: "} else {", end: "}" };
+        let head = |out: &mut Writer, word: &str, condition| self.enclosed(out, word, condition, ") {");
+        write_branches(out, words, (branches, otherwise), head, |out, body| self.block(out, body));
     }
 }
 

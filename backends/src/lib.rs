@@ -5,6 +5,7 @@
 
 pub mod awl;
 mod braces;
+mod branches;
 pub mod c;
 pub mod choice;
 pub mod comment;

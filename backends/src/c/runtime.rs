@@ -48,41 +48,16 @@ macro_rules! wrapping {
 macro_rules! division {
     ($word:literal, $ty:literal, $about:literal, $quotient:literal, $remainder:literal) => {
         &[
-            helper(
-                concat!("div_", $word),
-                concat!("by what is not 0", $about),
-                concat!(
-                    "static ",
-                    $ty,
-                    " div_",
-                    $word,
-                    "(",
-                    $ty,
-                    " a, ",
-                    $ty,
-                    " b)\n{\n    return ",
-                    $quotient,
-                    ";\n}"
-                ),
-            ),
-            helper(
-                concat!("rem_", $word),
-                "by what is not 0",
-                concat!(
-                    "static ",
-                    $ty,
-                    " rem_",
-                    $word,
-                    "(",
-                    $ty,
-                    " a, ",
-                    $ty,
-                    " b)\n{\n    return ",
-                    $remainder,
-                    ";\n}"
-                ),
-            ),
+            division!(@of "div", $word, $ty, $about, $quotient),
+            division!(@of "rem", $word, $ty, "", $remainder),
         ]
+    };
+    (@of $name:literal, $word:literal, $ty:literal, $about:literal, $value:literal) => {
+        helper(
+            concat!($name, "_", $word),
+            concat!("by what is not 0", $about),
+            concat!("static ", $ty, " ", $name, "_", $word, "(", $ty, " a, ", $ty, " b)\n{\n    return ", $value, ";\n}"),
+        )
     };
 }
 

@@ -1,14 +1,14 @@
 //! The body of the function block.
 
 use super::expressions::Expressions;
+use crate::branches::{Words, write_branches};
 use crate::comment::clean;
 use crate::iec::literals::{literal, zero};
 use crate::iec::names::Names;
 use crate::writer::{STEP, Writer, column_of};
 use grafc_formula::{Formula, FormulaId, Value};
 use grafc_logic::scan::{
-    Arm, ByMinusOne, Division, Guard, Origins, Program, Repeat, Statement, TimerId, Told, VarId, is_empty, origin_of,
-    origin_of_end,
+    Arm, ByMinusOne, Division, Guard, Origins, Program, Repeat, Statement, TimerId, Told, VarId, origin_of,
 };
 
 /// Writes the statements of one call.
@@ -393,39 +393,21 @@ impl<'p> StStatements<'p> {
         if let Some(lengths) = self.lengths_of_lines(out, branches, otherwise, 0) {
             return self.branches_on_lines(out, branches, &lengths, "");
         }
-        let mut word = "IF";
-        for (condition, body) in branches {
-            let outer = out.inner_origin(origin_of(body));
-            if out.indent() + word.len() + self.expressions.width(*condition) + 6 <= out.width() {
+        let words = Words { first: "IF", next: "ELSIF", otherwise: "ELSE", end: "END_IF;" };
+        let head = |out: &mut Writer, word: &str, condition| {
+            if out.indent() + word.len() + self.expressions.width(condition) + 6 <= out.width() {
                 out.start();
                 out.text(word);
                 out.text(" ");
-                self.expressions.flat(out, *condition);
+                self.expressions.flat(out, condition);
                 out.text(" THEN");
                 out.end();
             } else {
                 out.open(word);
-                self.expressions.lines(out, *condition, "");
+                self.expressions.lines(out, condition, "");
                 out.close("THEN");
             }
-            out.enter();
-            self.block(out, body);
-            out.leave();
-            out.origin(outer);
-            word = "ELSIF";
-        }
-        if branches.is_empty() {
-            return self.block(out, otherwise);
-        }
-        if !is_empty(otherwise) {
-            let outer = out.inner_origin(origin_of(otherwise));
-            out.open("ELSE");
-            self.block(out, otherwise);
-            out.leave();
-            out.origin(outer);
-        }
-        let outer = out.inner_origin(origin_of_end(branches, otherwise));
-        out.line("END_IF;");
-        out.origin(outer);
+        };
+        write_branches(out, words, (branches, otherwise), head, |out, body| self.block(out, body));
     }
 }

@@ -58,8 +58,8 @@ pub(super) const FAULTS: &[Fault] = &[
         instead: "self.program.timers[timer].preset.unwrap_or(grafc_logic::scan::Preset { ms: 1000, constant: None })",
     },
     Fault {
-        name: "st-otherwise-lost",
-        at: ST,
+        name: "otherwise-lost",
+        at: SHARED.within("write_branches"),
         breaks: "what is done if no branch applies is not written",
         text: "!is_empty(otherwise)",
         instead: "false",
@@ -98,13 +98,6 @@ pub(super) const FAULTS: &[Fault] = &[
         breaks: "`a := b - a` is written as `a -= b`",
         text: "*pool.get(*a) == Formula::Variable(target)",
         instead: "*pool.get(*b) == Formula::Variable(target)",
-    },
-    Fault {
-        name: "rust-otherwise-lost",
-        at: RUST,
-        breaks: "what is done if no branch applies is not written",
-        text: "is_empty(otherwise)",
-        instead: "true",
     },
     Fault {
         name: "awl-product-joins-the-sum",

@@ -1,13 +1,14 @@
 //! The statements of a function.
 
 use super::RustStatements;
+use crate::branches::{Words, write_branches};
 use crate::comment::clean;
 use crate::rust::expressions::{SMALL, WIDTH};
 use crate::rust::literals::type_name;
 use crate::writer::Writer;
 use ecow::{EcoString, eco_format};
 use grafc_formula::{Arithmetic, Formula, FormulaId, Type};
-use grafc_logic::scan::{Arm, Division, Statement, TimerId, Told, VarId, is_empty, origin_of, origin_of_end};
+use grafc_logic::scan::{Arm, Division, Statement, TimerId, Told, VarId, is_empty};
 
 impl RustStatements<'_> {
     /// A block of statements, in a block of the text.
@@ -177,28 +178,13 @@ impl RustStatements<'_> {
     }
 
     fn branch(&self, out: &mut Writer, branches: &[(FormulaId, Vec<Statement>)], otherwise: &[Statement]) {
-        let mut head = "if";
-        for (condition, body) in branches {
-            let outer = out.inner_origin(origin_of(body));
-            self.expressions.condition(out, head, *condition);
-            out.enter();
-            self.statements(out, body);
-            out.leave();
-            out.origin(outer);
-            head = "} else if";
-        }
+        let words = Words { first: "if", next: "} else if", otherwise: "} else {", end: "}" };
+        let head = |out: &mut Writer, word: &str, condition| self.expressions.condition(out, word, condition);
+        write_branches(out, words, (branches, otherwise), head, |out, body| self.statements(out, body));
         if is_empty(otherwise) {
+            // It is counted all the same.
             self.block();
-        } else {
-            let outer = out.inner_origin(origin_of(otherwise));
-            out.open("} else {");
-            self.statements(out, otherwise);
-            out.leave();
-            out.origin(outer);
         }
-        let outer = out.inner_origin(origin_of_end(branches, otherwise));
-        out.line("}");
-        out.origin(outer);
     }
 }
 
