@@ -9,6 +9,7 @@ pub mod explain;
 pub mod fmt;
 pub mod generate_tests;
 pub mod graph;
+mod graphviz;
 pub mod import;
 pub mod man;
 pub mod new;

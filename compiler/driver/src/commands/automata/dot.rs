@@ -1,6 +1,7 @@
 //! Vertices and arcs for Graphviz.
 
 use super::diagram::Diagram;
+use crate::commands::graphviz::quoted;
 use std::fmt::Write as _;
 
 /// Initial vertices are doubled.
@@ -15,20 +16,5 @@ pub(super) fn dot(diagram: &Diagram) -> String {
         let _ = writeln!(out, "  {} -> {} [label={}];", arc.from, arc.to, quoted(&arc.label));
     }
     out.push_str("}\n");
-    out
-}
-
-/// A string of Graphviz, in which a line break is `\n`.
-fn quoted(text: &str) -> String {
-    let mut out = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '"' => out.push_str("\\\""),
-            '\\' => out.push_str("\\\\"),
-            '\n' => out.push_str("\\n"),
-            c => out.push(c),
-        }
-    }
-    out.push('"');
     out
 }

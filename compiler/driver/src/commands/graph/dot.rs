@@ -1,6 +1,7 @@
 //! The graph for Graphviz.
 
 use super::lines;
+use crate::commands::graphviz::quoted;
 use grafc_verify::Graph;
 use std::fmt::Write as _;
 
@@ -24,29 +25,4 @@ pub fn dot(graph: &Graph) -> String {
     }
     out.push_str("}\n");
     out
-}
-
-/// A string of Graphviz, in which a line break is `\n`.
-fn quoted(text: &str) -> String {
-    let mut out = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '"' => out.push_str("\\\""),
-            '\\' => out.push_str("\\\\"),
-            '\n' => out.push_str("\\n"),
-            c => out.push(c),
-        }
-    }
-    out.push('"');
-    out
-}
-
-#[cfg(test)]
-mod tests {
-    use super::quoted;
-
-    #[test]
-    fn a_text_cannot_end_its_quotes() {
-        assert_eq!(quoted("a \"b\" \\ c\nd"), r#""a \"b\" \\ c\nd""#);
-    }
 }

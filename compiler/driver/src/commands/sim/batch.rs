@@ -41,14 +41,13 @@ pub fn run(args: Arguments, folder: &Path) -> Result<Exit, Failure> {
     let Some(program) = program else { return Ok(report.tell(messages)) };
 
     files::make_folder(&into)?;
-    let mut lanes = Lanes::new(&program);
     for group in traces.chunks(LANES) {
+        let mut lanes = Lanes::new(&program);
         let mut scenarios = Vec::with_capacity(group.len());
         for path in group {
             scenarios.push(Scenario::new(path, &into, &simulation, &mut report)?);
         }
         together(&mut lanes, &program, &mut scenarios)?;
-        lanes = Lanes::new(&program);
         for scenario in scenarios {
             scenario.end(&simulation, &mut report)?;
         }
