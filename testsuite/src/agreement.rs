@@ -1,14 +1,18 @@
 //! What an executor makes of programs against what charts must do: cases against what stands beside them, random charts
 //! against the simulator.
 
-use crate::charts::{Case, check, spell, stimuli};
+use crate::charts::{Case, cases, charts_folder, check, spell, stimuli};
 use crate::compare::{first_difference, report};
 use crate::executors::jobs::Job;
-use crate::random::Drawn;
-use crate::runs::simulate;
+use crate::random::{ChartKind, Drawn, checked, profile, trace};
+use crate::runs::{compile_saved, simulate};
+use crate::ways::exact;
 use grafc_logic::scan::Program;
+use grafc_logic::scan::evaluate::Evaluator;
+use grafc_logic::{Encoding, Options};
 use grafc_model::chart::Chart;
-use grafc_model::reaction::{Profile, Response};
+use grafc_model::reaction::{Evolution, Profile, Response};
+use std::ops::Range;
 
 /// Programs with what must come of them.
 #[derive(Default)]
@@ -49,6 +53,22 @@ impl<'c> Agreement<'c> {
         self.truths.push(Truth::Drawn(drawn, profile));
     }
 
+    /// Random charts of each kind, from these seeds, each in one way that must agree, called so often.
+    ///
+    /// # Panics
+    /// A program cannot be made.
+    pub fn random(&mut self, seeds: Range<u64>, calls: usize) {
+        let kinds = [ChartKind::Hierarchical, ChartKind::Flat, ChartKind::Hierarchical, ChartKind::Plain];
+        for seed in seeds {
+            let drawn = checked(seed, kinds[seed as usize % 4]);
+            let ways = exact(profile(seed));
+            let (_, options) = &ways[seed as usize % ways.len()];
+            let program = compile_saved(&drawn.chart, options).unwrap_or_else(|e| panic!("{seed}: {e}"));
+            let stimuli = trace(seed, &drawn.chart, calls);
+            self.drawn(drawn, profile(seed), Job { program, stimuli });
+        }
+    }
+
     /// How many programs there are.
     pub fn count(&self) -> usize {
         self.jobs.len()
@@ -74,6 +94,56 @@ impl<'c> Agreement<'c> {
         let (wrong, count) = (self.faults.len(), self.jobs.len());
         assert!(self.faults.is_empty(), "{wrong} of {count} fail\n{}", self.faults.join("\n"));
     }
+}
+
+/// Programs that are not to do what charts mean, but what the evaluator makes of them: the r- and s-trigger.
+pub struct AsEvaluated {
+    jobs: Vec<Job>,
+    expected: Vec<Vec<Response>>,
+}
+
+impl AsEvaluated {
+    /// All charts, each in the way that its place asks for.
+    ///
+    /// # Panics
+    /// A program cannot be made.
+    pub fn charts(
+        options: impl Fn(usize, Profile) -> Options,
+        compile: impl Fn(&Chart, &Options) -> Result<Program, String>,
+    ) -> Self {
+        let mut evaluated = AsEvaluated { jobs: Vec::new(), expected: Vec::new() };
+        for (place, case) in cases(&charts_folder()).iter().enumerate() {
+            let chart = check(&case.name, &case.text).expect("a chart without errors");
+            let stimuli = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
+            let program = compile(&chart, &options(place, case.profile)).expect("a scan program");
+            let mut evaluator = Evaluator::new(&program);
+            evaluated.expected.push(stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect());
+            evaluated.jobs.push(Job { program, stimuli });
+        }
+        evaluated
+    }
+
+    /// Runs all of them.
+    ///
+    /// # Panics
+    /// One does something else.
+    pub fn hold(&self, run: impl Fn(&[Job]) -> Vec<Result<Vec<Response>, String>>) {
+        for ((job, expected), actual) in self.jobs.iter().zip(&self.expected).zip(run(&self.jobs)) {
+            assert_eq!(actual.as_ref(), Ok(expected), "{}", job.program.name);
+        }
+    }
+}
+
+/// The r- and s-trigger by turns.
+pub fn triggers(place: usize, profile: Profile) -> Options {
+    let encoding = if place % 2 == 0 { Encoding::RTrigger } else { Encoding::STrigger };
+    Options { profile, encoding, simplify: true }
+}
+
+/// The same, with one micro-step a call in every other pair, and now and then as lowered.
+pub fn triggers_in_all_ways(place: usize, profile: Profile) -> Options {
+    let evolution = if place % 4 < 2 { Evolution::Stable } else { Evolution::Scan };
+    Options { simplify: place % 3 > 0, ..triggers(place, Profile { evolution, ..profile }) }
 }
 
 impl Truth<'_> {

@@ -3,10 +3,9 @@
 //! Needs a Python with awlsim, `python3` or what `AWLSIM_PYTHON` names; without it each test says so and does nothing.
 
 use grafc_backends::awl;
-use grafc_logic::scan::evaluate::Evaluator;
 use grafc_logic::{Encoding, Options};
 use grafc_model::reaction::{Evolution, Profile};
-use grafc_testsuite::agreement::Agreement;
+use grafc_testsuite::agreement::{Agreement, AsEvaluated, triggers_in_all_ways};
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, stimuli, vectors_folder};
 use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::executors::awlsim::{Tools, beyond, play_cycles, run};
@@ -50,22 +49,7 @@ fn charts_agree() {
 #[test]
 fn overlapping_encodings_are_written_as_they_are() {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let mut jobs = Vec::new();
-    let mut expected = Vec::new();
-    for (index, case) in cases(&charts_folder()).iter().enumerate() {
-        let chart = check(&case.name, &case.text).expect("a chart without errors");
-        let stimuli = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
-        let encoding = if index % 2 == 0 { Encoding::RTrigger } else { Encoding::STrigger };
-        let evolution = if index % 4 < 2 { Evolution::Stable } else { Evolution::Scan };
-        let profile = Profile { evolution, ..case.profile };
-        let program = compile(&chart, &Options { profile, encoding, simplify: index % 3 > 0 }).expect("a scan program");
-        let mut evaluator = Evaluator::new(&program);
-        expected.push(stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect::<Vec<_>>());
-        jobs.push(Job { program, stimuli });
-    }
-    for ((job, expected), actual) in jobs.iter().zip(&expected).zip(run(&tools, &jobs)) {
-        assert_eq!(actual.as_ref(), Ok(expected), "{}", job.program.name);
-    }
+    AsEvaluated::charts(triggers_in_all_ways, compile).hold(|jobs| run(&tools, jobs));
 }
 
 /// Charts drawn from seeds, with and without a hierarchy, compared with the simulator call by call.

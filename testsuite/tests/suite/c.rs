@@ -9,11 +9,8 @@ use grafc_testsuite::agreement::Agreement;
 use grafc_testsuite::binary::root;
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, vectors_folder};
 use grafc_testsuite::executors::c::{Tools, run};
-use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::markdown::play;
-use grafc_testsuite::random::{ChartKind, checked, profile, trace};
 use grafc_testsuite::runs::compile_saved;
-use grafc_testsuite::ways::exact;
 use std::fs;
 
 /// Charts in one program.
@@ -47,16 +44,8 @@ fn charts_agree() {
 #[test]
 fn random_charts_agree() {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let kinds = [ChartKind::Hierarchical, ChartKind::Flat, ChartKind::Hierarchical, ChartKind::Plain];
     let mut agreement = Agreement::default();
-    for seed in 5000..5072 {
-        let drawn = checked(seed, kinds[seed as usize % 4]);
-        let ways = exact(profile(seed));
-        let (_, options) = &ways[seed as usize % ways.len()];
-        let program = compile_saved(&drawn.chart, options).unwrap_or_else(|e| panic!("{seed}: {e}"));
-        let stimuli = trace(seed, &drawn.chart, 30);
-        agreement.drawn(drawn, profile(seed), Job { program, stimuli });
-    }
+    agreement.random(5000..5072, 30);
     agreement.hold(BATCH, |jobs| run(&tools, jobs));
 }
 

@@ -110,6 +110,17 @@ fn a_sketch_reads_and_writes_pins() {
     ] {
         assert_eq!(source.lines().filter(|other| *other == line).count(), 1, "{line}\n{source}");
     }
+    let inverted = "level = A3\nbutton = 4 pullup inverted\nlamp = 5 inverted\n";
+    fs::write(folder.path().join("lamp.pins"), inverted).expect("a temporary file");
+    assert_eq!(call(&["--single", "--pins", "lamp.pins", "-o", "inverted/"]), (true, String::new()));
+    let source = fs::read_to_string(folder.path().join("inverted/lamp.ino")).expect("the sketch");
+    for line in [
+        "    digitalWrite(pin_lamp, 1);",
+        "    inputs.button = digitalRead(pin_button) == 0;",
+        "    digitalWrite(pin_lamp, chart.outputs.lamp ? 0 : 1);",
+    ] {
+        assert_eq!(source.lines().filter(|other| *other == line).count(), 1, "{line}\n{source}");
+    }
     let (done, said) = call(&["-o", "other/"]);
     assert!(!done && said.contains("E0507") && said.contains("`level` has no pin"), "{said}");
     fs::write(folder.path().join("lamp.pins"), "level = 2\nvalve = 3\n").expect("a temporary file");

@@ -4,12 +4,12 @@
 use ::grafc::{Options as Asked, Output, Product, compile as compiled};
 use grafc_backends::{Target, js};
 use grafc_diagnostics::FileId;
+use grafc_logic::Options;
 use grafc_logic::scan::Observed;
-use grafc_logic::{Encoding, Options};
-use grafc_testsuite::agreement::Agreement;
+use grafc_model::chart::Chart;
+use grafc_testsuite::agreement::{Agreement, AsEvaluated, triggers};
 use grafc_testsuite::binary::root;
-use grafc_testsuite::charts::{Case, cases, charts_folder, check, stimuli, vectors_folder};
-use grafc_testsuite::executors::jobs::Job;
+use grafc_testsuite::charts::{Case, cases, charts_folder, vectors_folder};
 use grafc_testsuite::executors::js::{Tools, Typescript, run};
 use grafc_testsuite::markdown::play;
 use grafc_testsuite::runs::compile_observed;
@@ -45,20 +45,8 @@ fn charts_agree() {
 #[test]
 fn overlapping_encodings_are_written_as_they_are() {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let (mut jobs, mut expected) = (Vec::new(), Vec::new());
-    for (index, case) in cases(&charts_folder()).iter().enumerate() {
-        let chart = check(&case.name, &case.text).expect("a chart without errors");
-        let stimuli = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
-        let encoding = if index % 2 == 0 { Encoding::RTrigger } else { Encoding::STrigger };
-        let options = Options { profile: case.profile, encoding, simplify: true };
-        let program = compile_observed(&chart, &options, Observed::Transitions).expect("a scan program");
-        let mut evaluator = grafc_logic::scan::evaluate::Evaluator::new(&program);
-        expected.push(stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect::<Vec<_>>());
-        jobs.push(Job { program, stimuli });
-    }
-    for ((job, expected), actual) in jobs.iter().zip(&expected).zip(run(&tools, &jobs)) {
-        assert_eq!(actual.as_ref(), Ok(expected), "{}", job.program.name);
-    }
+    let compile = |chart: &Chart, options: &Options| compile_observed(chart, options, Observed::Transitions);
+    AsEvaluated::charts(triggers, compile).hold(|jobs| run(&tools, jobs));
 }
 
 /// `docs/javascript.md`: its programs do what the page shows.

@@ -3,10 +3,8 @@
 //! Needs `iec2c` and `gcc` on PATH (and MATIEC's library beside `iec2c`, or where MATIEC_LIB says); without them each
 //! test says so and does nothing.
 
-use grafc_logic::scan::evaluate::Evaluator;
 use grafc_logic::{Encoding, Options};
-use grafc_model::reaction::{Evolution, Profile};
-use grafc_testsuite::agreement::Agreement;
+use grafc_testsuite::agreement::{Agreement, AsEvaluated, triggers_in_all_ways};
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
 use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::executors::matiec::{Language, Tools, miscalculates, run};
@@ -54,27 +52,9 @@ fn charts_agree_as_instruction_lists() {
 #[test]
 fn overlapping_encodings_are_written_as_they_are() {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let mut jobs = Vec::new();
-    let mut expected = Vec::new();
-    for (index, case) in cases(&charts_folder()).iter().enumerate() {
-        let chart = check(&case.name, &case.text).expect("a chart without errors");
-        let stimuli = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
-        let (encoding, evolution) = match index % 4 {
-            0 => (Encoding::RTrigger, Evolution::Stable),
-            1 => (Encoding::STrigger, Evolution::Stable),
-            2 => (Encoding::RTrigger, Evolution::Scan),
-            _ => (Encoding::STrigger, Evolution::Scan),
-        };
-        let profile = Profile { evolution, ..case.profile };
-        let program = compile(&chart, &Options { profile, encoding, simplify: index % 3 > 0 }).expect("a scan program");
-        let mut evaluator = Evaluator::new(&program);
-        expected.push(stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect::<Vec<_>>());
-        jobs.push(Job { program, stimuli });
-    }
+    let evaluated = AsEvaluated::charts(triggers_in_all_ways, compile);
     for language in Language::ALL {
-        for ((job, expected), actual) in jobs.iter().zip(&expected).zip(run(&tools, language, &jobs)) {
-            assert_eq!(actual.as_ref(), Ok(expected), "{} {language:?}", job.program.name);
-        }
+        evaluated.hold(|jobs| run(&tools, language, jobs));
     }
 }
 

@@ -3,16 +3,15 @@
 //! Every warning of rustc is a fault. Each chart is also saved and restored on the way, and its clock wraps around.
 
 use grafc_logic::{Encoding, Options};
-use grafc_testsuite::agreement::Agreement;
-use grafc_testsuite::charts::{Case, cases, charts_folder, check, stimuli, vectors_folder};
+use grafc_testsuite::agreement::{Agreement, AsEvaluated, triggers};
+use grafc_testsuite::charts::{Case, cases, charts_folder, check, vectors_folder};
 use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::executors::rust::{Tools, run};
 use grafc_testsuite::random::profile;
-use grafc_testsuite::random::{ChartKind, checked, trace};
+use grafc_testsuite::random::trace;
 use grafc_testsuite::runs::{compile_saved, simulate};
 use grafc_testsuite::scaling::SHAPES;
-use grafc_testsuite::ways::exact;
 
 /// Charts in one program of rustc.
 const BATCH: usize = 100;
@@ -42,16 +41,8 @@ fn charts_agree() {
 #[test]
 fn random_charts_agree() {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let kinds = [ChartKind::Hierarchical, ChartKind::Flat, ChartKind::Hierarchical, ChartKind::Plain];
     let mut agreement = Agreement::default();
-    for seed in 3000..3120 {
-        let drawn = checked(seed, kinds[seed as usize % 4]);
-        let ways = exact(profile(seed));
-        let (_, options) = &ways[seed as usize % ways.len()];
-        let program = compile_saved(&drawn.chart, options).unwrap_or_else(|e| panic!("{seed}: {e}"));
-        let stimuli = trace(seed, &drawn.chart, 30);
-        agreement.drawn(drawn, profile(seed), Job { program, stimuli });
-    }
+    agreement.random(3000..3120, 30);
     agreement.hold(BATCH, |jobs| run(&tools, jobs));
 }
 
@@ -81,19 +72,5 @@ fn large_charts_agree() {
 #[test]
 fn overlapping_encodings_are_written_as_they_are() {
     let Some(tools) = Tools::find_or_skip() else { return };
-    let mut jobs = Vec::new();
-    let mut expected = Vec::new();
-    for (index, case) in cases(&charts_folder()).iter().enumerate() {
-        let chart = check(&case.name, &case.text).expect("a chart without errors");
-        let stimuli = stimuli(&case.name, &case.trace, &chart).expect("a trace without errors");
-        let encoding = if index % 2 == 0 { Encoding::RTrigger } else { Encoding::STrigger };
-        let options = Options { profile: case.profile, encoding, simplify: true };
-        let program = compile_saved(&chart, &options).expect("a scan program");
-        let mut evaluator = grafc_logic::scan::evaluate::Evaluator::new(&program);
-        expected.push(stimuli.iter().map(|stimulus| evaluator.react(stimulus)).collect::<Vec<_>>());
-        jobs.push(Job { program, stimuli });
-    }
-    for ((job, expected), actual) in jobs.iter().zip(&expected).zip(run(&tools, &jobs)) {
-        assert_eq!(actual.as_ref(), Ok(expected), "{}", job.program.name);
-    }
+    AsEvaluated::charts(triggers, compile_saved).hold(|jobs| run(&tools, jobs));
 }

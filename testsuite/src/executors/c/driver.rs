@@ -68,6 +68,8 @@ pub(super) fn write(index: usize, program: &Program, names: &CNames, stimuli: &[
     {chart}_inputs inputs;
     size_t row;
 
+    /* Memory is what it is: nothing in it may be relied on. */
+    memset(&chart, 0xA5, sizeof chart);
     {chart}_init(&chart);
     {chart}_init_inputs(&inputs);
     for (row = 0; row < {}; row++) {{
