@@ -9,6 +9,8 @@ pub enum Beyond {
     Input(String),
     /// The time that a step has been active is used otherwise than in a comparison with a constant.
     Duration(String),
+    /// A real number counts where numbers are whole.
+    Real(String),
 }
 
 impl fmt::Display for Beyond {
@@ -17,6 +19,7 @@ impl fmt::Display for Beyond {
             Beyond::Input(name) => {
                 write!(f, "the number `{name}` is stored or calculated with, not only compared with what is known")
             }
+            Beyond::Real(name) => write!(f, "`{name}` is a real number, and a circuit has whole numbers alone"),
             Beyond::Duration(name) => write!(f, "the duration `{name}` is not only compared with constants"),
         }
     }

@@ -1,13 +1,12 @@
 //! Inputs that agree with the answers of a way.
 
-use crate::atom::Atom;
-use crate::atom::is_whole;
+use crate::atom::{Atom, Bound, Question, is_whole};
 use crate::clocks::constant;
 use crate::goal::Answers;
 use crate::pack;
 use grafc_formula::{Formula, FormulaId, Type, Value, VarId};
 use grafc_logic::scan::{Program, Role, Statement, Variable};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The inputs of a program, in order of declaration.
 pub(crate) fn inputs(program: &Program) -> impl Iterator<Item = (VarId, &Variable)> {
@@ -93,6 +92,24 @@ pub(crate) fn computed(program: &Program) -> BTreeSet<VarId> {
     }
     found.retain(|v| program.variables[*v].ty != Type::Bool && is_whole(program.variables[*v].ty));
     found
+}
+
+/// Where the values of numbers are parted that are given and only compared with what is known.
+pub(crate) fn bounds(program: &Program) -> BTreeMap<VarId, BTreeSet<Bound>> {
+    let computed = computed(program);
+    let mut bounds: BTreeMap<VarId, BTreeSet<Bound>> = BTreeMap::new();
+    for id in program.pool.ids() {
+        let Formula::Compare(op, [a, b]) = *program.pool.get(id) else { continue };
+        for (side, other, op) in [(a, b, op), (b, a, op.mirrored())] {
+            let (Some(v), Some(value)) = (given(program, side), constant(program, other)) else { continue };
+            let ty = program.variables[v].ty;
+            if ty != Type::Bool && !computed.contains(&v) && !matches!(value, Value::Real(x) if x.is_nan()) {
+                let Question { from, to, .. } = Question::new(op, ty, value);
+                bounds.entry(v).or_default().extend(from.into_iter().chain(to));
+            }
+        }
+    }
+    bounds
 }
 
 /// The input that a formula is, perhaps as another type.

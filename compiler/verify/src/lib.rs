@@ -28,6 +28,7 @@
 //! | `claim`, `claimed`, `goal` | what is claimed, how the program computes it, and what engines look for |
 //! | `explicit`, `edges` | the engine that looks at one state after the other |
 //! | `symbolic` | the engine that looks at all states at once |
+//! | `sat` | the engine that asks a solver of clauses |
 //! | `times`, `timed`, `zone` | real times for a way, and the search in real times |
 //! | `inputs`, `trace`, `replay` | a trace, and whether the reference simulator does what it shows |
 //! | `verify` | the claims with their answers |
@@ -53,6 +54,7 @@ mod machine;
 mod moves;
 mod pack;
 mod replay;
+mod sat;
 mod symbolic;
 mod timed;
 mod times;

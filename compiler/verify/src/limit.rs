@@ -13,6 +13,8 @@ pub enum Limit {
     Nodes,
     /// A number counts on for longer than is followed.
     Numbers,
+    /// Neither a way that is near nor a proof was found.
+    Depth,
     /// The time is over.
     Time,
     /// Somebody interrupted it.
@@ -28,6 +30,7 @@ impl fmt::Display for Limit {
             Limit::Paths => "there are more paths of inputs than are walked",
             Limit::Nodes => "the diagrams take more nodes than are kept",
             Limit::Numbers => "a number counts on for longer than is followed, and may be what it takes",
+            Limit::Depth => "neither a way that is near nor a proof by induction was found",
             Limit::Time => "the time is over",
             Limit::Interrupted => "interrupted",
             Limit::Enough => "all that was looked for was found",

@@ -9,6 +9,7 @@ use crate::inputs::{agreeing, computed, inputs};
 use crate::limit::Limit;
 use crate::machine::{End, Machine};
 use crate::replay::replays;
+use crate::sat::Sat;
 use crate::symbolic::Symbolic;
 use crate::timed::{self, Wanted};
 use crate::times::walk;
@@ -32,13 +33,15 @@ pub struct Subject<'s> {
 /// Which engines look.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Method {
-    /// One state after the other, and where there are too many, all at once.
+    /// One state after the other, and where there are too many, all at once and by clauses.
     #[default]
     Auto,
     /// One state after the other.
     Explicit,
     /// All at once, as decision diagrams.
     Symbolic,
+    /// By a solver of clauses: a walk that it leads, induction, bounded search.
+    Sat,
 }
 
 /// The answer to a claim.
@@ -160,7 +163,7 @@ fn by(engine: &mut dyn Engine, goals: &[Goal], stop: Stop) -> Result<Findings, B
     Ok(Findings { of, searched: engine.searched(), barred: engine.barred().cloned() })
 }
 
-/// First one state after the other; where there are too many, all at once; and where that is too much, many.
+/// First one state after the other; where there are too many, all at once, and by clauses; and where that is too much, many.
 fn findings<'s>(
     subject: Subject<'s>,
     one_by_one: &mut Explicit<'s>,
@@ -175,11 +178,28 @@ fn findings<'s>(
     let open = |few: &Findings| -> Vec<usize> {
         (0..goals.len()).filter(|place| matches!(few.of[*place], Finding::Open(_))).collect()
     };
+    let sought = |places: &[usize]| -> Vec<Goal> { places.iter().map(|place| goals[*place]).collect() };
+    // Most of what is easy is known soon by clauses; a way that is found at once is shorter. There are other ways than those
+    // that no times allow.
+    let mut longer: Vec<(usize, Finding)> = Vec::new();
+    let mut places = open(&few);
+    places.extend(untimed(subject.program, goals, &few.of)?);
+    places.sort_unstable();
+    if let Ok(soon) = by(&mut Sat::in_short(subject.program), &sought(&places), stop) {
+        for (place, finding) in places.into_iter().zip(soon.of) {
+            match finding {
+                Finding::Never | Finding::Happens => few.of[place] = finding,
+                Finding::Met(_) if matches!(few.of[place], Finding::Met(_)) => few.of[place] = finding,
+                Finding::Met(_) => longer.push((place, finding)),
+                Finding::Open(_) => {}
+            }
+        }
+    }
     let places = open(&few);
-    let sought: Vec<Goal> = places.iter().map(|place| goals[*place]).collect();
-    let mut at_once = Symbolic::new(subject.program);
-    // What it cannot follow, the other engine may.
-    let is_enough = match by(&mut at_once, &sought, stop) {
+    let mut by_clauses = Sat::new(subject.program);
+    let mut at_once = Symbolic::aided(subject.program, &mut by_clauses);
+    // What it cannot follow, the other engines may.
+    let is_enough = match by(&mut at_once, &sought(&places), stop) {
         Ok(all) => {
             let is_enough = !matches!(all.searched.limit, Some(Limit::Nodes | Limit::Paths));
             places.into_iter().zip(all.of).for_each(|(place, finding)| few.of[place] = finding);
@@ -190,7 +210,21 @@ fn findings<'s>(
         }
         Err(_) => false,
     };
-    if !is_enough {
+    let places = open(&few);
+    if !is_enough
+        && !by_clauses.was_asked
+        && let Ok(more) = by(&mut by_clauses, &sought(&places), stop)
+    {
+        places.into_iter().zip(more.of).for_each(|(place, finding)| few.of[place] = finding);
+    }
+    for (place, finding) in longer {
+        if matches!(few.of[place], Finding::Open(_)) {
+            few.of[place] = finding;
+        }
+    }
+    if !is_enough && open(&few).is_empty() {
+        few.searched.limit = Some(Limit::Enough);
+    } else if !is_enough {
         *one_by_one = Explicit::new(subject.program, MANY)?;
         let many = by(one_by_one, goals, stop)?;
         for (finding, other) in few.of.iter_mut().zip(many.of) {
@@ -203,6 +237,21 @@ fn findings<'s>(
     Ok(few)
 }
 
+/// The facts that were met along ways which no times allow.
+fn untimed(program: &Program, goals: &[Goal], found: &[Finding]) -> Result<Vec<usize>, Beyond> {
+    let mut machine = Machine::by_bits(program)?;
+    let mut places = Vec::new();
+    for (place, finding) in found.iter().enumerate() {
+        if let (Finding::Met(way), Goal::Fact(_)) = (finding, goals[place])
+            && !program.timers.is_empty()
+            && walk(&mut machine, way)?.times.is_none()
+        {
+            places.push(place);
+        }
+    }
+    Ok(places)
+}
+
 fn answers(subject: Subject, method: Method, goals: &[Goal], stop: Stop) -> Result<Answers, Beyond> {
     let size = if method == Method::Auto { few(subject.program) } else { MANY };
     let mut engine = Explicit::new(subject.program, size)?;
@@ -210,6 +259,7 @@ fn answers(subject: Subject, method: Method, goals: &[Goal], stop: Stop) -> Resu
         Method::Auto => findings(subject, &mut engine, goals, stop)?,
         Method::Explicit => by(&mut engine, goals, stop)?,
         Method::Symbolic => by(&mut Symbolic::new(subject.program), goals, stop)?,
+        Method::Sat => by(&mut Sat::new(subject.program), goals, stop)?,
     };
     let mut shown = Shown { subject, machine: Machine::by_bits(subject.program)? };
     let mut found = Vec::with_capacity(goals.len());
@@ -229,6 +279,16 @@ fn answers(subject: Subject, method: Method, goals: &[Goal], stop: Stop) -> Resu
             },
         });
     }
+    let mut is_shown = by_walks(subject.program, goals, &untimed, stop);
+    for (place, finding) in untimed.iter().zip(&is_shown) {
+        found[*place] = match finding {
+            Finding::Happens => Found::Happens,
+            Finding::Met(way) => shown.trace(goals[*place], way)?,
+            Finding::Never | Finding::Open(_) => continue,
+        };
+    }
+    let mut is_left = is_shown.drain(..).map(|finding| matches!(finding, Finding::Never | Finding::Open(_)));
+    untimed.retain(|_| is_left.next().unwrap_or(true));
     if !untimed.is_empty() {
         let wanted = |place: &usize| Wanted { goal: goals[*place], states: engine.states_that_meet(goals[*place]) };
         let wanted: Vec<Wanted> = untimed.iter().map(wanted).collect();
@@ -245,6 +305,16 @@ fn answers(subject: Subject, method: Method, goals: &[Goal], stop: Stop) -> Resu
     let barred =
         barred.map(|way| if way.is_empty() { Ok(Trace::default()) } else { shown.barred(&way) }).transpose()?;
     Ok(Answers { found, searched, barred })
+}
+
+/// What walks in real times show of goals; nothing, if they cannot be walked.
+fn by_walks(program: &Program, goals: &[Goal], places: &[usize], stop: Stop) -> Vec<Finding> {
+    let sought: Vec<Goal> = places.iter().map(|place| goals[*place]).collect();
+    let nothing = || sought.iter().map(|_| Finding::Open(Reason::Delays)).collect();
+    if !sought.iter().any(|goal| matches!(goal, Goal::Fact(_))) {
+        return nothing();
+    }
+    Sat::that_walks(program).find(&sought, stop).unwrap_or_else(|_| nothing())
 }
 
 /// Makes traces of ways.

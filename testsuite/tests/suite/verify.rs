@@ -129,10 +129,17 @@ fn all_replay(name: &str, chart: &Chart, profile: Profile, verified: &Verified) 
 
 /// Every answer is the one that trying everything gives.
 #[track_caller]
-fn agree(name: &str, text: &str, chart: &Chart, profile: Profile) -> Option<usize> {
+fn agree(name: &str, text: &str, chart: &Chart, profile: Profile, decided: &mut Decided) -> Option<usize> {
     let (_, expected) = enumerate(chart, profile, 300)?;
-    let by = |method| as_expected(name, text, chart, profile, method, &expected);
-    Some(by(Method::Explicit) + by(Method::Symbolic))
+    let mut by = |method| as_expected(name, text, chart, profile, method, &expected, decided);
+    Some(by(Method::Explicit) + by(Method::Symbolic) + by(Method::Sat) + by(Method::Auto))
+}
+
+/// Of what is asked of micro-steps, how much the solver of clauses answers, and how much it leaves open.
+#[derive(Default)]
+struct Decided {
+    answered: usize,
+    open: usize,
 }
 
 fn as_expected(
@@ -142,6 +149,7 @@ fn as_expected(
     profile: Profile,
     method: Method,
     expected: &Everywhere,
+    decided: &mut Decided,
 ) -> usize {
     let verified = verified_by(chart, profile, method);
     let seen = &expected.sights;
@@ -163,9 +171,17 @@ fn as_expected(
         let is_as_expected = match &verdict.answer {
             Answer::Holds => !fails,
             Answer::Fails(trace) => fails && trace.is_none() == matches!(kind, Kind::DeadTransition | Kind::DeadStep),
-            // A reaction that counts up without end is followed by one engine alone.
-            Answer::Open(reason) => method == Method::Symbolic && matches!(reason, Reason::Limit(_)),
+            // A reaction that counts up without end is followed by one engine alone, and what can still be reached by two.
+            Answer::Open(reason) => {
+                matches!(method, Method::Symbolic | Method::Sat) && matches!(reason, Reason::Limit(_))
+            }
         };
+        if method == Method::Sat && !matches!(kind, Kind::Deadlock | Kind::Home) {
+            match verdict.answer {
+                Answer::Holds | Answer::Fails(_) => decided.answered += 1,
+                Answer::Open(_) => decided.open += 1,
+            }
+        }
         assert!(
             is_as_expected,
             "{name} {method:?} {profile:?}: {} is {:?}\n{text}",
@@ -182,32 +198,38 @@ fn as_expected(
 
 #[test]
 fn charts_and_vectors_have_the_answers_that_trying_everything_gives() {
-    let mut compared = 0;
+    let (mut compared, mut decided) = (0, Decided::default());
     for folder in [charts_folder(), vectors_folder()] {
         for case in cases(&folder) {
             let chart = check(&case.name, &case.text).expect("a chart without errors");
-            if is_plain(&chart, 5) && agree(&case.name, &case.text, &chart, case.profile).is_some() {
+            if is_plain(&chart, 5) && agree(&case.name, &case.text, &chart, case.profile, &mut decided).is_some() {
                 compared += 1;
             }
         }
     }
-    say(&format!("{compared} charts and vectors compared"));
+    let Decided { answered, open } = decided;
+    say(&format!("{compared} charts and vectors compared; by clauses {answered} answers, {open} open"));
     assert!(compared > 30, "{compared} were compared");
+    assert!(answered > 50 * open, "by clauses {answered} answers, {open} open");
 }
 
 #[test]
 fn random_boolean_charts_have_the_answers_that_trying_everything_gives() {
-    let (mut compared, mut traces) = (0, 0);
+    let (mut compared, mut traces, mut decided) = (0, 0, Decided::default());
     for seed in 0..if cfg!(debug_assertions) { 120 } else { 2_000 } {
         let drawn = checked(seed, ChartKind::Boolean);
         let evolution = if seed % 4 == 0 { Evolution::Scan } else { Evolution::Stable };
         let profile = Profile { evolution, initial_actions: seed % 3 != 0, ..Profile::default() };
-        if let Some(count) = agree(&format!("seed {seed}"), &drawn.text, &drawn.chart, profile) {
+        if let Some(count) = agree(&format!("seed {seed}"), &drawn.text, &drawn.chart, profile, &mut decided) {
             (compared, traces) = (compared + 1, traces + count);
         }
     }
-    say(&format!("{compared} random charts compared, {traces} traces replayed"));
+    let Decided { answered, open } = decided;
+    say(&format!(
+        "{compared} random charts compared, {traces} traces replayed; by clauses {answered} answers, {open} open"
+    ));
     assert!(compared > 80 && traces > 80, "{compared} were compared, {traces} replayed");
+    assert!(answered > 50 * open, "by clauses {answered} answers, {open} open");
 }
 
 /// Twelve rings of ten steps, each moved on by the edge of an input: 10^12 situations, and whether each input was true.

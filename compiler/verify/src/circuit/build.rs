@@ -8,6 +8,7 @@ use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Type, Value, VarId}
 use grafc_logic::scan::{ClaimKind, Division, Flag, Program, Role, SeenBody, Statement};
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// A program as a circuit.
@@ -84,7 +85,7 @@ impl fmt::Display for Beyond {
 
 /// What a variable holds.
 #[derive(Clone, PartialEq, Debug)]
-enum Held {
+pub(super) enum Held {
     Bool(Literal),
     Number(Bits),
     /// A real: it may be there as long as nothing asks for it.
@@ -103,35 +104,31 @@ struct Phase {
 /// # Errors
 /// What has no circuit.
 pub fn circuit(program: &Program) -> Result<Circuit, Beyond> {
-    let clocks = Clocks::new(program).map_err(|beyond| match beyond {
-        crate::Beyond::Input(name) | crate::Beyond::Duration(name) => Beyond::Duration(name),
-    })?;
-    let mut builder = Builder {
-        program,
-        clocks,
-        graph: Graph::default(),
-        inputs: Vec::new(),
-        kept: Vec::new(),
-        names: FxHashSet::default(),
-        values: IndexVec::new(),
-        timers: IndexVec::new(),
-    };
-    builder.build()
+    let mut builder = Builder::new(program)?;
+    let begins = builder.begin()?;
+    builder.run(&program.first, begins)?;
+    builder.run(&program.before, begins)?;
+    builder.run(&program.micro_step, Literal::TRUE)?;
+    let (again, situation) = (builder.again(), builder.situation()?);
+    builder.run(&program.after, !again)?;
+    Ok(builder.end(begins, again, situation))
 }
 
 /// A latch whose next value is not known yet.
-struct Kept {
+pub(super) struct Kept {
     name: String,
     initial: bool,
-    now: Literal,
-    of: Of,
+    pub(super) now: Literal,
+    pub(super) of: Of,
 }
 
 /// What a latch is of.
 #[derive(Clone, Copy)]
-enum Of {
+pub(super) enum Of {
     /// Whether the chart rests.
     Rest,
+    /// Whether there was a clock before.
+    Begun,
     /// A bit of a variable.
     Variable(VarId, usize),
     /// Whether a timer runs.
@@ -140,19 +137,45 @@ enum Of {
     Passed(TimerId, usize),
 }
 
-struct Builder<'p> {
-    program: &'p Program,
-    clocks: Clocks,
-    graph: Graph,
+/// Makes a circuit, section by section of a call.
+pub(super) struct Builder<'p> {
+    pub(super) program: &'p Program,
+    pub(super) clocks: Clocks,
+    pub(super) graph: Graph,
     inputs: Vec<Given>,
-    kept: Vec<Kept>,
+    pub(super) kept: Vec<Kept>,
     names: FxHashSet<String>,
-    values: IndexVec<VarId, Held>,
+    pub(super) values: IndexVec<VarId, Held>,
     timers: IndexVec<TimerId, Phase>,
+    /// What is given for an input.
+    pub(super) given: Vec<(VarId, Held)>,
+    /// Whether what measures an operand has run for so long, at the begin of a call.
+    pub(super) ends: BTreeMap<(usize, i64), Literal>,
 }
 
-impl Builder<'_> {
-    fn build(&mut self) -> Result<Circuit, Beyond> {
+impl<'p> Builder<'p> {
+    pub(super) fn new(program: &'p Program) -> Result<Self, Beyond> {
+        let clocks = Clocks::new(program).map_err(|beyond| match beyond {
+            crate::Beyond::Input(name) | crate::Beyond::Duration(name) | crate::Beyond::Real(name) => {
+                Beyond::Duration(name)
+            }
+        })?;
+        Ok(Builder {
+            program,
+            clocks,
+            graph: Graph::default(),
+            inputs: Vec::new(),
+            kept: Vec::new(),
+            names: FxHashSet::default(),
+            values: IndexVec::new(),
+            timers: IndexVec::new(),
+            given: Vec::new(),
+            ends: BTreeMap::new(),
+        })
+    }
+
+    /// What stands before a clock, with the inputs and the time of a call where one begins.
+    pub(super) fn begin(&mut self) -> Result<Literal, Beyond> {
         let program = self.program;
         let begins = self.latch("rests".to_string(), true, Of::Rest);
         self.values = program.variables.iter().map(|v| self.initial(v.ty, v.initial)).collect();
@@ -166,22 +189,27 @@ impl Builder<'_> {
         for (v, variable) in program.of_role(Role::Input) {
             if let Held::Bool(_) | Held::Number(_) = self.values[v] {
                 let taken = self.taken(variable.name.as_str(), variable.ty);
+                self.given.push((v, taken.clone()));
                 self.keep(v, taken, begins)?;
             }
         }
         self.time_goes_on(begins);
+        Ok(begins)
+    }
 
-        self.run(&program.first, begins)?;
-        self.run(&program.before, begins)?;
-        self.run(&program.micro_step, Literal::TRUE)?;
-        let again = match program.repeat {
-            Some(repeat) => self.bool_of(repeat.again),
-            None => Literal::FALSE,
-        };
-        let situation =
-            program.steps.iter().map(|step| self.truth(step.active)).collect::<Result<Vec<Literal>, Beyond>>()?;
-        self.run(&program.after, !again)?;
+    /// Whether another micro-step is needed.
+    pub(super) fn again(&self) -> Literal {
+        self.program.repeat.map_or(Literal::FALSE, |repeat| self.bool_of(repeat.again))
+    }
 
+    /// Whether each step is active.
+    pub(super) fn situation(&mut self) -> Result<Vec<Literal>, Beyond> {
+        self.program.steps.iter().map(|step| self.truth(step.active)).collect()
+    }
+
+    /// After all sections.
+    pub(super) fn end(&mut self, begins: Literal, again: Literal, situation: Vec<Literal>) -> Circuit {
+        let program = self.program;
         let outputs = program.of_role(Role::Output).map(|(v, _)| match &self.values[v] {
             Held::Bool(literal) => vec![*literal],
             Held::Number(bits) => bits.clone(),
@@ -193,6 +221,7 @@ impl Builder<'_> {
         let latches = kept.into_iter().map(|kept| {
             let next = match kept.of {
                 Of::Rest => !again,
+                Of::Begun => Literal::TRUE,
                 Of::Variable(v, bit) => self.bit(v, bit),
                 Of::Timer(t) => self.timers[t].on,
                 Of::Passed(t, place) => self.timers[t].passed[place],
@@ -200,7 +229,7 @@ impl Builder<'_> {
             Latch { name: kept.name, initial: kept.initial, now: kept.now, next }
         });
         let latches = latches.collect();
-        Ok(Circuit {
+        Circuit {
             name: program.name.clone(),
             latches,
             graph: std::mem::take(&mut self.graph),
@@ -210,7 +239,7 @@ impl Builder<'_> {
             outputs,
             assumed,
             bad,
-        })
+        }
     }
 
     /// What is assumed of each call, and what is broken after a clock: assertions where the chart rests, and conflicts.
@@ -272,7 +301,7 @@ impl Builder<'_> {
         name
     }
 
-    fn latch(&mut self, name: String, initial: bool, of: Of) -> Literal {
+    pub(super) fn latch(&mut self, name: String, initial: bool, of: Of) -> Literal {
         let name = self.named(name);
         let now = self.graph.given();
         self.kept.push(Kept { name, initial, now, of });
@@ -334,7 +363,6 @@ impl Builder<'_> {
         for (t, operand) in self.clocks.operand.iter_enumerated() {
             times.entry(*operand).or_default().extend(&self.clocks.times[t]);
         }
-        let mut ends: FxHashMap<(usize, i64), Literal> = FxHashMap::default();
         let mut operands: Vec<(usize, Vec<i64>)> = times.into_iter().collect();
         operands.sort_unstable();
         for (operand, mut times) in operands {
@@ -344,13 +372,13 @@ impl Builder<'_> {
             for ms in times.into_iter().rev() {
                 let ends_now = self.input(format!("delay {operand} ends after {ms}ms"));
                 longer = self.graph.or(longer, ends_now);
-                ends.insert((operand, ms), longer);
+                self.ends.insert((operand, ms), longer);
             }
         }
         for t in self.program.timers.indices() {
             let operand = self.clocks.operand[t];
             for place in 0..self.clocks.times[t].len() {
-                let ends = ends[&(operand, self.clocks.times[t][place])];
+                let ends = self.ends[&(operand, self.clocks.times[t][place])];
                 let phase = &self.timers[t];
                 let now = self.graph.all([begins, phase.on, ends]);
                 self.timers[t].passed[place] = self.graph.or(self.timers[t].passed[place], now);
@@ -358,7 +386,7 @@ impl Builder<'_> {
         }
     }
 
-    fn bool_of(&self, v: VarId) -> Literal {
+    pub(super) fn bool_of(&self, v: VarId) -> Literal {
         match &self.values[v] {
             Held::Bool(literal) => *literal,
             Held::Number(_) | Held::Unknown => unreachable!("{} is Boolean", self.program.variables[v].name),
@@ -392,7 +420,7 @@ impl Builder<'_> {
     }
 
     /// Statements nest no deeper than lowering nests them, whatever the chart.
-    fn run(&mut self, statements: &[Statement], reached: Literal) -> Result<(), Beyond> {
+    pub(super) fn run(&mut self, statements: &[Statement], reached: Literal) -> Result<(), Beyond> {
         for statement in statements {
             match statement {
                 Statement::Heading(_) => {}

@@ -16,6 +16,7 @@
 //! | `graph` | conjunctions of two and negations |
 //! | `numbers` | whole numbers as bits |
 //! | `build` | the statements of a call, symbolically |
+//! | `watched` | what engines of our own look for in it |
 //! | `aiger`, `smv` | the circuit as text for other tools |
 
 mod aiger;
@@ -23,8 +24,10 @@ mod build;
 mod graph;
 mod numbers;
 mod smv;
+mod watched;
 
 pub use aiger::aiger;
 pub use build::{Bad, Beyond, Circuit, Given, Latch, circuit};
 pub use graph::{Graph, Literal, Node, of};
 pub use smv::smv;
+pub(crate) use watched::{Watched, watched};

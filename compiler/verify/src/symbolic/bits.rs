@@ -2,14 +2,14 @@
 
 use super::order;
 use super::sets::Halt;
-use crate::atom::{Atom, Bound, Question, is_whole};
+use crate::atom::{Atom, Bound, is_whole};
 use crate::beyond::Beyond;
-use crate::clocks::{Clocks, constant};
-use crate::inputs::{computed, given};
+use crate::clocks::Clocks;
+use crate::inputs::{bounds, computed};
 use crate::live::Live;
 use crate::pack;
 use biodivine_lib_bdd::{Bdd, BddVariable, BddVariableSet};
-use grafc_formula::{Formula, FormulaId, TimerId, Type, Value, VarId};
+use grafc_formula::{Formula, FormulaId, TimerId, Type, VarId};
 use grafc_logic::scan::{Program, Role, State, Statement, TransitionId};
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -92,7 +92,6 @@ impl Bits {
             let width = width(program.variables[*v].ty).ok_or_else(|| beyond(program, *v))?;
             wanted.extend((0..width).map(|bit| Wanted::Asked(Atom::Bit(*v, bit))));
         }
-        let mut bounds: BTreeMap<VarId, BTreeSet<Bound>> = BTreeMap::new();
         for id in program.pool.ids() {
             if let Formula::Variable(v) = program.pool.get(id)
                 && program.variables[*v].role == Role::Input
@@ -100,16 +99,8 @@ impl Bits {
             {
                 wanted.insert(Wanted::Asked(Atom::Holds(*v)));
             }
-            let Formula::Compare(op, [a, b]) = *program.pool.get(id) else { continue };
-            for (side, other, op) in [(a, b, op), (b, a, op.mirrored())] {
-                let (Some(v), Some(value)) = (given(program, side), constant(program, other)) else { continue };
-                let ty = program.variables[v].ty;
-                if ty != Type::Bool && !computed.contains(&v) && !matches!(value, Value::Real(x) if x.is_nan()) {
-                    let Question { from, to, .. } = Question::new(op, ty, value);
-                    bounds.entry(v).or_default().extend(from.into_iter().chain(to));
-                }
-            }
         }
+        let bounds = bounds(program);
         for (v, bounds) in &bounds {
             wanted.extend(bounds.iter().map(|bound| Wanted::Asked(Atom::AtLeast(*v, *bound))));
         }

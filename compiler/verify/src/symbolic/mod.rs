@@ -62,6 +62,8 @@ const MOST_WIDE: usize = 10_000_000;
 /// The engine.
 pub(crate) struct Symbolic<'p> {
     program: &'p Program,
+    /// Asked for what happens or not before all states are looked for to the end.
+    aid: Option<&'p mut dyn Engine>,
     searched: Searched,
     barred: Option<Way>,
     findings: FxHashMap<Goal, Finding>,
@@ -71,7 +73,12 @@ impl<'p> Symbolic<'p> {
     /// For a program that shows its transitions.
     pub(crate) fn new(program: &'p Program) -> Self {
         let searched = Searched { states: 0.0, limit: Some(Limit::Nodes) };
-        Symbolic { program, searched, barred: None, findings: FxHashMap::default() }
+        Symbolic { program, aid: None, searched, barred: None, findings: FxHashMap::default() }
+    }
+
+    /// With another engine, which is asked for facts where it takes long to know all states.
+    pub(crate) fn aided(program: &'p Program, aid: &'p mut dyn Engine) -> Self {
+        Symbolic { aid: Some(aid), ..Symbolic::new(program) }
     }
 
     /// Finds what it can; what is found before a limit is hit is kept.
@@ -94,8 +101,11 @@ impl<'p> Symbolic<'p> {
                 Ok(()) | Err(Halt::Limit(Limit::Nodes)) => {}
                 Err(other) => return Err(other),
             }
+            self.ask_aid(goals, sets);
+            unseen.retain(|fact| !self.findings.contains_key(&Goal::Fact(*fact)));
             let left: Vec<Goal> = goals.iter().filter(|goal| !self.findings.contains_key(goal)).copied().collect();
-            if left.is_empty() {
+            // Where inputs may be missing, it must be known whether that is in a state that there is.
+            if left.is_empty() && sets.exists(&found.relation.allowed, &found.relation.asked)?.is_true() {
                 self.searched.limit = Some(Limit::Enough);
                 return Ok(());
             }
@@ -153,6 +163,17 @@ impl<'p> Symbolic<'p> {
 }
 
 impl Symbolic<'_> {
+    /// What the other engine finds of facts.
+    fn ask_aid(&mut self, goals: &[Goal], sets: &mut Sets) {
+        let is_open = |goal: &&Goal| matches!(goal, Goal::Fact(_)) && !self.findings.contains_key(goal);
+        let left: Vec<Goal> = goals.iter().filter(is_open).copied().collect();
+        let Some(aid) = self.aid.take().filter(|_| !left.is_empty()) else { return };
+        // What it cannot follow it leaves.
+        let Ok(found) = aid.find(&left, sets.stop()) else { return };
+        let decided = left.into_iter().zip(found).filter(|(_, finding)| !matches!(finding, Finding::Open(_)));
+        self.findings.extend(decided);
+    }
+
     /// Part by part it is soon known what never happens.
     fn by_parts(
         &mut self,

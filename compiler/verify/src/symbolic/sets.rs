@@ -37,6 +37,11 @@ impl<'s> Sets<'s> {
         Sets { stop, depth: 0, most, work: 0 }
     }
 
+    /// Whether to go on, for somebody else to ask.
+    pub(crate) fn stop(&mut self) -> Stop<'_> {
+        self.stop
+    }
+
     fn kept(&mut self, made: Option<Bdd>) -> Result<Bdd, Halt> {
         let made = made.filter(|made| made.size() <= self.most).ok_or(Halt::Limit(Limit::Nodes))?;
         self.work = self.work.saturating_add(made.size());
