@@ -25,6 +25,8 @@ pub mod plcopen;
 pub mod rust;
 mod s7;
 pub mod scl;
+mod sequence;
+pub mod sfc;
 pub mod st;
 mod target;
 pub mod tcpou;

@@ -121,6 +121,7 @@ impl Target {
     /// Whether it writes the statements of a scan program, and not a sequential function chart.
     pub fn writes_statements(&self) -> bool {
         match self {
+            Target::Sfc(_) => false,
             Target::Plcopen(options) => options.body != crate::plcopen::Body::Sfc,
             Target::St(_)
             | Target::Il(_)
@@ -140,6 +141,7 @@ impl Target {
             Target::Rust(_) | Target::Js(_) | Target::C(_) => true,
             Target::St(_)
             | Target::Il(_)
+            | Target::Sfc(_)
             | Target::Awl(_)
             | Target::Plcopen(_)
             | Target::Scl(_)
@@ -155,6 +157,7 @@ impl Target {
             Target::C(_)
             | Target::St(_)
             | Target::Il(_)
+            | Target::Sfc(_)
             | Target::Awl(_)
             | Target::Plcopen(_)
             | Target::Scl(_)
@@ -172,6 +175,7 @@ impl Target {
             Target::C(_)
             | Target::St(_)
             | Target::Il(_)
+            | Target::Sfc(_)
             | Target::Awl(_)
             | Target::Plcopen(_)
             | Target::Scl(_)
@@ -188,6 +192,7 @@ impl Target {
             Target::C(options) => options.include = Some(name.to_owned()),
             Target::St(_)
             | Target::Il(_)
+            | Target::Sfc(_)
             | Target::Awl(_)
             | Target::Plcopen(_)
             | Target::Scl(_)
@@ -206,6 +211,7 @@ impl Target {
             | Target::C(_)
             | Target::St(_)
             | Target::Il(_)
+            | Target::Sfc(_)
             | Target::Awl(_)
             | Target::Plcopen(_)
             | Target::Scl(_)
@@ -220,6 +226,8 @@ targets! {
     St => st,
     /// IEC 61131-3 instruction list.
     Il => il,
+    /// An IEC 61131-3 sequential function chart in text.
+    Sfc => sfc,
     /// Siemens STL.
     Awl => awl,
     /// A PLCopen XML project.

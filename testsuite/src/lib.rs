@@ -22,6 +22,7 @@ pub mod markdown;
 pub mod mutants;
 pub mod named_trace;
 pub mod net_steps;
+pub mod outline;
 pub mod plants;
 pub mod plcopen_lint;
 pub mod plcopen_sheet;

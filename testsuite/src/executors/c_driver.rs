@@ -11,8 +11,8 @@ use std::fmt::Write as _;
 pub(crate) struct Runtime {
     /// What stands before all drivers.
     pub head: &'static str,
-    /// What declares `d`, an instance of a block, and makes it ready.
-    pub instance: fn(&str) -> String,
+    /// What declares `d`, an instance of a block, and makes it ready at a time in milliseconds.
+    pub instance: fn(&str, i64) -> String,
     /// What a warm restart does to `d`, an instance of a block that keeps the variables of these names.
     pub restart: fn(&str, &[String]) -> String,
     /// What makes `t` milliseconds the time of this call.
@@ -31,7 +31,8 @@ impl Runtime {
         let program = &block.program;
         let name = block.name.to_uppercase();
         let get = |id: VarId| (self.get)(&block.names[id].to_uppercase());
-        let mut out = format!("static void play_{index}(void) {{\n  {}\n  long row;\n", (self.instance)(&name));
+        let start = stimuli.first().map_or(0, |stimulus| stimulus.t_ms);
+        let mut out = format!("static void play_{index}(void) {{\n  {}\n  long row;\n", (self.instance)(&name, start));
         let mut body = String::new();
         let column = |out: &mut String, ctype: &str, name: &str, cells: Vec<String>| {
             let _ = writeln!(out, "  static const {ctype} {name}[] = {{ {} }};", cells.join(", "));

@@ -18,6 +18,7 @@ pub mod matiec;
 mod net;
 pub mod rust;
 mod scan;
+mod sequences;
 mod simulator;
 pub mod strucpp;
 mod task;
@@ -36,6 +37,7 @@ pub fn all() -> Vec<Box<dyn Executor>> {
     all.push(Box::new(js::JavaScript::find()));
     all.push(Box::new(c::C::find()));
     all.extend(matiec::executors());
+    all.push(matiec::sequences());
     all.push(Box::new(ironplc::Ironplc::find()));
     all.push(Box::new(strucpp::Strucpp::find()));
     all.push(Box::new(awlsim::Awlsim::find()));

@@ -65,6 +65,7 @@ mod rust_page;
 mod safe_nets;
 mod saved;
 mod scaling;
+mod sfc;
 mod small_edits;
 mod switch_length;
 mod textbook;

@@ -99,6 +99,9 @@ fn targets() -> Vec<(String, Target)> {
             continue;
         }
         let target = about.target(&Chosen::new()).unwrap_or_else(|e| panic!("{}: {e:?}", about.name));
+        if !target.writes_statements() {
+            continue;
+        }
         targets.push((about.name.to_owned(), target));
     }
     for dialect in [plcopen::Dialect::Neutral, plcopen::Dialect::Codesys] {
@@ -188,6 +191,6 @@ fn differences_are_counted() {
 
 #[test]
 fn the_targets_are_those_that_there_are() {
-    // So that a new one is not left out.
-    assert_eq!(targets().len(), Target::ALL.len() + 1);
+    // So that a new one is not left out. Charts that evolve to stability are no sequential function charts.
+    assert_eq!(targets().len(), Target::ALL.len());
 }

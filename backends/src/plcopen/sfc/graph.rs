@@ -4,7 +4,7 @@
 //! that other arcs lead to, if it comes from a fork, since only transitions can be joined there; and one that is too long
 //! to be followed.
 
-use super::texts::Texts;
+use crate::sequence::texts::Texts;
 use grafc_logic::scan::StepId;
 use grafc_logic::sequence::Sequence;
 use rustc_hash::FxHashSet;

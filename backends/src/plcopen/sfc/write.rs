@@ -2,9 +2,9 @@
 
 use super::graph::{BAR, Graph, JUMP, ROW, TO_ACTIONS, VertexKind, block_width, comment_width, step_width};
 use super::place::{Line, Placed};
-use super::texts::{Content, Texts};
 use crate::plcopen::dialect::Dialect;
 use crate::plcopen::drawing::{Point, connection, open, output, position, relative};
+use crate::sequence::texts::{Content, Texts};
 use crate::xml::Xml;
 
 /// Writes all elements, from the top down, those beside each other from the left.
@@ -223,14 +223,16 @@ impl<'g> Sheet<'g> {
         xml.close();
         for (place, action) in rows.iter().enumerate() {
             let id = (self.first_action[node] + 1 + place).to_string();
-            xml.open("action", &[("localId", &id), ("qualifier", action.qualifier)]);
+            let mut attributes = vec![("localId", id.as_str()), ("qualifier", action.qualifier.name())];
+            attributes.extend(action.qualifier.time().map(|time| ("duration", time)));
+            xml.open("action", &attributes);
             relative(xml, (0, ROW * i64::try_from(place).unwrap_or(0)), (0, 0));
             match &action.content {
                 Content::Variable(name) => xml.empty("reference", &[("name", name)]),
-                Content::Statements(text) => {
+                Content::Computed(statement) | Content::Stored(statement) => {
                     // Of a condition an inline text has a name, here it has none.
                     xml.open("inline", &[]);
-                    self.dialect.body(xml, "ST", text);
+                    self.dialect.body(xml, "ST", &statement.flat);
                     xml.close();
                 }
             }

@@ -215,8 +215,13 @@ impl<'a> Maker<'a> {
         let condition = frame.branches.pop().flatten();
         run.here = match (frame.around, frame.taken, condition) {
             (Some(around), Some(taken), Some(condition)) => {
-                let not = self.terms.not(taken);
-                let own = self.terms.and(not, condition);
+                // What excludes the branches before by its form needs no negation of them.
+                let own = if self.terms.exclude(taken, condition) {
+                    condition
+                } else {
+                    let not = self.terms.not(taken);
+                    self.terms.and(not, condition)
+                };
                 Some(self.terms.and(around, own))
             }
             _ => None,

@@ -7,6 +7,7 @@
 //! Each file takes one construct, and says what of it was changed, is doubtful or was lost.
 
 mod blocks;
+mod continuous;
 mod declarations;
 mod effects;
 mod maker;
@@ -70,6 +71,7 @@ pub fn write(
     let transitions = maker.transitions();
     maker.delays();
     maker.named(named);
+    maker.continuous();
     maker.order();
     maker.flags(unit);
     let declarations = maker.declarations();

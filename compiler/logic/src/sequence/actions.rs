@@ -1,75 +1,69 @@
-//! What the steps of a sequential function chart do.
+//! What the steps of a sequential function chart set by continuous actions.
 //!
 //! What one step alone sets, or several that never hand over to each other, is an action of each. Of others the value as a
 //! whole is found once, behind the chart, if all that it reads is known there; else each of the variable's steps computes
-//! it as a whole: so it does not matter in which order steps are left and entered. Stored actions are done one after the other,
-//! so none may see what another writes.
+//! it as a whole: so it does not matter in which order steps are left and entered. What a step sets from a time on, or
+//! for a time, has a qualifier of its own.
 
 use super::expressions::Expressions;
-use super::{Assignment, Reasons, SequenceStep, Wire, own};
+use super::{During, Hold, Reasons, SequenceStep, own};
 use crate::analysis::Analysis;
-use grafc_model::chart::{Continuous, Event, ExprId, ExprKind, StepId, VariableId, VariableKind};
+use grafc_diagnostics::Span;
+use grafc_formula::{Comparison, FormulaId, Type, Value};
+use grafc_model::chart::{Continuous, ExprId, ExprKind, Mode, StepId, VariableId, VariableKind, below};
+use grafc_model::reaction::Evolution;
 use grafc_net::Net;
 use index_vec::IndexVec;
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;
 
-/// What continuous actions set, and the steps with what they do.
-pub(super) fn collect(
-    analysis: &Analysis,
-    mut steps: IndexVec<StepId, SequenceStep>,
-    expressions: &mut Expressions,
-    reasons: &mut Reasons,
-) -> (Vec<Wire>, IndexVec<StepId, SequenceStep>) {
-    let net = analysis.net();
-    let wires = continuous(analysis, &mut steps, expressions, reasons);
-    stored(net, &mut steps, expressions, reasons);
-    (wires, steps)
-}
-
-fn continuous(
+/// Notes with the steps what continuous actions set.
+pub(super) fn continuous(
     analysis: &Analysis,
     steps: &mut IndexVec<StepId, SequenceStep>,
     expressions: &mut Expressions,
     reasons: &mut Reasons,
-) -> Vec<Wire> {
+) {
     let net = analysis.net();
     let mut of: BTreeMap<VariableId, Vec<&Continuous>> = BTreeMap::new();
     for action in &net.continuous {
         of.entry(action.target).or_default().push(action);
     }
-    let mut wires = Vec::new();
-    for (target, actions) in of {
+    for (variable, actions) in of {
         let mut places: Vec<StepId> = actions.iter().map(|action| action.step).collect();
         places.sort_unstable();
         places.dedup();
-        let owner = own(&places);
-        let plain = match owner {
-            Some(_) => actions.iter().any(|action| action.condition.is_none()),
-            None => actions.iter().all(|action| action.condition.is_none()) && never_meet(analysis, &places),
-        };
-        if plain {
-            places.into_iter().for_each(|step| steps[step].wires.push(wires.len()));
-            let value = expressions.pool.truth(true);
-            wires.push(Wire { target: expressions.declared(target), plain, value });
+        let target = expressions.declared(variable);
+        let reads = actions.iter().filter(|action| reads_stored(net, action));
+        let reads: Vec<Span> = reads.map(|action| action.span).collect();
+        if reads.is_empty() && (places.len() == 1 || never_meet(analysis, &places)) {
+            for step in places {
+                let own: Vec<&Continuous> = actions.iter().copied().filter(|action| action.step == step).collect();
+                let during = expressions.during(step, &own, reasons);
+                steps[step].holds.push(Hold { target, during });
+            }
             continue;
         }
-        let mut terms = Vec::new();
-        for action in &actions {
-            let active = expressions.active(action.step, owner);
-            let condition = action.condition.map(|condition| expressions.formula(condition, owner, reasons));
-            terms.push(expressions.pool.and([Some(active), condition].into_iter().flatten()));
-        }
-        let value = expressions.pool.or(terms);
-        if owner.is_none() && net.variables[target].kind == VariableKind::Output && expressions.is_known_outside(value)
-        {
-            expressions.afterwards(target, value);
+        let owner = own(&places).filter(|_| reads.is_empty());
+        let value = expressions.whole(&actions, owner, reasons);
+        if net.variables[variable].kind == VariableKind::Output && expressions.is_known_outside(value) {
+            expressions.afterwards(variable, value);
             continue;
         }
-        places.into_iter().for_each(|step| steps[step].wires.push(wires.len()));
-        wires.push(Wire { target: expressions.declared(target), plain, value });
+        for span in reads {
+            reasons.add(span, "reads what an action stores in the same scan");
+        }
+        places.into_iter().for_each(|step| steps[step].holds.push(Hold { target, during: During::Value(value) }));
     }
-    wires
+}
+
+/// Whether the condition of an action reads what is stored: the value is that at the end of the scan.
+fn reads_stored(net: &Net, action: &Continuous) -> bool {
+    let roots = action.condition.into_iter();
+    roots.flat_map(|root| below(&net.exprs, root)).any(|id| match net.exprs[id].kind {
+        ExprKind::Variable(variable) => net.variables[variable].mode == Mode::Stored,
+        _ => false,
+    })
 }
 
 /// Whether of these steps at most one is active, and none is left for another of them: then it does not matter in which
@@ -85,58 +79,70 @@ fn never_meet(analysis: &Analysis, steps: &[StepId]) -> bool {
     analysis.components.of(*first).iter().any(shared) && !steps.iter().any(leads_on)
 }
 
-fn stored(net: &Net, steps: &mut IndexVec<StepId, SequenceStep>, expressions: &mut Expressions, reasons: &mut Reasons) {
-    let written: FxHashSet<VariableId> = net.stored.iter().map(|action| action.target).collect();
-    let mut on_activation: FxHashMap<VariableId, bool> = FxHashMap::default();
-    for action in &net.stored {
-        let (step, activation) = match action.event {
-            Event::Activation(step) => (step, true),
-            Event::Deactivation(step) => (step, false),
-            Event::Event(..) => {
-                reasons.add(action.span, "an action on an event");
-                continue;
-            }
-            Event::Clearing(_) => {
-                reasons.add(action.span, "an action on a clearing");
-                continue;
-            }
-            Event::EachScan(..) => {
-                reasons.add(action.span, "an action each scan");
-                continue;
-            }
-        };
-        if activation && net.places[step].initial {
-            reasons.add(
-                action.span,
-                "an action on the activation of an initial step, which some tools leave out at the start",
-            );
+impl Expressions<'_> {
+    /// While what a step sets a variable that no other sets at the same time.
+    fn during(&mut self, step: StepId, actions: &[&Continuous], reasons: &mut Reasons) -> During {
+        match actions {
+            _ if actions.iter().any(|action| action.condition.is_none()) => During::Step,
+            [Continuous { condition: Some(condition), .. }] => match self.timed(*condition, step) {
+                Some(during) => during,
+                None => During::Value(self.whole(actions, Some(step), reasons)),
+            },
+            _ => During::Value(self.whole(actions, Some(step), reasons)),
         }
-        if *on_activation.entry(action.target).or_insert(activation) != activation {
-            reasons.add(action.span, "stores on deactivation what another action stores on activation");
-        }
-        if reads(net, action.value).any(|read| read != action.target && written.contains(&read)) {
-            reasons.add(action.span, "reads what another action stores");
-        }
-        let value = expressions.formula(action.value, Some(step), reasons);
-        let target = expressions.declared(action.target);
-        steps[step].stored.push(Assignment { on_activation: activation, target, value });
     }
-}
 
-/// The variables that an expression reads.
-fn reads(net: &Net, root: ExprId) -> impl Iterator<Item = VariableId> + '_ {
-    let mut seen = FxHashSet::default();
-    let mut open = vec![root];
-    std::iter::from_fn(move || {
-        while let Some(id) = open.pop() {
-            if !seen.insert(id) {
-                continue;
-            }
-            open.extend(net.exprs[id].kind.operands());
-            if let ExprKind::Variable(variable) = net.exprs[id].kind {
-                return Some(variable);
-            }
+    /// The value of what several actions set, in terms of the situation.
+    fn whole(&mut self, actions: &[&Continuous], owner: Option<StepId>, reasons: &mut Reasons) -> FormulaId {
+        let mut terms = Vec::new();
+        for action in actions {
+            let active = self.active(action.step, owner);
+            let condition = action.condition.map(|condition| self.formula(condition, owner, reasons));
+            terms.push(self.pool.and([Some(active), condition].into_iter().flatten()));
         }
-        None
-    })
+        self.pool.or(terms)
+    }
+
+    /// A condition that compares the time of a step with a certain one.
+    fn timed(&mut self, condition: ExprId, step: StepId) -> Option<During> {
+        let (mut id, mut negated) = (condition, false);
+        while let ExprKind::Not(inner) = self.net.exprs[id].kind {
+            (id, negated) = (inner, !negated);
+        }
+        let is_time = |id: ExprId| self.net.exprs[id].kind == ExprKind::StepTime(step);
+        let is_active = |id: ExprId| self.net.exprs[id].kind == ExprKind::StepActive(step);
+        let (late, limit) = match self.net.exprs[id].kind {
+            ExprKind::Compare(Comparison::GreaterEqual, a, b) if is_time(a) => (true, self.limit(b)?),
+            ExprKind::Compare(Comparison::LessEqual, a, b) if is_time(b) => (true, self.limit(a)?),
+            ExprKind::Compare(Comparison::Less, a, b) if is_time(a) => (false, self.limit(b)?),
+            ExprKind::Compare(Comparison::Greater, a, b) if is_time(b) => (false, self.limit(a)?),
+            // Scan by scan a delay begins a scan after its step.
+            ExprKind::Delay { on, operand, off }
+                if is_active(operand) && off.ms == 0 && self.profile.evolution == Evolution::Stable =>
+            {
+                let constant = on.constant.map(|constant| self.declared(constant));
+                let limit = match constant {
+                    Some(constant) => self.pool.variable(constant, Type::Time),
+                    None => self.pool.constant(Value::Time(on.ms), Type::Time),
+                };
+                (true, limit)
+            }
+            _ => return None,
+        };
+        Some(if late != negated { During::From(limit) } else { During::For(limit) })
+    }
+
+    /// A time that stays as it is, if it is more than none.
+    fn limit(&mut self, id: ExprId) -> Option<FormulaId> {
+        let variable = match self.net.exprs[id].kind {
+            ExprKind::Literal(Value::Time(ms)) if ms > 0 => {
+                return Some(self.pool.constant(Value::Time(ms), Type::Time));
+            }
+            ExprKind::Variable(variable) => variable,
+            _ => return None,
+        };
+        let declared = &self.net.variables[variable];
+        let is_some = declared.kind == VariableKind::Constant && matches!(declared.initial, Value::Time(ms) if ms > 0);
+        is_some.then(|| self.pool.variable(self.declared(variable), Type::Time))
+    }
 }

@@ -4,7 +4,7 @@
 //! that inputs alone decide are found before it is called (`prepare`).
 
 use super::prepared::Prepared;
-use super::{Reasons, SequenceStep, is_small};
+use super::{Reasons, SequenceStep, When, is_small};
 use crate::scan::{Role, VarId, Variable};
 use grafc_diagnostics::Span;
 use grafc_formula::{Arithmetic, Comparison, FormulaId, Pool, Type, Value};
@@ -30,6 +30,8 @@ pub(super) struct Expressions<'n> {
     /// What is known of the expressions for one owner.
     pub known: FxHashMap<ExprId, FormulaId>,
     pub owner: Option<StepId>,
+    /// When it is done, if it is part of an action that stores.
+    pub done: Option<When>,
 }
 
 impl<'n> Expressions<'n> {
@@ -38,7 +40,7 @@ impl<'n> Expressions<'n> {
         let steps = steps.iter().map(|step| (step.active, step.duration)).collect();
         let (pool, markers, known) = (Pool::default(), IndexMap::default(), FxHashMap::default());
         let (prepared, more) = (Prepared::default(), Vec::new());
-        Expressions { net, steps, profile, pool, markers, prepared, variables, more, known, owner: None }
+        Expressions { net, steps, profile, pool, markers, prepared, variables, more, known, owner: None, done: None }
     }
 
     /// The variable that was declared in the chart.
@@ -63,6 +65,25 @@ impl<'n> Expressions<'n> {
             }
         };
         self.pool.variable(variable, Type::Bool)
+    }
+
+    /// The activity of a step as what is being said reads it. What is stored reads the situation of before, and is done when
+    /// the steps have changed: of its own step that is known, any other is noted before the chart is called.
+    fn activity(&mut self, step: StepId) -> FormulaId {
+        match self.done {
+            None => self.active(step, self.owner),
+            Some(When::Activation) if self.owner == Some(step) => self.pool.truth(false),
+            Some(When::Deactivation) if self.owner == Some(step) => self.pool.truth(true),
+            Some(When::Activation | When::Deactivation | When::EachScan) => self.active_before(step),
+        }
+    }
+
+    /// An expression of an action that stores.
+    pub fn deed(&mut self, root: ExprId, step: StepId, when: When, reasons: &mut Reasons) -> FormulaId {
+        self.done = Some(when);
+        let formula = self.formula(root, Some(step), reasons);
+        self.done = None;
+        formula
     }
 
     /// The time since the activation of a step, which only the step itself and the transition after it can name.
@@ -111,7 +132,7 @@ impl<'n> Expressions<'n> {
                 }
                 self.pool.variable(self.declared(variable), expr.ty)
             }
-            ExprKind::StepActive(step) => self.active(step, self.owner),
+            ExprKind::StepActive(step) => self.activity(step),
             ExprKind::StepTime(step) => self.duration(step, expr.span, reasons),
             ExprKind::MacroActive(within) => {
                 let mut steps = Vec::new();
@@ -161,7 +182,7 @@ impl<'n> Expressions<'n> {
     }
 
     fn any(&mut self, steps: Vec<StepId>) -> FormulaId {
-        let active: Vec<FormulaId> = steps.into_iter().map(|step| self.active(step, self.owner)).collect();
+        let active: Vec<FormulaId> = steps.into_iter().map(|step| self.activity(step)).collect();
         self.pool.or(active)
     }
 

@@ -2,7 +2,7 @@
 //!
 //! Such a chart evolves once a scan, clears one transition after a step, and acts through its steps. A GRAFCET chart that
 //! needs more than that is refused with all its reasons (E0503): `fit` looks at the structure, `expressions` at what
-//! conditions and values are made of, `actions` at what the steps do. `prepare` finds edges and delays before the chart is
+//! conditions and values are made of, `actions` and `stored` at what the steps do. `prepare` finds edges and delays before the chart is
 //! called.
 //!
 //! Requires a flat net. Ensures that the sequential function chart, with actions done after the transitions of the same
@@ -13,6 +13,7 @@ mod expressions;
 mod fit;
 mod prepare;
 mod prepared;
+mod stored;
 
 use crate::analysis::Analysis;
 use crate::scan::{Elements, Program, Role, Statement, VarId, Variable};
@@ -24,6 +25,7 @@ use grafc_model::chart::{Note, StepId, Type, Value};
 use grafc_model::reaction::Profile;
 use grafc_net::Net;
 use index_vec::IndexVec;
+use rustc_hash::FxHashSet;
 
 /// A sequential function chart.
 #[derive(Clone, Debug)]
@@ -42,8 +44,6 @@ pub struct Sequence {
     pub steps: IndexVec<StepId, SequenceStep>,
     /// The transitions, in order of declaration.
     pub transitions: Vec<SequenceTransition>,
-    /// What continuous actions set, in order of declaration.
-    pub wires: Vec<Wire>,
 }
 
 impl Sequence {
@@ -79,21 +79,56 @@ pub struct SequenceStep {
     pub initial: bool,
     /// The attached comment.
     pub comment: Option<Note>,
-    /// The wires that it has a part in, by their place.
-    pub wires: Vec<usize>,
-    /// What it stores.
+    /// What it sets by continuous actions.
+    pub holds: Vec<Hold>,
+    /// Boolean variables that it sets (true) or resets on activation, and that nothing else does anything with.
+    pub latches: Vec<(VarId, bool)>,
+    /// What else it stores.
     pub stored: Vec<Assignment>,
 }
 
-/// What a step does once.
+/// A variable that a continuous action of a step sets.
 #[derive(Clone, Copy, Debug)]
+pub struct Hold {
+    /// The variable.
+    pub target: VarId,
+    /// While what is true.
+    pub during: During,
+}
+
+/// How a step sets a variable by a continuous action.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum During {
+    /// While it is active.
+    Step,
+    /// From so long after its activation on.
+    From(FormulaId),
+    /// For so long from its activation on.
+    For(FormulaId),
+    /// As a value in terms of the situation has it, in each scan and when the step is left.
+    Value(FormulaId),
+}
+
+/// What a step stores into a variable.
+#[derive(Clone, Debug)]
 pub struct Assignment {
-    /// On activation; otherwise on deactivation.
-    pub on_activation: bool,
+    /// When it is done.
+    pub when: When,
     /// What is written.
     pub target: VarId,
-    /// The value.
-    pub value: FormulaId,
+    /// The values, each under a condition; the first whose condition holds is taken. Without a condition it is the last.
+    pub cases: Vec<(Option<FormulaId>, FormulaId)>,
+}
+
+/// When a step does something.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum When {
+    /// In the scan in which it becomes active.
+    Activation,
+    /// In the scan in which it is left.
+    Deactivation,
+    /// In each scan in which it is active.
+    EachScan,
 }
 
 /// A transition.
@@ -107,17 +142,6 @@ pub struct SequenceTransition {
     pub condition: FormulaId,
 }
 
-/// A variable that continuous actions set: true while one of them applies.
-#[derive(Clone, Copy, Debug)]
-pub struct Wire {
-    /// The variable.
-    pub target: VarId,
-    /// Whether each of its steps sets it, whatever else holds.
-    pub plain: bool,
-    /// Its value in terms of the situation.
-    pub value: FormulaId,
-}
-
 /// The chart as a sequential function chart, or all reasons why it is none.
 pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagnostics> {
     let net = analysis.net();
@@ -129,7 +153,9 @@ pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagn
     }
 
     let mut variables = declared(net);
-    let steps: IndexVec<StepId, SequenceStep> = net.places.iter().map(|place| step(place, &mut variables)).collect();
+    let taken: FxHashSet<String> = variables.iter().map(|variable| variable.name.to_lowercase().to_string()).collect();
+    let steps: IndexVec<StepId, SequenceStep> =
+        net.places.iter().map(|place| step(place, &taken, &mut variables)).collect();
     let mut expressions = Expressions::new(net, &steps, profile);
     let transitions = net.transitions.iter().map(|transition| SequenceTransition {
         before: transition.pre.to_vec(),
@@ -137,7 +163,9 @@ pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagn
         condition: expressions.formula(transition.condition, own(&transition.pre), &mut reasons),
     });
     let transitions = transitions.collect();
-    let (wires, mut steps) = actions::collect(analysis, steps.clone(), &mut expressions, &mut reasons);
+    let mut steps = steps;
+    actions::continuous(analysis, &mut steps, &mut expressions, &mut reasons);
+    stored::stored(analysis, &mut steps, &mut expressions, &mut reasons);
     reasons.refuse()?;
     for (step, marker) in &expressions.markers {
         steps[*step].marker = Some(*marker);
@@ -168,7 +196,7 @@ pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagn
         assertion: None,
     };
     let (given, memory, shown) = (prepared.given, prepared.memory, prepared.shown);
-    Ok(Sequence { program, given, memory, shown, steps, transitions, wires })
+    Ok(Sequence { program, given, memory, shown, steps, transitions })
 }
 
 /// The step of which a condition or action is one of its own, if there is just one.
@@ -184,8 +212,19 @@ fn declared(net: &Net) -> IndexVec<VarId, Variable> {
     net.variables.iter().map(Variable::declared).collect()
 }
 
-fn step(place: &grafc_net::net::Place, variables: &mut IndexVec<VarId, Variable>) -> SequenceStep {
-    let active = Variable::of_step(place);
+/// A step brings its label as a name, since `Fill.X` and `Fill.T` are its activity and its time; a number or the name of a
+/// variable cannot be one, nor can what MATIEC uses in the code around it.
+fn step(
+    place: &grafc_net::net::Place,
+    taken: &FxHashSet<String>,
+    variables: &mut IndexVec<VarId, Variable>,
+) -> SequenceStep {
+    let (label, lower) = (&place.label, place.label.to_lowercase().to_string());
+    let is_name = label.starts_with(|c: char| !c.is_ascii_digit()) && !["x", "t", "null"].contains(&lower.as_str());
+    let mut active = Variable::of_step(place);
+    if is_name && !taken.contains(&lower) {
+        active.name = label.as_str().into();
+    }
     let duration = Variable {
         role: Role::Temporary,
         name: eco_format!("T{}", place.label),
@@ -199,7 +238,8 @@ fn step(place: &grafc_net::net::Place, variables: &mut IndexVec<VarId, Variable>
         marker: None,
         initial: place.initial,
         comment: place.comment.clone(),
-        wires: Vec::new(),
+        holds: Vec::new(),
+        latches: Vec::new(),
         stored: Vec::new(),
     }
 }
@@ -221,7 +261,7 @@ impl Reasons {
         self.list.dedup();
         let mut reasons = self.list.into_iter();
         let Some((place, what)) = reasons.next() else { return Ok(()) };
-        let message = "this chart cannot be drawn as a sequential function chart that means the same";
+        let message = "this chart cannot be a sequential function chart that means the same";
         let mut diagnostic = Diagnostic::new(Code::E0503, place, message).here(what);
         for (place, what) in reasons {
             diagnostic = diagnostic.also(place, what);
@@ -230,7 +270,7 @@ impl Reasons {
         diagnostics.push(
             diagnostic
                 .note("a sequential function chart evolves once a scan and clears one transition after a step")
-                .help("take the body in Structured Text, `--body st`, which every chart has"),
+                .help("take Structured Text, which every chart has: `--target st`, or `--body st` in a project"),
         );
         Err(diagnostics)
     }

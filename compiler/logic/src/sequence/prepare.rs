@@ -15,7 +15,7 @@ use crate::lower::words::operand_word;
 use crate::scan::{Origin, Preset, Role, Statement, Timer, VarId, Variable};
 use ecow::EcoString;
 use grafc_formula::{Formula, FormulaId, Type};
-use grafc_model::chart::{DelayTime, ExprId, ExprKind, Mode, VariableId, VariableKind};
+use grafc_model::chart::{DelayTime, ExprId, ExprKind, Mode, StepId, VariableId, VariableKind};
 use grafc_model::reaction::Evolution;
 use rustc_hash::FxHashSet;
 
@@ -63,11 +63,26 @@ impl Expressions<'_> {
 
     /// An operand as it is before the chart is called, where no step has a part in it that only itself can name.
     fn before(&mut self, operand: ExprId, reasons: &mut Reasons) -> FormulaId {
-        let (owner, known) = (self.owner.take(), std::mem::take(&mut self.known));
+        let (owner, done, known) = (self.owner.take(), self.done.take(), std::mem::take(&mut self.known));
         let formula = self.formula(operand, None, reasons);
-        (self.owner, self.known) = (owner, known);
+        (self.owner, self.done, self.known) = (owner, done, known);
         self.show_markers(formula);
         formula
+    }
+
+    /// The activity of a step before the chart is called, which is given to it.
+    pub fn active_before(&mut self, step: StepId) -> FormulaId {
+        let marker = self.active(step, None);
+        self.show_markers(marker);
+        let given = match self.prepared.active.get(&step) {
+            Some(given) => *given,
+            None => {
+                let given = self.give(format!("was_{}", self.net.places[step].label), marker);
+                self.prepared.active.insert(step, given);
+                given
+            }
+        };
+        self.pool.variable(given, Type::Bool)
     }
 
     /// The chart shows the markers that a formula reads.
@@ -83,12 +98,16 @@ impl Expressions<'_> {
         }
     }
 
-    /// Whether all that a value reads is known outside of the chart: inputs, constants, what is found before it, and the
-    /// markers of steps.
+    /// Whether all that a value reads is known outside of the chart: inputs, constants, outputs that are stored, what is
+    /// found before it, and the markers of steps.
     pub fn is_known_outside(&self, value: FormulaId) -> bool {
         self.pool.below(value).into_iter().all(|id| match self.pool.get(id) {
             Formula::Variable(v) => match self.net.variables.get(VariableId::from_usize(v.index())) {
-                Some(variable) => matches!(variable.kind, VariableKind::Input | VariableKind::Constant),
+                Some(variable) => match variable.kind {
+                    VariableKind::Input | VariableKind::Constant => true,
+                    VariableKind::Output => variable.mode == Mode::Stored,
+                    VariableKind::Internal => false,
+                },
                 None => v.index() >= self.variables,
             },
             Formula::TimerDone(_) | Formula::TimerElapsed(_) => false,

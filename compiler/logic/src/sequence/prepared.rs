@@ -2,6 +2,7 @@
 
 use crate::scan::{Statement, Timer, TimerId, VarId};
 use grafc_formula::FormulaId;
+use grafc_model::chart::StepId;
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -24,6 +25,8 @@ pub(super) struct Prepared {
     pub last: Vec<Statement>,
     /// In each call, behind the chart.
     pub after: Vec<Statement>,
+    /// The activity of steps as it was.
+    pub active: FxHashMap<StepId, VarId>,
     pub old: FxHashMap<FormulaId, VarId>,
     pub edges: FxHashMap<(FormulaId, bool), VarId>,
     pub delays: FxHashMap<(FormulaId, i64, i64), VarId>,

@@ -1,17 +1,14 @@
 //! PLCopen projects through Beremiz's generator and MATIEC.
 
-use super::run::{Source, run, variables_of};
+use super::run::{Source, run};
 use super::tools::Tools;
 use crate::executors::jobs::{Job, run_some};
 use crate::executors::matiec::miscalculates;
+use crate::executors::sequences::{loses_a_second, of_task, variables_of};
 use crate::executors::task::{Executor, Outcome, Task};
 use crate::tools::Tool;
 use grafc_backends::plcopen::Body;
-use grafc_diagnostics::Diagnostics;
-use grafc_logic::Analysis;
-use grafc_logic::sequence::{self, Sequence};
-use grafc_model::chart::ExprKind;
-use grafc_net::passes;
+use grafc_logic::sequence::Sequence;
 
 /// One kind of body.
 struct Plcopen {
@@ -68,7 +65,7 @@ impl Executor for Plcopen {
             match self.body {
                 Body::St | Body::Il | Body::Ld => Job::of(task).map_err(Outcome::Failed),
                 Body::Sfc => {
-                    let sequence = drawn(task).ok_or(Outcome::PassedOver("no sequential function chart (E0503)"))?;
+                    let sequence = of_task(task).ok_or(Outcome::PassedOver("no sequential function chart (E0503)"))?;
                     if loses_a_second(task) {
                         return Err(Outcome::PassedOver("MATIEC does not carry whole seconds of a step's time"));
                     }
@@ -85,21 +82,4 @@ impl Executor for Plcopen {
         };
         run_some(&self.tools, jobs, |tools, jobs| run(tools, &source, jobs))
     }
-}
-
-/// Whether MATIEC might read the time of a step wrongly. It adds up what passes between calls, and 1.9 s and 0.1 s are 1 s
-/// and a thousand milliseconds to it, which is less than 2 s.
-fn loses_a_second(task: &Task) -> bool {
-    let times: Vec<i64> = task.stimuli.iter().map(|stimulus| stimulus.t_ms).collect();
-    let since = |start: usize, end: usize| (times[end] - times[start]) % 1000;
-    let full = |start: usize| (start + 1..times.len()).any(|end| since(start, end) == 0 && since(start, end - 1) != 0);
-    let reads = task.chart.exprs.iter().any(|expr| matches!(expr.kind, ExprKind::StepTime(_)));
-    reads && (0..times.len()).any(full)
-}
-
-/// The chart of a task as a sequential function chart, if it can be one.
-fn drawn(task: &Task) -> Option<Sequence> {
-    let mut net = grafc_net::build(task.chart);
-    passes::run(&mut net, false, &mut Diagnostics::new());
-    sequence::sequence(&Analysis::new(net), task.profile).ok()
 }

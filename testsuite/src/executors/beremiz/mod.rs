@@ -9,5 +9,5 @@ mod run;
 mod tools;
 
 pub(super) use executor::executors;
-pub use run::{Source, run, variables_of};
+pub use run::{Source, run};
 pub use tools::Tools;

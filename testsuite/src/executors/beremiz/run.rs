@@ -4,9 +4,10 @@ use super::tools::Tools;
 use crate::executors::function_block::{FunctionBlock, named};
 use crate::executors::jobs::{self, Job};
 use crate::executors::matiec::{RUNTIME, Unit, build_and_play};
+use crate::executors::sequences;
 use ecow::{EcoString, eco_format};
 use grafc_backends::{il, plcopen, st};
-use grafc_logic::scan::{Held, Program, Step, VarId};
+use grafc_logic::scan::{Program, VarId};
 use grafc_logic::sequence::Sequence;
 use grafc_model::reaction::Response;
 use index_vec::IndexVec;
@@ -15,22 +16,8 @@ use index_vec::IndexVec;
 pub enum Source<'s> {
     /// The programs of the jobs, as Structured Text, instruction lists or ladders.
     Programs(plcopen::Body),
-    /// Charts, whose programs the jobs have from [`variables_of`].
+    /// Charts, whose programs the jobs have from `sequences::variables_of`.
     Sequences(&'s [Sequence]),
-}
-
-/// The variables of a sequential function chart as a program of a job.
-pub fn variables_of(sequence: &Sequence) -> Program {
-    let mut program = sequence.program.clone();
-    let steps = sequence.steps.iter().map(|step| Step {
-        label: program.variables[step.active].name.as_str().into(),
-        comment: None,
-        span: grafc_diagnostics::Span::default(),
-        held: Held::Bit(step.active),
-        active: program.pool.variable(step.active, grafc_formula::Type::Bool),
-    });
-    program.steps = steps.collect();
-    program
 }
 
 /// Runs all jobs. A job's fault is what a tool said.
@@ -77,7 +64,7 @@ fn unit(source: &Source, index: usize, job: &Job, text: &str) -> Result<Unit, St
         Source::Programs(plcopen::Body::Il) => il::names(&program),
         Source::Programs(plcopen::Body::Ld) => ladder_names(&program),
         Source::Programs(plcopen::Body::St | plcopen::Body::Sfc) => st::names(&program),
-        Source::Sequences(sequences) => sequence_names(&sequences[index], &program, &blocks)?,
+        Source::Sequences(sequences) => sequences::names(&sequences[index], &program, &blocks)?,
     };
     let holder = match source {
         Source::Programs(plcopen::Body::Ld) => plcopen::ld::instance(&program),
@@ -117,23 +104,4 @@ fn ladder_names(program: &Program) -> IndexVec<VarId, EcoString> {
         }
     }
     names
-}
-
-/// MATIEC numbers steps in the order in which they are declared.
-fn sequence_names(sequence: &Sequence, program: &Program, blocks: &str) -> Result<IndexVec<VarId, EcoString>, String> {
-    let mut names = st::names(program);
-    let declared = blocks.lines().filter_map(|line| {
-        let line = line.trim();
-        line.strip_prefix("STEP ").or_else(|| line.strip_prefix("INITIAL_STEP "))?.strip_suffix(':')
-    });
-    let declared: Vec<&str> = declared.collect();
-    let named = Sequence { program: program.clone(), ..sequence.clone() };
-    let instance = plcopen::sfc::instance(&named).map(|name| format!("{name}.")).unwrap_or_default();
-    for step in &sequence.steps {
-        let name = &names[step.active];
-        let place = declared.iter().position(|known| known == name);
-        let place = place.ok_or_else(|| format!("step {name} is not declared in\n{blocks}"))?;
-        names[step.active] = eco_format!("{instance}__step_list[{place}].X");
-    }
-    Ok(names)
 }

@@ -7,10 +7,12 @@
 mod executor;
 mod original;
 mod run;
+mod sequences;
 mod tools;
 
 pub(super) use executor::executors;
 pub use original::play_program;
 pub use run::{Language, accepts, miscalculates, run};
 pub(super) use run::{RUNTIME, Unit, build_and_play};
+pub(super) use sequences::executor as sequences;
 pub use tools::Tools;

@@ -54,7 +54,8 @@ BOOL __DEBUG;
 static TIME ms(long long t) { TIME r; r.tv_sec = t / 1000; r.tv_nsec = (t % 1000) * 1000000; return r; }
 static long long in_ms(TIME t) { return (long long)t.tv_sec * 1000 + t.tv_nsec / 1000000; }
 ",
-    instance: |block| format!("static {block} d; {block}_init__(&d, 0);"),
+    // The time of a step counts from the last call, and before the first one from here.
+    instance: |block, start| format!("static {block} d; __CURRENT_TIME = ms({start}LL); {block}_init__(&d, 0);"),
     // MATIEC marks what is declared RETAIN when it makes an instance ready.
     restart: |block, kept| {
         let named = kept.iter().enumerate();

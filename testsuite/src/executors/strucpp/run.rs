@@ -16,7 +16,7 @@ const RUNTIME: Runtime = Runtime {
 static long long ms(long long t) { return t * 1000000; }
 static long long in_ms(long long t) { return t / 1000000; }
 ",
-    instance: |block| format!("static strucpp::{block} d;"),
+    instance: |block, _| format!("static strucpp::{block} d;"),
     restart: |block, kept| {
         let named = kept.iter().enumerate();
         let saved: String = named.clone().map(|(n, name)| format!("auto kept_{n} = d.{name}.get(); ")).collect();

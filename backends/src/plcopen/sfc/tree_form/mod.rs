@@ -7,14 +7,14 @@
 mod tree;
 mod write;
 
-use super::prepared::Units;
-use super::refusal;
-use super::texts::{Action, Content, Texts};
+use super::{refusal, write_units};
 use crate::plcopen::Options;
+use crate::sequence::texts::{Action, Content, Qualifier, Statement, Texts};
+use crate::sequence::units::{Fresh, Units};
 use ecow::EcoString;
 use grafc_diagnostics::Diagnostics;
 use grafc_logic::sequence::Sequence;
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 
 /// An action of the function block: a name and statements.
 type NamedAction = (String, String);
@@ -22,8 +22,10 @@ type NamedAction = (String, String);
 /// What a step does, in the words of these tools.
 #[derive(Default)]
 struct Does {
-    /// Variables and actions while it is active.
-    while_active: Vec<String>,
+    /// Variables and actions by their qualifiers; such an action is done once more after its step is left.
+    associated: Vec<(String, Qualifier)>,
+    /// The action that is done in each scan, and not once more.
+    each_scan: Option<String>,
     /// Actions on activation and on deactivation.
     entry: Option<String>,
     exit: Option<String>,
@@ -42,34 +44,34 @@ pub(super) fn emit(
     let taken = units.interface().iter().flat_map(|block| block.entries()).map(|entry| entry.name.as_str());
     let mut fresh = Fresh::new(taken.chain(texts.steps.iter().map(EcoString::as_str)));
     let mut actions: Vec<NamedAction> = Vec::new();
-    let mut known: FxHashMap<&str, String> = FxHashMap::default();
+    let mut known: FxHashMap<&String, String> = FxHashMap::default();
     let mut does = Vec::new();
     for (name, rows) in texts.steps.iter().zip(&texts.actions) {
-        let of =
-            |rows: &mut dyn Iterator<Item = &Action>| rows.map(|row| row.content.text()).collect::<Vec<_>>().join("\n");
         let mut step = Does::default();
-        for row in rows.iter().filter(|row| row.qualifier == "N") {
-            step.while_active.push(match &row.content {
-                Content::Variable(name) => name.to_string(),
+        for row in rows {
+            match &row.content {
+                Content::Variable(name) => step.associated.push((name.to_string(), row.qualifier.clone())),
                 // Done once more after the step is left, so it needs no action on deactivation.
-                Content::Statements(text) => known
-                    .entry(text)
-                    .or_insert_with(|| {
+                Content::Computed(Statement { flat: text, .. }) if row.qualifier == Qualifier::N => {
+                    let name = known.entry(text).or_insert_with(|| {
                         let name = fresh.name(&format!("set_{}", text.split(' ').next().unwrap_or_default()));
                         actions.push((name.clone(), text.clone()));
                         name
-                    })
-                    .clone(),
-            });
+                    });
+                    step.associated.push((name.clone(), Qualifier::N));
+                }
+                Content::Computed(_) | Content::Stored(_) => {}
+            }
         }
-        let while_active: FxHashSet<&str> =
-            rows.iter().filter(|row| row.qualifier == "N").map(|row| row.content.text()).collect();
-        let once = |qualifier: &'static str| {
-            let while_active = &while_active;
-            rows.iter().filter(move |row| row.qualifier == qualifier && !while_active.contains(row.content.text()))
-        };
-        for (qualifier, end, place) in [("P1", "entry", &mut step.entry), ("P0", "exit", &mut step.exit)] {
-            let text = of(&mut once(qualifier));
+        let stored = |row: &&Action| matches!(row.content, Content::Stored(_));
+        for (qualifier, end, place) in [
+            (Qualifier::N, "active", &mut step.each_scan),
+            (Qualifier::P1, "entry", &mut step.entry),
+            (Qualifier::P0, "exit", &mut step.exit),
+        ] {
+            let rows = rows.iter().filter(stored).filter(|row| row.qualifier == qualifier);
+            let statements = rows.filter_map(|row| row.content.statement());
+            let text = statements.flat_map(|statement| &statement.lines).cloned().collect::<Vec<_>>().join("\n");
             if !text.is_empty() {
                 let name = fresh.name(&format!("{name}_{end}"));
                 actions.push((name.clone(), text));
@@ -78,23 +80,5 @@ pub(super) fn emit(
         }
         does.push(step);
     }
-    Ok(units.write(options, &actions, |xml, _| write::write(xml, &elements, texts, &does)))
-}
-
-/// Names that nothing else has.
-struct Fresh {
-    taken: FxHashSet<String>,
-}
-
-impl Fresh {
-    fn new<'n>(taken: impl Iterator<Item = &'n str>) -> Self {
-        Fresh { taken: taken.map(str::to_ascii_uppercase).collect() }
-    }
-
-    fn name(&mut self, wanted: &str) -> String {
-        let suffixes = std::iter::once(String::new()).chain((1_u64..).map(|number| format!("_{number}")));
-        let mut names = suffixes.map(|suffix| format!("{wanted}{suffix}"));
-        let free = names.find(|name| self.taken.insert(name.to_ascii_uppercase()));
-        free.unwrap_or_else(|| wanted.to_owned())
-    }
+    Ok(write_units(units, options, &actions, |xml, _| write::write(xml, &elements, texts, &does)))
 }

@@ -4,7 +4,7 @@
 use super::Does;
 use super::tree::Element;
 use crate::plcopen::dialect::Dialect;
-use crate::plcopen::sfc::texts::Texts;
+use crate::sequence::texts::{Qualifier, Texts};
 use crate::xml::Xml;
 
 const NAME: &str = "38391c6d-6d4a-42f8-8ee7-9f45e5adafa8";
@@ -13,6 +13,7 @@ const PARALLEL: &str = "23bdaa98-72ec-41f7-817b-9dede5697086";
 const QUALIFIER: &str = "e174fc0d-80b0-4a9e-a530-ca239c249a50";
 const EXCLUDED: &str = "01580b27-6378-448b-8ecb-0e4b795b58d6";
 const SYMBOL: &str = "bc882c11-1e91-4dd8-a6b8-2075724ed18b";
+const EACH_SCAN: &str = "700a583f-b4d4-43e4-8c14-629c7cd3bec8";
 const ENTRY: &str = "a6b08bd8-b696-47e3-9cbf-7408b61c9ff8";
 const EXIT: &str = "a2621e18-7de3-4ea6-ae6d-89e9e0b7befd";
 
@@ -29,8 +30,8 @@ pub(super) fn write(xml: &mut Xml, elements: &[Element], texts: &Texts, does: &[
         match element {
             Element::Step { step, from } => {
                 let id = fresh();
-                let actions: Vec<(String, &str)> =
-                    does[*step].while_active.iter().map(|name| (fresh(), name.as_str())).collect();
+                let actions: Vec<(String, &(String, Qualifier))> =
+                    does[*step].associated.iter().map(|action| (fresh(), action)).collect();
                 let (name, comment) = (&texts.steps[*step], &texts.comments[*step]);
                 self::step(xml, &id, name, comment, from.map(|from| ids[from].as_str()), &does[*step]);
                 if !actions.is_empty() {
@@ -89,11 +90,12 @@ fn step(xml: &mut Xml, id: &str, name: &str, comment: &str, from: Option<&str>, 
         None => xml.empty("connectionPointIn", &[]),
     }
     xml.empty("connectionPointOut", &[("formalParameter", "sfc")]);
-    if !does.while_active.is_empty() {
+    if !does.associated.is_empty() {
         xml.empty("connectionPointOutAction", &[("formalParameter", "x")]);
     }
     let mut attributes = vec![(NAME, name), (EXCLUDED, "FALSE"), (SYMBOL, "0")];
     attributes.push((INITIAL, if from.is_none() { "TRUE" } else { "FALSE" }));
+    attributes.extend(does.each_scan.as_deref().map(|action| (EACH_SCAN, action)));
     attributes.extend(does.entry.as_deref().map(|action| (ENTRY, action)));
     attributes.extend(does.exit.as_deref().map(|action| (EXIT, action)));
     data(xml, &attributes);
@@ -119,18 +121,21 @@ fn transition(xml: &mut Xml, id: &str, condition: &str, from: &str, text: &str) 
     xml.close();
 }
 
-fn action_block(xml: &mut Xml, id: &str, step: &str, actions: &[(String, &str)]) {
+fn action_block(xml: &mut Xml, id: &str, step: &str, actions: &[(String, &(String, Qualifier))]) {
     xml.open("actionBlock", &[("localId", id)]);
     place(xml);
     xml.open("connectionPointIn", &[]);
     xml.empty("connection", &[("refLocalId", step), ("formalParameter", "x")]);
     xml.close();
-    for (id, name) in actions {
-        xml.open("action", &[("localId", id), ("qualifier", "N"), ("duration", ""), ("indicator", "")]);
+    for (id, (name, qualifier)) in actions {
+        let time = qualifier.time().unwrap_or_default();
+        let attributes = [("qualifier", qualifier.name()), ("duration", time), ("indicator", "")];
+        xml.open("action", &[&[("localId", id.as_str())], &attributes[..]].concat());
         xml.empty("relPosition", &[("x", "0"), ("y", "0")]);
         xml.empty("reference", &[("name", name)]);
         xml.empty("connectionPointOut", &[]);
-        data(xml, &[(NAME, name), (QUALIFIER, "N")]);
+        let timed = [qualifier.name(), time].join(" ");
+        data(xml, &[(NAME, name), (QUALIFIER, timed.trim_end())]);
         xml.close();
     }
     xml.close();

@@ -1,4 +1,4 @@
-//! The units of a project with a sequential function chart.
+//! The units that a sequential function chart is made of.
 //!
 //! ```text
 //! Gate_chart   the chart, drawn; what is found before it is called is an input
@@ -18,22 +18,19 @@ use crate::iec::frame;
 use crate::iec::names::Names;
 use crate::iec::pou_parts::{Language, PouParts};
 use crate::keywords::Family;
-use crate::plcopen::dialect::Dialect;
-use crate::plcopen::{Options, project};
 use crate::st;
-use crate::xml::Xml;
 use ecow::{EcoString, eco_format};
 use grafc_formula::Type;
 use grafc_logic::scan::VarId;
 use grafc_logic::sequence::Sequence;
 use rustc_hash::FxHashSet;
 
-/// The units around the drawing.
-pub(super) struct Units {
+/// The units around the chart.
+pub(crate) struct Units {
     /// The function block of the chart and the program.
-    parts: PouParts,
-    /// The function block that is drawn, if it is another: its name and its variables.
-    drawn: Option<(EcoString, Vec<VarBlock>)>,
+    pub parts: PouParts,
+    /// The function block that holds the steps, if it is another: its name and its variables.
+    pub drawn: Option<(EcoString, Vec<VarBlock>)>,
 }
 
 /// The name of the instance that is drawn.
@@ -121,22 +118,24 @@ impl Units {
     pub fn interface(&self) -> &[VarBlock] {
         self.drawn.as_ref().map_or(&self.parts.interface, |(_, interface)| interface)
     }
+}
 
-    /// Writes the project; the unit that is drawn has the actions.
-    pub fn write(
-        &self,
-        options: &Options,
-        actions: &[(String, String)],
-        drawing: impl FnOnce(&mut Xml, Dialect),
-    ) -> String {
-        let Some((name, interface)) = &self.drawn else {
-            return project::write(&self.parts, options, actions, drawing);
-        };
-        let needed = |xml: &mut Xml| {
-            xml.open("pou", &[("name", name), ("pouType", "functionBlock")]);
-            project::unit(xml, interface, actions, Some("the chart, drawn"), options.dialect, drawing);
-        };
-        let body = |xml: &mut Xml, dialect: Dialect| dialect.body(xml, "ST", &self.parts.body);
-        project::write_with(&self.parts, options, needed, &[], body)
+/// Names that nothing else has.
+pub(crate) struct Fresh {
+    taken: FxHashSet<String>,
+}
+
+impl Fresh {
+    /// Besides those that are taken, in any case.
+    pub fn new<'n>(taken: impl Iterator<Item = &'n str>) -> Self {
+        Fresh { taken: taken.map(str::to_ascii_uppercase).collect() }
+    }
+
+    /// The wanted name, or one that begins like it.
+    pub fn name(&mut self, wanted: &str) -> String {
+        let suffixes = std::iter::once(String::new()).chain((1_u64..).map(|number| format!("_{number}")));
+        let mut names = suffixes.map(|suffix| format!("{wanted}{suffix}"));
+        let free = names.find(|name| self.taken.insert(name.to_ascii_uppercase()));
+        free.unwrap_or_else(|| wanted.to_owned())
     }
 }

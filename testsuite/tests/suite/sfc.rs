@@ -1,0 +1,223 @@
+//! Charts as sequential function charts in text: MATIEC runs them to the simulator's results, scan by scan, and what is
+//! read back is the chart.
+//!
+//! What MATIEC is known to do wrongly does not occur: an action of an initial step at its activation, one Boolean of two
+//! steps that hand over to each other, and pulses of two steps are no part of what is written; whole seconds of a step's
+//! time are passed over.
+
+use grafc::{Options as Choices, Product};
+use grafc_backends::{Target, sfc};
+use grafc_diagnostics::FileId;
+use grafc_import::Options;
+use grafc_logic::{Encoding, Options as Lowering};
+use grafc_model::chart::Chart;
+use grafc_model::reaction::{Evolution, Profile, Stimulus};
+use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
+use grafc_testsuite::executors::{Outcome, Task, find_or_skip};
+use grafc_testsuite::outline::outline;
+use grafc_testsuite::random::{ChartKind, checked, trace};
+use grafc_testsuite::runs::simulate;
+
+#[test]
+fn vectors_and_charts_agree_under_matiec() {
+    let Some(executor) = find_or_skip("matiec:sfc") else { return };
+    let all: Vec<Case> = [vectors_folder(), charts_folder()].iter().flat_map(|folder| cases(folder)).collect();
+    let prepared: Vec<(Chart, Vec<Stimulus>)> = all
+        .iter()
+        .map(|case| {
+            let chart = check(&case.name, &case.text).unwrap_or_else(|fault| panic!("{fault}"));
+            let stimuli = stimuli(&case.name, &case.trace, &chart).unwrap_or_else(|fault| panic!("{fault}"));
+            (chart, stimuli)
+        })
+        .collect();
+    let tasks: Vec<Task> = all
+        .iter()
+        .zip(&prepared)
+        .map(|(case, (chart, stimuli))| Task { chart, profile: case.profile, stimuli, turn: 0 })
+        .collect();
+    let mut ran = 0;
+    for ((case, (chart, stimuli)), outcome) in all.iter().zip(&prepared).zip(executor.run(&tasks)) {
+        match outcome {
+            Outcome::PassedOver(_) => {}
+            Outcome::Failed(said) => panic!("{}:\n{said}", case.name),
+            Outcome::Ran(responses) => {
+                ran += 1;
+                assert_eq!(spell(chart, stimuli, &responses), case.expected, "{}", case.name);
+            }
+        }
+    }
+    assert!(ran >= 8, "only {ran} ran");
+}
+
+/// Runs random charts, to stability and scan by scan, and compares them with the simulator; at least so many must run.
+fn random_charts_agree(seeds: std::ops::Range<u64>, edit: fn(String) -> String, least: usize) {
+    let Some(executor) = find_or_skip("matiec:sfc") else { return };
+    let charts: Vec<(String, Chart, Vec<Stimulus>, Profile)> = seeds
+        .map(|seed| {
+            let mut text = edit(checked(seed, ChartKind::Plain).text);
+            if text.contains("each scan") {
+                text = text.replacen('\n', " evolution scan\n", 1);
+            }
+            let chart = check("random", &text).unwrap_or_else(|fault| panic!("{fault}\n{text}"));
+            let scan = seed % 2 == 1 || text.contains("each scan");
+            let evolution = if scan { Evolution::Scan } else { Evolution::Stable };
+            let stimuli = trace(seed, &chart, 30);
+            (text, chart, stimuli, Profile { evolution, ..Profile::default() })
+        })
+        .collect();
+    let tasks: Vec<Task> =
+        charts.iter().map(|(_, chart, stimuli, profile)| Task { chart, profile: *profile, stimuli, turn: 0 }).collect();
+    let mut ran = 0;
+    for ((task, (text, ..)), outcome) in tasks.iter().zip(&charts).zip(executor.run(&tasks)) {
+        let expected = simulate(task.chart, task.profile, task.stimuli);
+        match outcome {
+            Outcome::PassedOver(_) => {}
+            Outcome::Failed(said) => panic!("{said}\n{text}"),
+            Outcome::Ran(actual) => {
+                ran += 1;
+                let difference = executor.difference(&expected, &actual);
+                let runs = || [&expected, &actual].map(|run| spell(task.chart, task.stimuli, run)).join("\n");
+                assert!(difference.is_none(), "call {difference:?} of\n{text}\n{}", runs());
+            }
+        }
+    }
+    assert!(ran >= least, "only {ran} ran");
+}
+
+#[test]
+fn plain_charts_agree_under_matiec() {
+    random_charts_agree(0..200, |text| text, 30);
+}
+
+/// Edges and delays of inputs and of steps are found before the chart, in another block.
+#[test]
+fn what_is_found_before_agrees_under_matiec() {
+    let delays = |text: String| {
+        let conditions = text.replace(": a\n", ": 500ms/a\n").replace(": not b\n", ": 300ms/(not b)/1s\n");
+        conditions.replace("↑d", "↓d").replace("↑e", "↓(d and not e)").replace(" if c }", " if c/700ms }")
+    };
+    let of_steps = |text: String| {
+        let conditions = text.replace(": a\n", ": a or ↑X101\n").replace(": b\n", ": b and not 300ms/X100/500ms\n");
+        conditions.replace(": c\n", ": 200ms/(X101 and c)\n").replace(": d\n", ": d or ↑([n > 1])\n")
+    };
+    random_charts_agree(200..500, delays, 25);
+    random_charts_agree(500..900, of_steps, 30);
+}
+
+/// Qualifiers with times, what is stored on activation, on deactivation and in each scan, conditions that read steps.
+#[test]
+fn qualifiers_agree_under_matiec() {
+    random_charts_agree(900..1400, qualified, 60);
+}
+
+/// A plain chart without edges, in which steps do all that has a qualifier.
+fn qualified(text: String) -> String {
+    let mut turn = 0_usize;
+    let plain = text.replace('↑', "").replace("output n : int", "output n, m, k : int\noutput h : bool\nvar g : bool");
+    let lines = plain.lines().map(|line| {
+        turn += 1;
+        let Some((head, actions)) = line.split_once('{').filter(|_| line.contains("step ")) else {
+            return match turn % 5 {
+                _ if !line.contains("transition") => line.to_owned(),
+                0 => line.replace(": a", ": a and not X101"),
+                1 => line.replace(": b", ": b or X101"),
+                2 => line.replace(": not c", ": (not c or g)"),
+                _ => line.to_owned(),
+            };
+        };
+        let step = head.trim().rsplit(' ').next().unwrap_or_default();
+        let own = format!("T{step}");
+        let actions = match turn % 9 {
+            0 => actions.replace(" if a", &format!(" if [{own} >= 255ms]")),
+            1 => actions.replace(" if b", &format!(" if [{own} < 155ms]")),
+            2 => actions.replace("n := n + 1 on activation", "n := n + 1 on activation h := true on activation"),
+            3 => actions.replace("n := n + 1 on activation", "m := m + 1 each scan if a  h := false on activation"),
+            4 => actions.replace("n := n + 1 on activation", "k := k + 2 on deactivation g := true on activation"),
+            5 => actions.replace(
+                "n := n + 1 on activation",
+                "k := 0 each scan if [k > 9] k := k + 3 each scan if not [k > 9] and c",
+            ),
+            6 => actions.replace(
+                "n := n + 1 on activation",
+                &format!("n := n + 5 each scan if not X{step} and b g := false on activation"),
+            ),
+            7 => actions.replace(" if c", &format!(" if not [{own} >= 355ms]")),
+            _ => actions.to_owned(),
+        };
+        format!("{head}{{{actions}")
+    });
+    let text = lines.collect::<Vec<_>>().join("\n");
+    // What nothing sets is an input for who reads it back.
+    if text.contains("g := ") { text } else { text.replace("(not c or g)", "not c") }
+}
+
+/// The chart as text, if it can be a sequential function chart and is one block.
+fn written(text: &str) -> Option<String> {
+    let profile = Profile { evolution: Evolution::Scan, ..Profile::default() };
+    let product = Product::Code(Target::Sfc(sfc::Options::default()));
+    let options = Choices::new(Lowering { profile, encoding: Encoding::default(), simplify: true }, product);
+    let (made, _) = grafc::compile(FileId::default(), text, "random", &options);
+    made.map(|made| made.text).filter(|text| text.matches("FUNCTION_BLOCK ").count() == 1)
+}
+
+/// A text that was written, read back.
+fn read(text: &str) -> String {
+    let (chart, diagnostics) = grafc_import::import(FileId::default(), text, &Options::default());
+    let losses: Vec<_> = diagnostics.iter().filter(|said| said.code == grafc_diagnostics::Code::W0703).collect();
+    assert_eq!(losses, Vec::<&grafc_diagnostics::Diagnostic>::new(), "{text}");
+    chart.unwrap_or_else(|| panic!("{diagnostics:?}\n{text}"))
+}
+
+/// What is written and read back is the chart: its steps, transitions, conditions and actions, and what it does. Edges and
+/// delays are found outside of the chart, so they are left out here, and so is one output of several steps that do not
+/// exclude each other.
+#[test]
+fn what_is_read_back_is_the_chart() {
+    let mut ran = 0;
+    for seed in 0..900 {
+        let text = alone(qualified(checked(seed, ChartKind::Plain).text)).replacen('\n', " evolution scan\n", 1);
+        let Some(exported) = written(&text) else { continue };
+        ran += 1;
+        let chart = check("random", &text).unwrap_or_else(|fault| panic!("{fault}\n{text}"));
+        let imported = read(&exported);
+        let back = check("read back", &imported).unwrap_or_else(|fault| panic!("{fault}\n{imported}"));
+        assert_eq!(outline(&back), outline(&chart), "{seed}:\n{text}\n{exported}\n{imported}");
+        let again = written(&imported).unwrap_or_else(|| panic!("{imported}"));
+        assert_eq!(read(&again), imported, "{exported}\n{again}");
+    }
+    assert!(ran >= 300, "only {ran} ran");
+}
+
+/// A plain chart in which each step has an output of its own.
+fn alone(text: String) -> String {
+    let mut outputs = Vec::new();
+    let lines = text.lines().map(|line| {
+        let Some((head, actions)) = line.split_once("{ w").filter(|_| line.contains("step ")) else {
+            return line.to_owned();
+        };
+        let step = head.trim().rsplit(' ').next().unwrap_or_default();
+        outputs.push(format!("w{step}"));
+        format!("{head}{{ w{step}{}", &actions[1..])
+    });
+    let lines: Vec<String> = lines.collect();
+    let text = lines.join("\n");
+    let own = if outputs.is_empty() { String::new() } else { format!("output {} : bool\n", outputs.join(", ")) };
+    text.replacen("output w0, w1, w2, w3 : bool\n", &own, 1)
+}
+
+/// The files of the suite, as charts and back: what comes out is what was read the first time.
+#[test]
+fn files_read_written_and_read_again_are_the_same() {
+    let folder = grafc_testsuite::binary::root().join("testsuite/imports/sfc");
+    let mut ran = Vec::new();
+    for name in ["sorting.txt", "qualifiers.txt", "filling.xml", "crane.xml"] {
+        let text = std::fs::read_to_string(folder.join(name)).expect("a file of the suite");
+        let (first, diagnostics) = grafc_import::import(FileId::default(), &text, &Options::default());
+        let first = first.unwrap_or_else(|| panic!("{name}: {diagnostics:?}"));
+        let Some(exported) = written(&first) else { continue };
+        ran.push(name);
+        let (one, two) = (check(name, &first).expect("a chart"), check(name, &read(&exported)).expect("a chart"));
+        assert_eq!(outline(&two), outline(&one), "{name}:\n{first}\n{exported}");
+    }
+    assert_eq!(ran, ["sorting.txt", "filling.xml"], "of these");
+}
