@@ -34,6 +34,8 @@ pub struct Reserved {
     /// What the overloaded and the converting functions begin with, and what follows: `ADD_TIME`, `INT_TO_REAL`.
     heads: FxHashSet<&'static str>,
     tails: FxHashSet<&'static str>,
+    /// What the tails begin with, a bit a character: a number behind the first underscore is none.
+    tail: u128,
     /// What makes an address together with a number: `M10`, `DB1`.
     addresses: FxHashSet<&'static str>,
     /// What no name may have within it behind `END_`.
@@ -60,9 +62,11 @@ impl Reserved {
     }
 
     fn iec(more: &'static str) -> Self {
+        let tails = split(&[TYPES, "BCD TO TRUNC"]);
         Reserved {
             heads: split(&[TYPES, FUNCTIONS, OPERATORS, "BCD CTD CTU CTUD TO"]),
-            tails: split(&[TYPES, "BCD TO TRUNC"]),
+            tail: bits(tails.iter().filter_map(|tail| tail.bytes().next())),
+            tails,
             ends: &matiec::ENDS,
             units: split(&[matiec::PINS]),
             ..Reserved::words(&[
@@ -82,8 +86,8 @@ impl Reserved {
     fn words(tables: &[&'static str]) -> Self {
         let none = FxHashSet::default;
         let words = split(tables);
-        let last = words.iter().filter_map(|word| word.bytes().last()).fold(0, |last, byte| last | bit(byte));
-        Reserved { words, last, heads: none(), tails: none(), addresses: none(), ends: &[], units: none() }
+        let last = bits(words.iter().filter_map(|word| word.bytes().last()));
+        Reserved { words, last, heads: none(), tails: none(), tail: 0, addresses: none(), ends: &[], units: none() }
     }
 
     /// Whether a word, in upper case, is reserved.
@@ -106,6 +110,9 @@ impl Reserved {
         // What is short is searched faster without further ado.
         let Some(joint) = word.bytes().position(|byte| byte == b'_') else { return false };
         let parts = (&word[..joint], &word[joint + 1..]);
+        if parts.1.bytes().next().is_none_or(|byte| self.tail & bit(byte) == 0) {
+            return false;
+        }
         let to = word.as_bytes().windows(TO.len()).position(|part| part == TO.as_bytes());
         extends(parts) || to.is_some_and(|at| converts((&word[..at], &word[at + TO.len()..])))
     }
@@ -129,6 +136,11 @@ impl Reserved {
         };
         (0..name.len()).filter(|at| name[*at] == b'_').find(is_joint)
     }
+}
+
+/// The bits of characters.
+fn bits(bytes: impl Iterator<Item = u8>) -> u128 {
+    bytes.fold(0, |bits, byte| bits | bit(byte))
 }
 
 /// The bit of a character; none of those that are not ASCII.

@@ -7,12 +7,13 @@ use grafc_model::chart::{Claims, Controls, GrafcetId, StepId, TransitionId};
 use grafc_net::net::{Forced, Grafcet, Place, Steps, Transition};
 use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
+use std::borrow::Cow;
 
 /// What the search for components needs of a net, its ids in canonical order.
-pub(crate) struct Canonical {
-    /// Steps, transitions, and grafcets with their steps and orders; all other tables are empty.
-    pub(crate) net: Net,
-    pub(crate) arcs: Arcs,
+pub(crate) struct Canonical<'a> {
+    /// Of its tables only steps, transitions, and grafcets with their steps and orders are meant.
+    pub(crate) net: Cow<'a, Net>,
+    pub(crate) arcs: Cow<'a, Arcs>,
     /// The ids in the net that it was made of.
     pub(crate) step: IndexVec<StepId, StepId>,
     pub(crate) transition: IndexVec<TransitionId, TransitionId>,
@@ -21,9 +22,9 @@ pub(crate) struct Canonical {
     pub(crate) transition_rank: IndexVec<TransitionId, TransitionId>,
 }
 
-impl Canonical {
-    /// Of a flat net.
-    pub(crate) fn new(net: &Net) -> Canonical {
+impl<'a> Canonical<'a> {
+    /// Of a flat net and its arcs. Most charts are written in this order: then it is the net itself.
+    pub(crate) fn new(net: &'a Net, arcs: &'a Arcs) -> Canonical<'a> {
         let mut steps: Vec<StepId> = net.places.indices().collect();
         steps.sort_by(|a, b| {
             let key = |s: StepId| {
@@ -32,6 +33,16 @@ impl Canonical {
             };
             key(*a).cmp(&key(*b))
         });
+        if steps.is_sorted() && is_sorted(net) {
+            return Canonical {
+                net: Cow::Borrowed(net),
+                arcs: Cow::Borrowed(arcs),
+                step: steps.iter().copied().collect(),
+                transition: net.transitions.indices().collect(),
+                rank: steps.into_iter().collect(),
+                transition_rank: net.transitions.indices().collect(),
+            };
+        }
         let mut rank: IndexVec<StepId, StepId> = net.places.indices().collect();
         for (number, s) in steps.iter().enumerate() {
             rank[*s] = StepId::from_usize(number);
@@ -82,9 +93,21 @@ impl Canonical {
             controls: Controls::default(),
             facts: net.facts.clone(),
         };
-        let arcs = Arcs::of(&net, |_| true);
-        Canonical { net, arcs, step: steps.into_iter().collect(), transition, rank, transition_rank }
+        let arcs = Cow::Owned(Arcs::of(&net, |_| true));
+        Canonical { net: Cow::Owned(net), arcs, step: steps.into_iter().collect(), transition, rank, transition_rank }
     }
+}
+
+/// Whether the lists of steps and the transitions stand in the order of the steps.
+fn is_sorted(net: &Net) -> bool {
+    let sides = || net.transitions.iter().map(|t| (t.pre.as_slice(), t.post.as_slice()));
+    let forced = net.grafcets.iter().flat_map(|g| &g.orders).filter_map(|order| match &order.forced {
+        Forced::Steps(steps) => Some(steps),
+        Forced::Current => None,
+    });
+    sides().is_sorted()
+        && sides().all(|(pre, post)| pre.is_sorted() && post.is_sorted())
+        && net.grafcets.iter().map(|g| &g.steps).chain(forced).all(|steps| steps.is_sorted())
 }
 
 fn bare_place(place: &Place, rank: &IndexVec<StepId, StepId>) -> Place {

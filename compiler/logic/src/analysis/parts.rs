@@ -36,7 +36,7 @@ impl Parts {
         // The number of each node, or a lower one of what can be reached from it and is in no complete part.
         let mut low = vec![UNSEEN; count];
         // What is in no complete part yet, and the way from the start to where we are.
-        let mut open: Vec<u32> = Vec::with_capacity(count);
+        let mut open: Vec<u32> = Vec::new();
         let mut way: Vec<Followed> = Vec::new();
         let mut met = 0;
         let mut meet = |node: u32, low: &mut [u32], open: &mut Vec<u32>| {
@@ -59,7 +59,14 @@ impl Parts {
                     if known != UNSEEN {
                         low[at] = low[at].min(known);
                     } else if wanted(next) {
-                        way.push(meet(next, &mut low, &mut open));
+                        // What leads nowhere, as much does, is a part at once.
+                        if successor(next, 0).is_none() {
+                            low[next as usize] = DONE;
+                            parts.nodes.push(next);
+                            parts.ends.push(parts.nodes.len() as u32);
+                        } else {
+                            way.push(meet(next, &mut low, &mut open));
+                        }
                     } else {
                         low[next as usize] = DONE;
                     }

@@ -75,6 +75,21 @@ struct Reads {
     stack: Vec<FormulaId>,
 }
 
+impl Reads {
+    /// Looks at what has come into the pool. Operands come first, and formulas are only added.
+    fn know(&mut self, pool: &Pool, temporary: &IndexVec<VarId, bool>) {
+        self.any.reserve(pool.len() - self.any.len());
+        for new in (self.any.len()..pool.len()).map(FormulaId::from_usize) {
+            let reads = match pool.get(new) {
+                Formula::Variable(v) => temporary[*v],
+                _ => pool.operands(new).any(|operand| self.any[operand.index()]),
+            };
+            self.any.push(reads);
+        }
+        self.seen.resize(pool.len(), 0);
+    }
+}
+
 impl Needed {
     fn set(&mut self, v: VarId, value: bool) {
         let old = std::mem::replace(&mut self.is[v], value);
@@ -84,17 +99,8 @@ impl Needed {
     }
 
     fn reads(&mut self, pool: &Pool, id: FormulaId) {
-        // Operands come first, and formulas are only added.
-        let more = pool.len() - self.read.any.len();
-        self.read.any.reserve(more);
-        self.read.seen.reserve(more);
-        for new in (self.read.any.len()..pool.len()).map(FormulaId::from_usize) {
-            let reads = match pool.get(new) {
-                Formula::Variable(v) => self.temporary[*v],
-                _ => pool.operands(new).any(|operand| self.read.any[operand.index()]),
-            };
-            self.read.any.push(reads);
-            self.read.seen.push(0);
+        if self.read.any.len() < pool.len() {
+            self.read.know(pool, &self.temporary);
         }
         if !self.read.any[id.index()] {
             return;

@@ -137,7 +137,7 @@ struct Written {
 
 /// Finds components that cover as many steps as possible.
 pub(crate) fn find(net: &Net, arcs: &Arcs, facts: &EdgeFacts, conditions: &Conditions) -> FoundComponents {
-    let canonical = Canonical::new(net);
+    let canonical = Canonical::new(net, arcs);
     let rivals = Rivals::new(net, arcs, conditions, facts);
     let parts = parts::parts(&canonical);
     let to_write = WRITTEN * net.places.len();
@@ -179,7 +179,7 @@ pub(crate) fn find(net: &Net, arcs: &Arcs, facts: &EdgeFacts, conditions: &Condi
 
 /// What the search finds, by canonical ids. Of rivals that are known to be `apart` at most one clears.
 fn search(canonical: &Canonical, rivals: &Rivals, apart: &FxHashSet<(TransitionId, TransitionId)>) -> Arranged {
-    let (net, arcs) = (&canonical.net, &canonical.arcs);
+    let (net, arcs) = (&*canonical.net, &*canonical.arcs);
     let around = Surroundings::new(net, arcs);
     let undecided = net.places.indices().map(|s| {
         let leaving = arcs.leaving(s);

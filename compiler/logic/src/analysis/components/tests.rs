@@ -35,8 +35,9 @@ struct Arranged {
 fn search_alone(net: &Net) -> Arranged {
     let conditions = Conditions::new(Lowering::new(Arc::new(net.clone()), None, false));
     let facts = EdgeFacts::new(&conditions.lowering.edges);
-    let canonical = Canonical::new(net);
-    let rivals = Rivals::new(net, &Arcs::of(net, |_| true), &conditions, &facts);
+    let arcs = Arcs::of(net, |_| true);
+    let canonical = Canonical::new(net, &arcs);
+    let rivals = Rivals::new(net, &arcs, &conditions, &facts);
     let arranged = search(&canonical, &rivals, &FxHashSet::default());
     let all = written(&canonical, &arranged, usize::MAX);
     let mut components: Vec<Vec<StepId>> =

@@ -34,7 +34,7 @@ const TOGETHER: usize = 6;
 
 /// What is asked about a part.
 pub(super) struct Question<'a> {
-    pub(super) canonical: &'a Canonical,
+    pub(super) canonical: &'a Canonical<'a>,
     pub(super) part: &'a Part,
     pub(super) conditions: &'a Conditions,
     pub(super) facts: &'a EdgeFacts,

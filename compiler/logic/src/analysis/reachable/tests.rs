@@ -27,8 +27,9 @@ fn net(text: &str) -> Net {
 fn reachable(net: &Net) -> Reachable {
     let conditions = Conditions::new(Lowering::new(Arc::new(net.clone()), None, false));
     let facts = EdgeFacts::new(&conditions.lowering.edges);
-    let canonical = Canonical::new(net);
-    let rivals = Rivals::new(net, &Arcs::of(net, |_| true), &conditions, &facts);
+    let arcs = Arcs::of(net, |_| true);
+    let canonical = Canonical::new(net, &arcs);
+    let rivals = Rivals::new(net, &arcs, &conditions, &facts);
     let parts = super::parts::parts(&canonical);
     Reachable::find(&canonical, &parts, &conditions, &facts, &rivals, |_| true)
 }

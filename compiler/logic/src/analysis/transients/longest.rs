@@ -44,10 +44,6 @@ impl Times {
         let possible = |change: u32| !causes.transition(net, change).is_some_and(never);
         let follow = |change: u32, place: usize| effects.of(change).get(place).map(|effect| effect.change());
         let parts = Parts::of(causes.len(), causes.at_start.iter().copied(), follow, possible);
-        let mut last = vec![Last { time: 0, cause: NONE }; causes.len()];
-        for start in causes.at_start.iter().filter(|start| possible(**start)) {
-            last[*start as usize].time = 1;
-        }
         let is_circle = |part: &[u32]| part.len() > 1 || effects.of(part[0]).iter().any(|e| e.change() == part[0]);
         let circles: Vec<&[u32]> = parts.in_order().filter(|part| is_circle(part)).collect();
         if let Some(first) = circles.first() {
@@ -56,6 +52,10 @@ impl Times {
             transitions.sort_unstable();
             transitions.dedup();
             return Err(Endless { transitions, cycle: cycle(net, causes, effects, first) });
+        }
+        let mut last = vec![Last { time: 0, cause: NONE }; causes.len()];
+        for start in causes.at_start.iter().filter(|start| possible(**start)) {
+            last[*start as usize].time = 1;
         }
         for change in parts.in_order().flatten() {
             let time = last[*change as usize].time;
