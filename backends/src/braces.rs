@@ -88,7 +88,7 @@ pub(crate) trait Braces {
                     self.enclosed(out, &head, *input, tail);
                 }
                 Statement::Case { of, arms } => self.case(out, *of, arms),
-                Statement::If { branches, otherwise } => self.branch(out, branches, otherwise),
+                Statement::If(choice) => self.branch(out, &choice.branches, &choice.otherwise),
             }
             out.origin(outer);
         }

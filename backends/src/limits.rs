@@ -2,7 +2,7 @@
 
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use grafc_formula::{Formula, FormulaId, Value};
-use grafc_logic::scan::{Division, Program, Statement, VarId, is_empty};
+use grafc_logic::scan::{Choice, Division, Program, Statement, VarId, is_empty};
 
 /// MATIEC takes 150 nested parentheses; a reader takes far fewer.
 const DEEPEST_FORMULA: u32 = 100;
@@ -96,7 +96,8 @@ impl Check<'_> {
                         self.body(&arm.body, depth + 1);
                     }
                 }
-                Statement::If { branches, otherwise } => {
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     for (condition, body) in branches {
                         self.formula(None, *condition);
                         self.body(body, depth + 1);

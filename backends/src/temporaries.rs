@@ -1,7 +1,7 @@
 //! Values that live within one scan: in which parts of it each is used, for targets that write the parts apart.
 
 use grafc_formula::{Formula, FormulaId};
-use grafc_logic::scan::{Division, Program, Role, Statement, VarId};
+use grafc_logic::scan::{Choice, Division, Program, Role, Statement, VarId};
 use rustc_hash::FxHashMap;
 
 /// The parts of a scan: once before the micro-steps, a micro-step, once after them; and what gives memory back.
@@ -111,7 +111,8 @@ impl Walk<'_> {
                     self.touch(*of);
                     arms.iter().for_each(|arm| self.block(&arm.body, true));
                 }
-                Statement::If { branches, otherwise } => {
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     for (when, body) in branches {
                         self.formula(*when);
                         self.block(body, true);

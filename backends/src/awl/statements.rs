@@ -113,7 +113,7 @@ impl AwlStatements<'_, '_> {
                 | Statement::CallTimer { .. }
                 | Statement::Divide(_)
                 | Statement::Case { .. }
-                | Statement::If { .. } => self.code.about(&self.program.word(statement)),
+                | Statement::If(_) => self.code.about(&self.program.word(statement)),
             }
             match statement {
                 Statement::Heading(heading) if self.depth == 0 => self.code.network(&self.program.heading(*heading)),
@@ -134,7 +134,7 @@ impl AwlStatements<'_, '_> {
                     timers::call(&mut self.code, self.names, *timer, timer_of.given_preset());
                 }
                 Statement::Case { of, arms } => self.case(*of, arms, after),
-                Statement::If { branches, otherwise } => self.branch(branches, otherwise, after),
+                Statement::If(choice) => self.branch(&choice.branches, &choice.otherwise, after),
             }
             self.code.out.origin(outer);
         }
@@ -263,7 +263,7 @@ impl AwlStatements<'_, '_> {
             | Statement::Divide(_)
             | Statement::CallTimer { .. }
             | Statement::Case { .. }
-            | Statement::If { .. } => None,
+            | Statement::If(_) => None,
         };
         body.iter().map(bit).collect()
     }
@@ -276,7 +276,7 @@ impl AwlStatements<'_, '_> {
             | Statement::Divide(_)
             | Statement::CallTimer { .. }
             | Statement::Case { .. }
-            | Statement::If { .. } => None,
+            | Statement::If(_) => None,
         }
     }
 }

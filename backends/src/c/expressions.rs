@@ -93,7 +93,7 @@ fn read(c: &C, restoring: bool) -> FxHashSet<VarId> {
                 Statement::Case { of, .. } => {
                     found.insert(*of);
                 }
-                Statement::If { branches, .. } => open.extend(branches.iter().map(|(when, _)| *when)),
+                Statement::If(choice) => open.extend(choice.branches.iter().map(|(when, _)| *when)),
             }
         }
     }

@@ -117,7 +117,7 @@ impl IlStatements<'_, '_> {
             let outer = self.code.out.inner_origin(statement.origin());
             match statement {
                 Statement::Heading(_) | Statement::Assign { .. } | Statement::CallTimer { .. } => {}
-                Statement::Divide(_) | Statement::Case { .. } | Statement::If { .. } => {
+                Statement::Divide(_) | Statement::Case { .. } | Statement::If(_) => {
                     self.what = self.program.word(statement);
                 }
             }
@@ -134,7 +134,7 @@ impl IlStatements<'_, '_> {
                 }
                 Statement::CallTimer { timer, input, .. } => self.call_timer(*timer, *input),
                 Statement::Case { of, arms } => self.case(*of, arms, after),
-                Statement::If { branches, otherwise } => self.branch(branches, otherwise, after),
+                Statement::If(choice) => self.branch(&choice.branches, &choice.otherwise, after),
             }
             self.code.out.origin(outer);
         }

@@ -196,10 +196,10 @@ fn what_is_in_the_accumulator_is_not_loaded_again() {
     let program = body(&BITS, Type::Bool, |b, i, y| {
         let z = b.bit(Role::Output, "z");
         let (yes, no) = (b.pool().truth(true), b.pool().truth(false));
-        let first = Statement::If {
-            branches: vec![(i[0], vec![assign(y, yes), assign(z, no)]), (i[1], vec![assign(y, i[2]), assign(z, yes)])],
-            otherwise: vec![assign(y, no), assign(z, yes)],
-        };
+        let first = Statement::choice(
+            vec![(i[0], vec![assign(y, yes), assign(z, no)]), (i[1], vec![assign(y, i[2]), assign(z, yes)])],
+            vec![assign(y, no), assign(z, yes)],
+        );
         vec![first, assign(y, no), assign(z, no)]
     });
     assert_eq!(

@@ -89,7 +89,7 @@ fn computed(program: &Program) -> Vec<Type> {
         | Statement::Assign { .. }
         | Statement::CallTimer { .. }
         | Statement::Case { .. }
-        | Statement::If { .. } => None,
+        | Statement::If(_) => None,
     }));
     types
 }

@@ -170,7 +170,7 @@ impl Groups<'_> {
                     self.formula(*input);
                 }
                 Statement::Case { of, .. } => self.variable(*of),
-                Statement::If { branches, .. } => branches.iter().for_each(|(when, _)| self.formula(*when)),
+                Statement::If(choice) => choice.branches.iter().for_each(|(when, _)| self.formula(*when)),
             }
             statement.bodies().for_each(|body| self.block(body));
         }

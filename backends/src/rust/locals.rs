@@ -5,7 +5,7 @@
 //! reading it, it is a variable of its own in each part. Else it comes before the first statement that has to do with it,
 //! with the zero of its type.
 
-use super::code::{Choice, Code};
+use super::code::Code;
 use grafc_formula::{Formula, FormulaId};
 use grafc_logic::scan::{Division, Program, Role, Statement, VarId};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -103,14 +103,13 @@ impl Finder<'_> {
                 Code::Again(again) => self.uses(block, place, *again, false),
                 Code::Call(_) => {}
                 Code::If(choice) => {
-                    let Choice { branches, otherwise } = &**choice;
-                    for (when, body) in branches {
+                    for (when, body) in &choice.branches {
                         self.formula(block, place, *when);
                         let inside = self.block(block, place);
                         self.code(inside, body);
                     }
                     let inside = self.block(block, place);
-                    self.code(inside, otherwise);
+                    self.code(inside, &choice.otherwise);
                 }
                 Code::Arms(of, arms) => {
                     self.uses(block, place, *of, false);
@@ -148,12 +147,12 @@ impl Finder<'_> {
                 self.uses(block, place, *of, false);
                 arms.iter().for_each(|arm| self.statements(block, place, &arm.body));
             }
-            Statement::If { branches, otherwise } => {
-                for (when, body) in branches {
+            Statement::If(choice) => {
+                for (when, body) in &choice.branches {
                     self.formula(block, place, *when);
                     self.statements(block, place, body);
                 }
-                self.statements(block, place, otherwise);
+                self.statements(block, place, &choice.otherwise);
             }
         }
     }

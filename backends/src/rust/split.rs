@@ -181,9 +181,9 @@ impl Weights {
             Statement::Divide(_) => 1,
             Statement::CallTimer { input, .. } => 1 + self.formula(*input),
             Statement::Case { arms, .. } => 1 + arms.iter().map(|arm| self.all(&arm.body)).sum::<usize>(),
-            Statement::If { branches, otherwise } => {
+            Statement::If(choice) => {
                 let branch = |(when, body): &(FormulaId, Vec<Statement>)| self.formula(*when) + self.all(body);
-                1 + branches.iter().map(branch).sum::<usize>() + self.all(otherwise)
+                1 + choice.branches.iter().map(branch).sum::<usize>() + self.all(&choice.otherwise)
             }
         }
     }
@@ -222,16 +222,16 @@ impl<'p> Splitter<'p, '_> {
                 self.about = Some(About::Words(heading.text()));
             }
             match statement {
-                Statement::If { branches, otherwise } if weight > self.longest => {
-                    let branches = branches.iter().map(|(when, body)| (*when, self.block(body))).collect();
-                    out.push(Code::If(Box::new(Choice { branches, otherwise: self.block(otherwise) })));
+                Statement::If(choice) if weight > self.longest => {
+                    let branches = choice.branches.iter().map(|(when, body)| (*when, self.block(body))).collect();
+                    out.push(Code::If(Box::new(Choice { branches, otherwise: self.block(&choice.otherwise) })));
                 }
                 Statement::Case { of, arms } if weight > self.longest => out.push(self.case(*of, arms)),
                 Statement::Heading(_)
                 | Statement::Assign { .. }
                 | Statement::Divide(_)
                 | Statement::CallTimer { .. }
-                | Statement::If { .. }
+                | Statement::If(_)
                 | Statement::Case { .. } => {
                     run.push(Code::Plain(statement));
                     run_weight += weight;

@@ -1,6 +1,6 @@
 //! What the functions of a scan use, and so have to be given.
 
-use super::code::{Choice, Code, Needs};
+use super::code::{Code, Needs};
 use super::places::Places;
 use grafc_formula::{Formula, FormulaId};
 use grafc_logic::scan::{Division, Program, Role, Statement, VarId};
@@ -46,12 +46,11 @@ impl<'p> Uses<'p> {
                 Code::Again(again) => self.variable(*again),
                 Code::Call(function) => self.calls.push(*function),
                 Code::If(choice) => {
-                    let Choice { branches, otherwise } = &**choice;
-                    for (when, body) in branches {
+                    for (when, body) in &choice.branches {
                         self.formula(*when);
                         self.all(body);
                     }
-                    self.all(otherwise);
+                    self.all(&choice.otherwise);
                 }
                 Code::Arms(of, arms) => {
                     self.variable(*of);
@@ -85,12 +84,12 @@ impl<'p> Uses<'p> {
                 self.variable(*of);
                 arms.iter().flat_map(|arm| &arm.body).for_each(|statement| self.statement(statement));
             }
-            Statement::If { branches, otherwise } => {
-                for (when, body) in branches {
+            Statement::If(choice) => {
+                for (when, body) in &choice.branches {
                     self.formula(*when);
                     body.iter().for_each(|statement| self.statement(statement));
                 }
-                otherwise.iter().for_each(|statement| self.statement(statement));
+                choice.otherwise.iter().for_each(|statement| self.statement(statement));
             }
         }
     }

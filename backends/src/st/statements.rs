@@ -8,7 +8,7 @@ use crate::iec::names::Names;
 use crate::writer::{STEP, Writer, column_of};
 use grafc_formula::{Formula, FormulaId, Value};
 use grafc_logic::scan::{
-    Arm, ByMinusOne, Division, Guard, Origins, Program, Repeat, Statement, TimerId, Told, VarId, origin_of,
+    Arm, ByMinusOne, Choice, Division, Guard, Origins, Program, Repeat, Statement, TimerId, Told, VarId, origin_of,
 };
 
 /// Writes the statements of one call.
@@ -114,7 +114,7 @@ impl<'p> StStatements<'p> {
                 }
                 Statement::CallTimer { timer, input, .. } => self.call_timer(out, *timer, *input),
                 Statement::Case { of, arms } => self.case(out, *of, arms),
-                Statement::If { branches, otherwise } => self.branch(out, branches, otherwise),
+                Statement::If(choice) => self.branch(out, &choice.branches, &choice.otherwise),
             }
             out.origin(outer);
         }
@@ -288,7 +288,8 @@ impl<'p> StStatements<'p> {
 
     /// `1:  IF a THEN x := 1; END_IF;`, if an arm does no more and its step has no comment.
     fn arm_on_lines(&self, out: &mut Writer, arm: &Arm, lead: &str) -> bool {
-        let [Statement::If { branches, otherwise }] = arm.body.as_slice() else { return false };
+        let [Statement::If(choice)] = arm.body.as_slice() else { return false };
+        let Choice { branches, otherwise } = &**choice;
         // What follows the first line stands below its `IF`.
         let below = lead.len() == STEP || branches.len() == 1;
         if !below || self.program.says(arm.origin, Told::Comment) {

@@ -2,7 +2,7 @@
 
 use crate::machine::{Alphabet, Set};
 use grafc_formula::{Formula, FormulaId, Type, Value};
-use grafc_logic::scan::{Program, Role, Statement, VarId};
+use grafc_logic::scan::{Choice, Program, Role, Statement, VarId};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 use std::fmt;
@@ -116,7 +116,8 @@ impl<'p> Caller<'p> {
                         if within.is_true() { value } else { within.and(&value).or(&old.and_not(within)) };
                     self.known.clear();
                 }
-                Statement::If { branches, otherwise } => {
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     let mut left = within.clone();
                     for (when, then) in branches {
                         let taken = left.and(&self.truth(*when)?);

@@ -5,7 +5,7 @@
 
 use crate::code::{At, Body, BoolAt, Branch, Operation, Part, RealAt, WholeAt};
 use grafc_formula::{Formula, FormulaId, Pool, TimerId, Type, Value, VarId};
-use grafc_logic::scan::{Division, Program, Statement};
+use grafc_logic::scan::{Choice, Division, Program, Statement};
 use index_vec::{IndexVec, index_vec};
 use rustc_hash::FxHashMap;
 
@@ -158,7 +158,8 @@ impl Compiler<'_> {
                     body.push(Part::Case { of, bodies });
                     begin = self.operations.len();
                 }
-                Statement::If { branches, otherwise } => {
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     self.end(&mut body, begin);
                     let outside = self.undo.len();
                     let mut made = Vec::with_capacity(branches.len());

@@ -180,10 +180,9 @@ fn assemble(
 
     let (mut first, started) = first_call(&mut lowering, options.profile, followers.as_ref(), &input_event);
     if let Some(watch) = &watch
-        && let (Some(at_start), Some(Statement::If { branches, .. })) =
-            (watch.at_start(&mut lowering), first.last_mut())
+        && let (Some(at_start), Some(Statement::If(choice))) = (watch.at_start(&mut lowering), first.last_mut())
     {
-        branches.iter_mut().for_each(|(_, body)| body.push(at_start.clone()));
+        choice.branches.iter_mut().for_each(|(_, body)| body.push(at_start.clone()));
     }
     let mut before = lowering.call_step_timers();
     before.extend(input_event.found(&mut lowering));

@@ -74,7 +74,7 @@ fn writes(statement: &Statement, out: &mut Vec<VarId>) {
         Statement::Heading(_) | Statement::CallTimer { .. } => {}
         Statement::Assign { target, .. } => out.push(*target),
         Statement::Divide(division) => out.push(division.target),
-        Statement::Case { .. } | Statement::If { .. } => {
+        Statement::Case { .. } | Statement::If(_) => {
             statement.bodies().flatten().for_each(|statement| writes(statement, out));
         }
     }
@@ -97,7 +97,7 @@ fn reads(program: &Program, statement: &Statement, out: &mut FxHashSet<VarId>) {
             formula(division.divisor);
         }
         Statement::Case { of, .. } => _ = out.insert(*of),
-        Statement::If { branches, .. } => branches.iter().for_each(|(when, _)| formula(*when)),
+        Statement::If(choice) => choice.branches.iter().for_each(|(when, _)| formula(*when)),
     }
     statement.bodies().flatten().for_each(|statement| reads(program, statement, out));
 }

@@ -2,7 +2,7 @@
 //! steps are active, and may count for longer than anybody looks.
 
 use grafc_formula::{Formula, FormulaId, TimerId, VarId};
-use grafc_logic::scan::{Arm, Flag, Program, Role, SeenBody, Statement};
+use grafc_logic::scan::{Arm, Choice, Flag, Program, Role, SeenBody, Statement};
 use index_vec::IndexVec;
 
 /// The program whose statements are those that claims depend on.
@@ -82,8 +82,8 @@ impl<'p> Wiring<'p> {
                         Sources { variables: vec![*of], choices: choice.into_iter().collect(), ..Sources::default() };
                     self.choice(statement, sources);
                 }
-                Statement::If { branches, .. } => {
-                    let formulas = branches.iter().map(|(when, _)| *when).collect();
+                Statement::If(of) => {
+                    let formulas = of.branches.iter().map(|(when, _)| *when).collect();
                     let sources = Sources { formulas, choices: choice.into_iter().collect(), ..Sources::default() };
                     self.choice(statement, sources);
                 }
@@ -182,9 +182,10 @@ fn kept(statements: &[Statement], needed: &Needed) -> Vec<Statement> {
             let arms = arms.iter().map(|arm| Arm { body: kept(&arm.body, needed), ..arm.clone() });
             Some(Statement::Case { of: *of, arms: arms.collect() }).filter(is_left)
         }
-        Statement::If { branches, otherwise } => {
+        Statement::If(choice) => {
+            let Choice { branches, otherwise } = &**choice;
             let branches = branches.iter().map(|(when, body)| (*when, kept(body, needed)));
-            let choice = Statement::If { branches: branches.collect(), otherwise: kept(otherwise, needed) };
+            let choice = Statement::choice(branches.collect(), kept(otherwise, needed));
             Some(choice).filter(is_left)
         }
     };

@@ -87,7 +87,7 @@ pub(crate) fn computed(program: &Program) -> BTreeSet<VarId> {
                 used(division.dividend);
                 used(division.divisor);
             }
-            Statement::Heading(_) | Statement::CallTimer { .. } | Statement::Case { .. } | Statement::If { .. } => {}
+            Statement::Heading(_) | Statement::CallTimer { .. } | Statement::Case { .. } | Statement::If(_) => {}
         }
     }
     found.retain(|v| program.variables[*v].ty != Type::Bool && is_whole(program.variables[*v].ty));

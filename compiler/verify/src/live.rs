@@ -3,7 +3,7 @@
 //! What only holds a value for others to see is none: an output that follows the situation, a flag.
 
 use grafc_formula::{Formula, FormulaId, VarId};
-use grafc_logic::scan::{Program, Role, Statement};
+use grafc_logic::scan::{Choice, Program, Role, Statement};
 use index_vec::IndexVec;
 
 /// For each variable, whether it is read before it is written.
@@ -93,7 +93,8 @@ fn backwards(program: &Program, statements: &[Statement], live: &mut Set) {
                 }
                 live[*of] = true;
             }
-            Statement::If { branches, otherwise } => {
+            Statement::If(choice) => {
+                let Choice { branches, otherwise } = &**choice;
                 let after = live.clone();
                 backwards(program, otherwise, live);
                 for (when, body) in branches.iter().rev() {

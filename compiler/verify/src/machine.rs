@@ -11,7 +11,7 @@ use crate::live::Live;
 use crate::pack::{self, Layout, State};
 use grafc_formula::number::{arithmetic, compare, divide, negate, zero};
 use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Type, Value, VarId};
-use grafc_logic::scan::{Division, Program, Role, Statement, TransitionId};
+use grafc_logic::scan::{Choice, Division, Program, Role, Statement, TransitionId};
 use index_vec::IndexVec;
 use std::collections::BTreeSet;
 
@@ -370,8 +370,9 @@ impl<'p> Machine<'p> {
                         self.run_own(&arm.body, path)?;
                     }
                 }
-                Statement::If { branches, otherwise } => {
-                    let mut taken = otherwise;
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
+                    let mut taken = otherwise.as_slice();
                     for (when, body) in branches {
                         if self.truth(*when, path)? {
                             taken = body;

@@ -99,7 +99,7 @@ fn bits_are_set_and_reset() {
         vec![
             when(both, vec![assign(y, yes), assign(z, no)]),
             when(i[2], vec![assign(z, yes), assign(n, zero)]),
-            Statement::If { branches: vec![(i[3], vec![assign(y, no)])], otherwise: vec![assign(y, yes)] },
+            Statement::choice(vec![(i[3], vec![assign(y, no)])], vec![assign(y, yes)]),
             assign(y, no),
             assign(z, no),
         ]

@@ -14,7 +14,7 @@ use super::circuit::{Factor, Ladder};
 use super::rung::{Coil, Contact, End, Storage};
 use crate::iec::literals::literal;
 use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Value};
-use grafc_logic::scan::{Arm, Program, Statement, VarId, is_empty};
+use grafc_logic::scan::{Arm, Choice, Program, Statement, VarId, is_empty};
 use rustc_hash::FxHashSet;
 
 /// So many contacts of branches that were not taken stand in a row.
@@ -115,7 +115,7 @@ impl Ladder<'_> {
                     }
                 }
                 Statement::Heading(_) => {}
-                Statement::Divide(_) | Statement::CallTimer { .. } | Statement::Case { .. } | Statement::If { .. } => {
+                Statement::Divide(_) | Statement::CallTimer { .. } | Statement::Case { .. } | Statement::If(_) => {
                     return None;
                 }
             }
@@ -165,7 +165,8 @@ impl Written {
                 }
                 Statement::Divide(division) => self.variables.extend([division.target, division.flag]),
                 Statement::Case { of: _, arms } => arms.iter().for_each(|arm| self.add(&arm.body)),
-                Statement::If { branches, otherwise } => {
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     branches.iter().for_each(|(_, body)| self.add(body));
                     self.add(otherwise);
                 }

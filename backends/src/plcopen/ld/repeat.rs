@@ -88,12 +88,12 @@ impl Repeated {
         let flag = self.limit.as_ref().map(|limit| limit.raises);
         let mut asked = asked.to_vec();
         for statement in &mut asked {
-            if let Statement::If { branches, .. } = statement {
-                branches.iter_mut().for_each(|(_, body)| body.retain(|inner| !writes(inner, flag)));
+            if let Statement::If(choice) = statement {
+                choice.branches.iter_mut().for_each(|(_, body)| body.retain(|inner| !writes(inner, flag)));
             }
         }
         let is_empty_choice =
-            |statement: &Statement| matches!(statement, Statement::If { .. }) && statement.bodies().all(is_empty);
+            |statement: &Statement| matches!(statement, Statement::If(_)) && statement.bodies().all(is_empty);
         asked.retain(|statement| !is_empty_choice(statement));
         asked
     }
@@ -164,9 +164,9 @@ impl Repeated {
         let flag = self.limit.as_ref().map(|limit| limit.flag.as_str());
         published.retain(|name| Some(*name) != flag);
         for statement in program.asked_and_reaction().0 {
-            if let Statement::If { branches, .. } = statement
+            if let Statement::If(choice) = statement
                 && let Some(limit) = &self.limit
-                && let [(when, body)] = branches.as_slice()
+                && let [(when, body)] = choice.branches.as_slice()
                 && let Formula::Variable(input) = program.pool.get(*when)
                 && body.iter().any(|inner| writes(inner, Some(limit.raises)))
             {

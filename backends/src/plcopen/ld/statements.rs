@@ -64,7 +64,7 @@ impl Ladder<'_> {
                 Statement::Divide(division) => self.divide(division, guard),
                 Statement::CallTimer { timer, input, .. } => self.call_timer(*timer, *input, guard),
                 Statement::Case { of, arms } => self.case(*of, arms, guard),
-                Statement::If { branches, otherwise } => self.branch(branches, otherwise, guard),
+                Statement::If(choice) => self.branch(&choice.branches, &choice.otherwise, guard),
             }
         }
     }

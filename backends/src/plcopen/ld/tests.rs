@@ -249,13 +249,10 @@ fn a_branch_is_chosen_before_anything_is_done() {
         let (one, read, yes) = (b.pool().constant(Value::Int(1), Type::Int), b.read(n), b.pool().truth(true));
         let (more, own) = (b.pool().arithmetic(Arithmetic::Add, Type::Int, read, one), b.read(y));
         let value = b.pool().and([i[2], i[3]]);
-        vec![Statement::If {
-            branches: vec![
-                (own, vec![assign(n, more), assign(y, i[4])]),
-                (i[1], vec![assign(y, value), assign(n, one)]),
-            ],
-            otherwise: vec![assign(y, yes)],
-        }]
+        vec![Statement::choice(
+            vec![(own, vec![assign(n, more), assign(y, i[4])]), (i[1], vec![assign(y, value), assign(n, one)])],
+            vec![assign(y, yes)],
+        )]
     });
     assert_eq!(
         lines(&program),

@@ -44,7 +44,7 @@ impl RustStatements<'_> {
                 let inside = |out: &mut Writer, place: usize| self.statements(out, &arms[place].body);
                 self.arms(out, *of, &arms.iter().collect::<Vec<_>>(), inside);
             }
-            Statement::If { branches, otherwise } => self.branch(out, branches, otherwise),
+            Statement::If(choice) => self.branch(out, &choice.branches, &choice.otherwise),
         }
         out.origin(outer);
     }

@@ -136,7 +136,7 @@ pub(crate) fn assign(target: VarId, value: FormulaId) -> Statement {
 }
 
 pub(crate) fn when(condition: FormulaId, body: Vec<Statement>) -> Statement {
-    Statement::If { branches: vec![(condition, body)], otherwise: vec![] }
+    Statement::when(condition, body)
 }
 
 /// Brings a timer up to date.
@@ -187,13 +187,10 @@ pub(crate) fn four_steps() -> Program {
     let (cs, old, high, low) = (b.read(start), b.read(old_start), b.read(level[0]), b.read(level[1]));
     let not_started = b.read(started);
     let not_started = b.pool().not(not_started);
-    b.program.first = vec![Statement::If {
-        branches: vec![(
-            not_started,
-            vec![heading(Heading::MemoryOfEdges), assign(started, yes), assign(old_start, cs)],
-        )],
-        otherwise: vec![],
-    }];
+    b.program.first = vec![Statement::choice(
+        vec![(not_started, vec![heading(Heading::MemoryOfEdges), assign(started, yes), assign(old_start, cs)])],
+        vec![],
+    )];
     let not_old = b.pool().not(old);
     let rise = b.pool().and([x[0], cs, not_old]);
     let filled = b.pool().and([x[1], high]);
@@ -221,10 +218,7 @@ pub(crate) fn four_steps() -> Program {
     body.push(heading(Heading::StoredActions));
     let (one, total) = (b.pool().constant(Value::Int(1), Type::Int), b.read(batches));
     let more = b.pool().arithmetic(Arithmetic::Add, Type::Int, total, one);
-    body.push(Statement::If {
-        branches: vec![(c[1], vec![b.noted(batches, more, "2 -> 3: on clearing")])],
-        otherwise: vec![],
-    });
+    body.push(Statement::when(c[1], vec![b.noted(batches, more, "2 -> 3: on clearing")]));
     body.push(heading(Heading::Situation));
     body.extend((0..4).map(|i| assign(steps[i], n[i])));
     body.push(assign(old_start, cs));

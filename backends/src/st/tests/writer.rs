@@ -402,10 +402,7 @@ fn long_lines() {
             ),
             assign(y, either),
             call(limit, all),
-            Statement::If {
-                branches: vec![(all, vec![b.noted(y, many[0], "5 -> 4: short")])],
-                otherwise: vec![assign(y, none)],
-            },
+            Statement::choice(vec![(all, vec![b.noted(y, many[0], "5 -> 4: short")])], vec![assign(y, none)]),
         ]
     });
     check_body(

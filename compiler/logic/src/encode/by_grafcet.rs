@@ -48,7 +48,7 @@ fn grafcet_of(net: &Net, statement: &Statement) -> Option<GrafcetId> {
         Statement::Assign { origin, .. } | Statement::CallTimer { origin, .. } => *origin,
         Statement::Divide(division) => division.origin,
         Statement::Case { arms, .. } => arms.first().map_or(Origin::Chart, |arm| arm.origin),
-        Statement::If { branches, .. } => branches.first().map_or(Origin::Chart, |(_, body)| origin_of(body)),
+        Statement::If(choice) => choice.branches.first().map_or(Origin::Chart, |(_, body)| origin_of(body)),
     };
     of_origin(net, origin)
 }

@@ -25,7 +25,7 @@ pub(crate) fn choose(lowering: &Lowering, branches: Vec<(FormulaId, Vec<Statemen
             None => kept.push((when, body)),
         }
     }
-    if kept.is_empty() { otherwise } else { vec![Statement::If { branches: kept, otherwise }] }
+    if kept.is_empty() { otherwise } else { vec![Statement::choice(kept, otherwise)] }
 }
 
 /// Raises a flag where something holds.

@@ -92,7 +92,7 @@ pub(crate) fn check(lowering: &mut Lowering, cut_off: Option<VarId>) -> Vec<Stat
         }
     }
     lowering.net = net;
-    let body = if branches.is_empty() { otherwise } else { vec![Statement::If { branches, otherwise }] };
+    let body = if branches.is_empty() { otherwise } else { vec![Statement::choice(branches, otherwise)] };
     if body.is_empty() {
         return Vec::new();
     }
@@ -105,7 +105,7 @@ pub(crate) fn check(lowering: &mut Lowering, cut_off: Option<VarId>) -> Vec<Stat
     let when = lowering.pool.and(when);
     let mut out = vec![Statement::Heading(Heading::Assertions)];
     out.extend(without_flag(lowering, cx.statements));
-    out.push(Statement::If { branches: vec![(when, body)], otherwise: Vec::new() });
+    out.push(Statement::when(when, body));
     out
 }
 

@@ -42,7 +42,7 @@ fn while_true(
     body.insert(0, Statement::Heading(heading));
     // Those of the chart come first in the table, in its order.
     let when = program.pool.variable(VarId::from(input.index()), Type::Bool);
-    Some(Statement::If { branches: vec![(when, body)], otherwise: Vec::new() })
+    Some(Statement::when(when, body))
 }
 
 /// All that is kept, as before the first call.

@@ -96,7 +96,7 @@ pub(crate) fn first_call(
     let is_started = lowering.symbols.read(&mut lowering.pool, started);
     let at_first = lowering.pool.not(is_started);
     body.insert(0, Statement::assign(Origin::Chart, started, yes));
-    (vec![Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() }], Some(started))
+    (vec![Statement::when(at_first, body)], Some(started))
 }
 
 /// What the first call of all gives to variables that are retained, guarded from the first calls after restarts by a mark
@@ -111,5 +111,5 @@ fn at_first_of_all(lowering: &mut Lowering, mut body: Vec<Statement>) -> Option<
     let is_set = lowering.symbols.read(&mut lowering.pool, mark);
     let (at_first, yes) = (lowering.pool.not(is_set), lowering.pool.truth(true));
     body.push(Statement::assign(Origin::Chart, mark, yes));
-    Some(Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() })
+    Some(Statement::when(at_first, body))
 }

@@ -5,7 +5,7 @@
 //! round in a circle, the variable is copied before it is written, and those that have yet to read it read the copy.
 
 use crate::lower::Lowering;
-use crate::scan::{Origin, Role, Statement, VarId};
+use crate::scan::{Choice, Origin, Role, Statement, VarId};
 use grafc_formula::{Formula, FormulaId};
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
@@ -54,7 +54,8 @@ impl Bundle {
                     }
                     arms.iter().for_each(|arm| self.look(lowering, &arm.body, of_interest));
                 }
-                Statement::If { branches, otherwise } => {
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     for (when, body) in branches {
                         reads(self, *when);
                         self.look(lowering, body, of_interest);
@@ -209,7 +210,8 @@ fn redirect(lowering: &mut Lowering, copies: &Copies, statements: &mut [Statemen
                 *of = copies.of.get(of).copied().unwrap_or(*of);
                 arms.iter_mut().for_each(|arm| redirect(lowering, copies, &mut arm.body));
             }
-            Statement::If { branches, otherwise } => {
+            Statement::If(choice) => {
+                let Choice { branches, otherwise } = &mut **choice;
                 for (when, body) in branches {
                     *when = lowering.pool.substitute(*when, &copies.read);
                     redirect(lowering, copies, body);

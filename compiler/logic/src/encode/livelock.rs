@@ -72,5 +72,5 @@ pub(crate) fn statements(
 }
 
 fn when(condition: FormulaId, body: Vec<Statement>) -> Statement {
-    Statement::If { branches: vec![(condition, body)], otherwise: Vec::new() }
+    Statement::when(condition, body)
 }

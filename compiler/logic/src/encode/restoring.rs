@@ -35,7 +35,7 @@ pub(crate) fn restoring(
     if let Some(started) = started.filter(|_| !statements.is_empty()) {
         // Before the first call nothing is active, whatever a state says.
         let when = lowering.symbols.read(&mut lowering.pool, started);
-        statements = vec![Statement::If { branches: vec![(when, statements)], otherwise: Vec::new() }];
+        statements = vec![Statement::when(when, statements)];
     }
     Restoring { statements, exclusive: cover.map(|cover| exclusive(lowering, cover)).unwrap_or_default() }
 }

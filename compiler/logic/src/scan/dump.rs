@@ -3,7 +3,7 @@
 //!
 //! Variables go by the names that the program wishes for them; a further one of the same name gets a number.
 
-use crate::scan::{Division, Origin, Program, Role, State, Statement, TimerId, Told, VarId, Variable};
+use crate::scan::{Choice, Division, Origin, Program, Role, State, Statement, TimerId, Told, VarId, Variable};
 use grafc_formula::number::zero;
 use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_model::dump::{comment, list, literal, name, section, type_name, value};
@@ -175,7 +175,8 @@ impl<'p> Dump<'p> {
                         self.statements(lines, &arm.body, &format!("{deeper}  "));
                     }
                 }
-                Statement::If { branches, otherwise } => {
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     let word = if self.style == Style::Statements { "if" } else { "where" };
                     for (place, (when, body)) in branches.iter().enumerate() {
                         let before = if place == 0 { "" } else { "else " };
@@ -348,7 +349,7 @@ mod tests {
         p.after = vec![
             Statement::Heading(Heading::Outputs),
             by_hand::call(timer, a),
-            Statement::If { branches: vec![(all, vec![assign(q, sum)]), (a, vec![assign(q, n_)])], otherwise },
+            Statement::choice(vec![(all, vec![assign(q, sum)]), (a, vec![assign(q, n_)])], otherwise),
             Statement::Case { of: n, arms: vec![arm] },
             Statement::Divide(Division {
                 target: q,

@@ -262,7 +262,7 @@ impl Program {
                     timers[*timer] = timers[*timer].or(*origin);
                     continue;
                 }
-                Statement::Heading(_) | Statement::Case { .. } | Statement::If { .. } => continue,
+                Statement::Heading(_) | Statement::Case { .. } | Statement::If(_) => continue,
             };
             if !shared(written) && !states.contains_key(&written) {
                 variables[written] = variables[written].or(origin);

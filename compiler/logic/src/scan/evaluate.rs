@@ -3,7 +3,7 @@
 //! Shares nothing with the reference simulator. Formulas are walked with a stack of our own, each shared part once, so
 //! that no evaluation recurses and a scan costs what the program holds.
 
-use crate::scan::{Division, Flag, Program, Role, Statement, TimerId, VarId, Variable};
+use crate::scan::{Choice, Division, Flag, Program, Role, Statement, TimerId, VarId, Variable};
 use grafc_formula::number::{arithmetic, compare, divide, negate};
 use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_model::chart::StepId;
@@ -174,7 +174,8 @@ impl<'p> Evaluator<'p> {
                         self.run(&arm.body);
                     }
                 }
-                Statement::If { branches, otherwise } => {
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     let taken = branches.iter().find(|(when, _)| self.truth(*when));
                     match taken {
                         Some((_, body)) => self.run(body),

@@ -51,7 +51,7 @@ impl Program {
     /// from the one before; and the initial reaction.
     pub fn asked_and_reaction(&self) -> (&[Statement], &[Statement]) {
         let asked = |statement: &Statement| match statement {
-            Statement::If { branches, otherwise } => match (branches.as_slice(), otherwise.is_empty()) {
+            Statement::If(choice) => match (choice.branches.as_slice(), choice.otherwise.is_empty()) {
                 ([(when, _)], true) => match self.pool.get(*when) {
                     Formula::Variable(v) => self.variables[*v].role == Role::Input,
                     _ => false,

@@ -3,7 +3,7 @@
 //! All that decides what a program does is taken in: variables with their types and initial values, timers, steps, states,
 //! and every statement with its formulas. What is only said of them is not: comments, headings, and where they come from.
 
-use super::{Division, Flag, Held, Program, Role, Statement, VarId};
+use super::{Choice, Division, Flag, Held, Program, Role, Statement, VarId};
 use grafc_formula::{Formula, FormulaId, Value};
 
 /// The form of the memory that a program of this fingerprint saves; a new one where the same program saves otherwise.
@@ -161,7 +161,8 @@ impl Printing<'_> {
                         self.statements(&arm.body);
                     }
                 }
-                Statement::If { branches, otherwise } => {
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     self.list(&[4, branches.len() as u64]);
                     for (when, body) in branches {
                         self.formula(*when);

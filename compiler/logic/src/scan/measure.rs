@@ -140,7 +140,7 @@ impl Tally<'_> {
                     arms.iter()
                         .fold(1, |sum: u64, arm| sum.saturating_add(1).saturating_add(self.body(&arm.body, true)))
                 }
-                Statement::If { branches, otherwise } => self.choice(branches, otherwise),
+                Statement::If(choice) => self.choice(&choice.branches, &choice.otherwise),
             });
             self.statements += 1;
             branch_taken = branch_taken && is_move(&self.program.pool, statement);
@@ -182,7 +182,7 @@ fn is_move(pool: &Pool, statement: &Statement) -> bool {
     match statement {
         Statement::Heading(_) => true,
         Statement::Assign { value, .. } => pool.as_constant(*value).is_some(),
-        Statement::Divide(_) | Statement::CallTimer { .. } | Statement::Case { .. } | Statement::If { .. } => false,
+        Statement::Divide(_) | Statement::CallTimer { .. } | Statement::Case { .. } | Statement::If(_) => false,
     }
 }
 
@@ -267,20 +267,20 @@ mod tests {
         // LD TRUE, ST x
         assert_eq!(counts(p, vec![assign(x, yes)]), (1, 2));
         // LD a, R x, S y
-        let one = Statement::If { branches: vec![(a, moves())], otherwise: Vec::new() };
+        let one = Statement::when(a, moves());
         assert_eq!(counts(p, vec![one.clone()]), (3, 3));
         // LD a, R x, S y, JMPC end, LD b, R x, S y
-        let two = Statement::If { branches: vec![(a, moves()), (b, moves())], otherwise: Vec::new() };
+        let two = Statement::choice(vec![(a, moves()), (b, moves())], Vec::new());
         assert_eq!(counts(p, vec![two]), (5, 7));
         // LD a, R x, S y, JMPC end, LD b, ST y
-        let other = Statement::If { branches: vec![(a, moves())], otherwise: vec![assign(y, b)] };
+        let other = Statement::choice(vec![(a, moves())], vec![assign(y, b)]);
         assert_eq!(counts(p, vec![other]), (4, 6));
         // LD a, JMPCN end, S x, LD b, ST y, LD FALSE, ST x
         let body = vec![assign(x, yes), assign(y, b), assign(x, no)];
-        let mixed = Statement::If { branches: vec![(a, body)], otherwise: Vec::new() };
+        let mixed = Statement::when(a, body);
         assert_eq!(counts(p, vec![mixed]), (4, 7));
         // LD b, JMPCN next, LD a, R x, S y, JMP end, next: LD a, ST y
-        let nested = Statement::If { branches: vec![(b, vec![one])], otherwise: vec![assign(y, a)] };
+        let nested = Statement::choice(vec![(b, vec![one])], vec![assign(y, a)]);
         assert_eq!(counts(p, vec![nested]), (5, 8));
     }
 
@@ -304,7 +304,7 @@ mod tests {
             copies: Vec::new(),
         });
         let (yes, three) = (program.pool.truth(true), program.pool.constant(Value::Int(3), Type::Int));
-        let moves = Statement::If { branches: vec![(a, vec![assign(next, three)])], otherwise: Vec::new() };
+        let moves = Statement::when(a, vec![assign(next, three)]);
         let case = Statement::Case { of: at, arms: vec![arm(1, vec![moves]), arm(2, vec![assign(y, yes)])] };
         // LD at, 1: LD a, MOVE 3 next; 2: S y
         assert_eq!(counts(&mut program, vec![case]), (4, 1 + (1 + 2) + (1 + 1)));
@@ -345,7 +345,7 @@ mod tests {
         let [a, ..] = bits(&mut program);
         let (is_started, was) = (program.pool.variable(started, Type::Bool), program.pool.variable(old, Type::Bool));
         let at_first = program.pool.not(is_started);
-        program.first = vec![Statement::If { branches: vec![(at_first, vec![assign(old, a)])], otherwise: Vec::new() }];
+        program.first = vec![Statement::when(at_first, vec![assign(old, a)])];
         assert_eq!(measure(&program), Measure::default());
         let y = variable(&mut program, Role::Output, Type::Bool);
         program.before = vec![assign(y, a)];

@@ -63,7 +63,7 @@ pub use measure::{Measure, measure};
 pub use observing::{Observed, Observing, SeenDelay, SeenTransition};
 pub use origin::{ActionId, Heading, OrderId, Origin, Part, Told};
 pub use restoring::{Exclusive, Restoring};
-pub use statement::{Arm, Statement, is_empty, origin_of, origin_of_end};
+pub use statement::{Arm, Choice, Statement, is_empty, origin_of, origin_of_end};
 pub use variable::{Flag, Held, Preset, Role, State, Step, Timer, Variable};
 pub use verify::verify;
 pub use worst::WorstCase;

@@ -37,15 +37,22 @@ pub enum Statement {
         /// What is done at each value; no value twice, no body empty, at least one.
         arms: Vec<Arm>,
     },
-    /// The first branch whose condition is true.
-    If {
-        /// Conditions and what they guard; none is empty.
-        branches: Vec<(FormulaId, Vec<Statement>)>,
-        /// Otherwise: what a source transition on 1 stores where a later one may store something else, in an encoding
-        /// that writes clearings out.
-        otherwise: Vec<Statement>,
-    },
+    /// What is done in the first branch whose condition is true.
+    If(Box<Choice>),
 }
+
+/// What is done where conditions are true.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Choice {
+    /// Conditions and what they guard; none is empty.
+    pub branches: Vec<(FormulaId, Vec<Statement>)>,
+    /// Otherwise: what a source transition on 1 stores where a later one may store something else, in an encoding
+    /// that writes clearings out.
+    pub otherwise: Vec<Statement>,
+}
+
+/// A program has several for each step.
+const _: () = assert!(size_of::<Statement>() <= 32);
 
 /// What is done at one value of a variable.
 #[derive(Clone, PartialEq, Debug)]
@@ -66,10 +73,20 @@ impl Statement {
         Statement::Assign { target, value, origin, told: Told::Nothing }
     }
 
+    /// What is done where a condition is true.
+    pub fn when(condition: FormulaId, body: Vec<Statement>) -> Statement {
+        Statement::choice(vec![(condition, body)], Vec::new())
+    }
+
+    /// What is done where the first of some conditions is true, and otherwise.
+    pub fn choice(branches: Vec<(FormulaId, Vec<Statement>)>, otherwise: Vec<Statement>) -> Statement {
+        Statement::If(Box::new(Choice { branches, otherwise }))
+    }
+
     /// Where it comes from. A choice has no origin of its own: its arms have, and of its branches see [`origin_of`].
     pub fn origin(&self) -> Origin {
         match self {
-            Statement::Heading(_) | Statement::Case { .. } | Statement::If { .. } => Origin::Chart,
+            Statement::Heading(_) | Statement::Case { .. } | Statement::If(_) => Origin::Chart,
             Statement::Assign { origin, .. } | Statement::CallTimer { origin, .. } => *origin,
             Statement::Divide(division) => division.origin,
         }
@@ -89,7 +106,7 @@ impl Statement {
                 (&[], &[], &[])
             }
             Statement::Case { of: _, arms } => (arms, &[], &[]),
-            Statement::If { branches, otherwise } => (&[], branches, otherwise),
+            Statement::If(choice) => (&[], &choice.branches, &choice.otherwise),
         };
         let arms = arms.iter().map(|arm| arm.body.as_slice());
         let branches = branches.iter().map(|(_, body)| body.as_slice());

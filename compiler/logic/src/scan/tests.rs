@@ -52,7 +52,7 @@ fn statements_are_gone_through_in_order() {
     let (a, when) = bit(&mut p, Role::Input);
     let targets: Vec<VarId> = (0..6).map(|_| bit(&mut p, Role::Output).0).collect();
     let write = |place: usize| assign(targets[place], when);
-    let inner = Statement::If { branches: vec![(when, vec![write(1)])], otherwise: vec![write(2)] };
+    let inner = Statement::choice(vec![(when, vec![write(1)])], vec![write(2)]);
     let arms = vec![arm(1, vec![inner, write(3)])];
     p.before = vec![write(0), Statement::Case { of: a, arms }, write(4)];
     p.after = vec![write(5)];
@@ -74,7 +74,7 @@ fn whole() -> Program {
     let flag = variable(&mut p, Role::Flag(Flag::Livelock), Type::Bool);
     let (yes, at_first) = (p.pool.truth(true), p.pool.not(is_started));
     let body = vec![assign(started, yes), assign(x, yes)];
-    p.first = vec![Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() }];
+    p.first = vec![Statement::when(at_first, body)];
     p.started = Some(started);
     p.repeat = Some(Repeat { again, limit: Some(Limit { count, bound: 32_767, flag }) });
     p

@@ -15,7 +15,7 @@ impl Program {
                 Statement::Divide(division) => self.word_or(division.origin, division.target),
                 Statement::CallTimer { timer, .. } => self.timers[*timer].name.as_str().into(),
                 Statement::Case { of, .. } => self.variables[*of].name.clone(),
-                Statement::If { .. } => EcoString::new(),
+                Statement::If(_) => EcoString::new(),
             };
             if !word.is_empty() {
                 return word;

@@ -25,7 +25,7 @@ fn longest(statements: &[Statement]) -> u64 {
     let of = |statement: &Statement| match statement {
         Statement::Heading(_) => 0,
         Statement::Assign { .. } | Statement::Divide(_) | Statement::CallTimer { .. } => 1,
-        Statement::Case { .. } | Statement::If { .. } => 1 + statement.bodies().map(longest).max().unwrap_or_default(),
+        Statement::Case { .. } | Statement::If(_) => 1 + statement.bodies().map(longest).max().unwrap_or_default(),
     };
     statements.iter().map(of).sum()
 }
@@ -43,7 +43,7 @@ mod tests {
         p.first = vec![one.clone()];
         // 1 for the choice, and 2 of its longer branch.
         let branches = vec![(f, vec![one.clone()]), (g, vec![one.clone(), other.clone()])];
-        p.micro_step = vec![Statement::If { branches, otherwise: vec![other.clone()] }];
+        p.micro_step = vec![Statement::choice(branches, vec![other.clone()])];
         // 1 for the choice, and 1 of an arm.
         p.after = vec![Statement::Case { of: a, arms: vec![arm(1, vec![one]), arm(2, vec![other])] }];
         p.most = 4;

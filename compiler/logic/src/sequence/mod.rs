@@ -60,7 +60,7 @@ impl Sequence {
             | Statement::Divide(_)
             | Statement::CallTimer { .. }
             | Statement::Case { .. }
-            | Statement::If { .. } => None,
+            | Statement::If(_) => None,
         })
     }
 }

@@ -228,6 +228,6 @@ impl Expressions<'_> {
         let at_first = self.pool.not(is_started);
         let mut body = vec![Statement::assign(Origin::Chart, started, yes)];
         body.append(&mut self.prepared.first);
-        (vec![Statement::If { branches: vec![(at_first, body)], otherwise: Vec::new() }], Some(started))
+        (vec![Statement::when(at_first, body)], Some(started))
     }
 }

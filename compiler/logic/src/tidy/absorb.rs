@@ -12,7 +12,7 @@
 use super::words::formula_word;
 use crate::analysis::components::Components;
 use crate::lower::Lowering;
-use crate::scan::{Origin, Program, Role, Statement};
+use crate::scan::{Choice, Origin, Program, Role, Statement};
 use grafc_formula::{Formula, FormulaId, Pool, Type};
 use grafc_model::chart::{StepId, TransitionId};
 use index_vec::IndexVec;
@@ -111,7 +111,8 @@ impl Absorbing {
                 Statement::Assign { value, .. } => *value = self.formula(*value),
                 Statement::CallTimer { input, .. } => *input = self.formula(*input),
                 Statement::Case { arms, .. } => arms.iter_mut().for_each(|arm| self.block(&mut arm.body)),
-                Statement::If { branches, otherwise } => {
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &mut **choice;
                     for (when, body) in branches {
                         // A condition that has become constant would need another statement, so it stays as it is.
                         let shorter = self.formula(*when);

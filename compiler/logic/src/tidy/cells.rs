@@ -47,7 +47,7 @@ pub(super) fn each_written(statement: &Statement, of: &mut dyn FnMut(Cell)) {
             of(Cell::Variable(*flag));
         }
         Statement::CallTimer { timer, .. } => of(Cell::Timer(*timer)),
-        Statement::Case { .. } | Statement::If { .. } => {
+        Statement::Case { .. } | Statement::If(_) => {
             statement.bodies().flatten().for_each(|inner| each_written(inner, of));
         }
     }

@@ -14,7 +14,7 @@
 //! so that a call costs what is active, not what is drawn. The calls go to the place of the first of them. That is the same
 //! as long as between the two places nothing reads the timer and nothing writes what its input reads.
 
-use crate::scan::{Arm, Heading, Origin, Program, Role, Statement, TimerId, Told, VarId, Variable};
+use crate::scan::{Arm, Choice, Heading, Origin, Program, Role, Statement, TimerId, Told, VarId, Variable};
 use grafc_formula::{Comparison, Formula, FormulaId, Pool, Value};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
@@ -85,7 +85,8 @@ fn count(statement: &Statement, calls: &mut FxHashMap<TimerId, usize>) {
         Statement::CallTimer { timer, .. } => *calls.entry(*timer).or_default() += 1,
         Statement::Heading(_) | Statement::Assign { .. } | Statement::Divide(_) => {}
         Statement::Case { arms, .. } => arms.iter().flat_map(|arm| &arm.body).for_each(|s| count(s, calls)),
-        Statement::If { branches, otherwise } => {
+        Statement::If(choice) => {
+            let Choice { branches, otherwise } = &**choice;
             let bodies = branches.iter().flat_map(|(_, body)| body).chain(otherwise);
             bodies.for_each(|s| count(s, calls));
         }
@@ -126,7 +127,7 @@ fn groups(pool: &Pool, of_state: &FxHashMap<VarId, usize>, section: &[Statement]
                 written.insert(*target);
                 timers_read(pool, *value, &mut seen, &mut read);
             }
-            Statement::Divide(_) | Statement::Case { .. } | Statement::If { .. } => {
+            Statement::Divide(_) | Statement::Case { .. } | Statement::If(_) => {
                 done.extend(std::mem::take(&mut open).into_values());
                 written.clear();
                 read.clear();
@@ -219,7 +220,7 @@ fn calls_by_state(
         Statement::assign(Origin::Chart, timed, is),
     ];
     vec![
-        Statement::If { branches: vec![(moved, left)], otherwise: Vec::new() },
+        Statement::when(moved, left),
         Statement::Heading(Heading::TimersOfTheActiveStep),
         Statement::Case { of: group.state, arms: arms(on) },
     ]

@@ -2,7 +2,7 @@
 //! long as `a` writes nothing that `c` reads.
 
 use super::cells::{Cell, each_written, read_by};
-use crate::scan::{Program, Statement};
+use crate::scan::{Choice, Program, Statement};
 use grafc_formula::{FormulaId, Pool};
 use rustc_hash::FxHashSet;
 
@@ -22,9 +22,9 @@ fn read_by_guards(pool: &Pool, branches: &[Branch]) -> FxHashSet<Cell> {
     branches.iter().flat_map(|(when, _)| read_by(pool, *when)).collect()
 }
 
-fn is_changed_by(read: &FxHashSet<Cell>, branches: &[Branch], otherwise: &[Statement]) -> bool {
+fn is_changed_by(read: &FxHashSet<Cell>, choice: &Choice) -> bool {
     let mut changed = false;
-    for statement in branches.iter().flat_map(|(_, body)| body).chain(otherwise) {
+    for statement in choice.branches.iter().flat_map(|(_, body)| body).chain(&choice.otherwise) {
         each_written(statement, &mut |cell| changed |= read.contains(&cell));
     }
     changed
@@ -37,21 +37,21 @@ fn block(pool: &Pool, statements: &mut Vec<Statement>) {
     let mut closed = false;
     statements.dedup_by(|statement, last| {
         if !closed
-            && let Statement::If { branches: known, otherwise: other } = last
-            && let Statement::If { branches, otherwise } = statement
-            && same(known, branches)
+            && let Statement::If(last) = last
+            && let Statement::If(choice) = statement
+            && same(&last.branches, &choice.branches)
         {
             let read = read.get_or_insert_with(|| {
-                let read = read_by_guards(pool, known);
-                closed = is_changed_by(&read, known, other);
+                let read = read_by_guards(pool, &last.branches);
+                closed = is_changed_by(&read, last);
                 read
             });
             if !closed {
-                closed = is_changed_by(read, branches, otherwise);
-                for ((_, body), (_, more)) in known.iter_mut().zip(branches) {
+                closed = is_changed_by(read, choice);
+                for ((_, body), (_, more)) in last.branches.iter_mut().zip(&mut choice.branches) {
                     body.append(more);
                 }
-                other.append(otherwise);
+                last.otherwise.append(&mut choice.otherwise);
                 return true;
             }
         }
@@ -61,7 +61,8 @@ fn block(pool: &Pool, statements: &mut Vec<Statement>) {
     for statement in statements {
         match statement {
             Statement::Case { arms, .. } => arms.iter_mut().for_each(|arm| block(pool, &mut arm.body)),
-            Statement::If { branches, otherwise } => {
+            Statement::If(choice) => {
+                let Choice { branches, otherwise } = &mut **choice;
                 branches.iter_mut().for_each(|(_, body)| block(pool, body));
                 block(pool, otherwise);
             }
@@ -85,10 +86,7 @@ mod tests {
         let mut p = empty();
         let [(_, a), (b, is_b)] = [(); 2].map(|()| bit(&mut p, Role::Input));
         let [(x, _), (y, _), (z, _)] = [(); 3].map(|()| bit(&mut p, Role::Output));
-        let when = |when: FormulaId, body: Vec<Statement>| Statement::If {
-            branches: vec![(when, body)],
-            otherwise: Vec::new(),
-        };
+        let when = |when: FormulaId, body: Vec<Statement>| Statement::when(when, body);
         let c = p.pool.and([a, is_b]);
         p.micro_step = vec![
             when(c, vec![assign(x, a)]),

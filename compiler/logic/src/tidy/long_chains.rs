@@ -11,7 +11,7 @@
 //! Formulas have no effects, so the pieces stand before the statement that reads them; those of a condition before the
 //! whole `If`.
 
-use crate::scan::{Heading, Origin, Program, Role, Statement, Variable, origin_of};
+use crate::scan::{Choice, Heading, Origin, Program, Role, Statement, Variable, origin_of};
 use grafc_formula::{Formula, FormulaId, Type};
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -80,7 +80,8 @@ impl Cutter<'_> {
                 Statement::Assign { value, .. } => *value = self.formula(*value, &mut before),
                 Statement::CallTimer { input, .. } => *input = self.formula(*input, &mut before),
                 Statement::Case { arms, .. } => arms.iter_mut().for_each(|arm| self.block(&mut arm.body)),
-                Statement::If { branches, otherwise } => {
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &mut **choice;
                     for (when, body) in branches {
                         self.origin = origin_of(body);
                         *when = self.formula(*when, &mut before);
@@ -184,7 +185,7 @@ mod tests {
         let any = p.pool.or(inputs.clone());
         let (none, all) = (p.pool.not(any), p.pool.and(inputs));
         let branches = vec![(any, vec![assign(v, all)])];
-        p.micro_step = vec![assign(w, none), Statement::If { branches, otherwise: Vec::new() }];
+        p.micro_step = vec![assign(w, none), Statement::choice(branches, Vec::new())];
         p
     }
 
@@ -193,9 +194,9 @@ mod tests {
         let mut program = program(600);
         cut(&mut program);
         // Three pieces before each of the two formulas that were long where they stood, three in the branch.
-        let [.., Statement::If { branches, .. }] = program.micro_step.as_slice() else { panic!("an If at the end") };
+        let [.., Statement::If(choice)] = program.micro_step.as_slice() else { panic!("an If at the end") };
         assert_eq!(program.micro_step.len(), 3 + 1 + 3 + 1);
-        assert_eq!(branches[0].1.len(), 3 + 1);
+        assert_eq!(choice.branches[0].1.len(), 3 + 1);
         for (ones, w, v) in [
             (0..0, true, false),
             // The last of a whole piece.

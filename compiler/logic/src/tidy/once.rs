@@ -11,7 +11,7 @@
 
 use super::cells::{Cell, each_written, read_by};
 use super::words::formula_word;
-use crate::scan::{Origin, Program, Role, Statement, VarId, Variable};
+use crate::scan::{Choice, Origin, Program, Role, Statement, VarId, Variable};
 use grafc_formula::{Formula, FormulaId, Type};
 use rustc_hash::FxHashMap;
 
@@ -119,7 +119,7 @@ fn roots(statement: &Statement, out: &mut Vec<FormulaId>) {
         Statement::Heading(_) | Statement::Divide(_) | Statement::Case { .. } => {}
         Statement::Assign { value, .. } => out.push(*value),
         Statement::CallTimer { input, .. } => out.push(*input),
-        Statement::If { branches, .. } => out.extend(branches.iter().map(|(when, _)| *when)),
+        Statement::If(choice) => out.extend(choice.branches.iter().map(|(when, _)| *when)),
     }
 }
 
@@ -248,8 +248,8 @@ impl Once<'_> {
             Statement::Heading(_) | Statement::Divide(_) | Statement::Case { .. } => {}
             Statement::Assign { value, .. } => *value = pool.replace(*value, by),
             Statement::CallTimer { input, .. } => *input = pool.replace(*input, by),
-            Statement::If { branches, .. } => {
-                branches.iter_mut().for_each(|(when, _)| *when = pool.replace(*when, by));
+            Statement::If(choice) => {
+                choice.branches.iter_mut().for_each(|(when, _)| *when = pool.replace(*when, by));
             }
         }
     }
@@ -261,7 +261,8 @@ impl Once<'_> {
             Statement::Case { arms, .. } => {
                 arms.iter_mut().for_each(|arm| arm.body = self.block(std::mem::take(&mut arm.body)));
             }
-            Statement::If { branches, otherwise } => {
+            Statement::If(choice) => {
+                let Choice { branches, otherwise } = &mut **choice;
                 branches.iter_mut().for_each(|(_, body)| *body = self.block(std::mem::take(body)));
                 *otherwise = self.block(std::mem::take(otherwise));
             }
@@ -313,7 +314,7 @@ mod tests {
         let [(_, a), (_, b), (_, c)] = [(); 3].map(|()| bit(&mut p, Role::Input));
         let (x, _) = bit(&mut p, Role::Output);
         let any = p.pool.or([a, b, c]);
-        let when = |body| Statement::If { branches: vec![(a, vec![body])], otherwise: Vec::new() };
+        let when = |body| Statement::when(a, vec![body]);
         let before = vec![when(assign(x, any)), when(assign(x, any))];
         p.micro_step = before.clone();
         once(&mut p);

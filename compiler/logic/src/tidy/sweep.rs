@@ -5,7 +5,7 @@
 //! frozen, an edge in a condition that another formula makes superfluous. What is read later is found backwards from the
 //! end of the call; the loop is gone through until nothing new is found.
 
-use crate::scan::{Division, Held, Program, Role, Statement, VarId};
+use crate::scan::{Choice, Division, Held, Program, Role, Statement, VarId};
 use grafc_formula::{Formula, FormulaId, Pool};
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -185,18 +185,18 @@ impl Needed {
                     self.set(*of, true);
                 }
             }
-            Statement::If { branches, otherwise } => {
+            Statement::If(choice) => {
+                let Choice { branches, otherwise } = &mut **choice;
                 let bodies = branches.iter_mut().map(|(_, body)| body).chain([&mut *otherwise]);
                 self.branches(pool, bodies, take_out);
                 if take_out {
-                    let (branches, otherwise) = (std::mem::take(branches), std::mem::take(otherwise));
-                    match without_empty_branches(pool, branches, otherwise) {
+                    match without_empty_branches(pool, std::mem::take(branches), std::mem::take(otherwise)) {
                         Some(rest) => *statement = rest,
                         None => return false,
                     }
                 }
-                if let Statement::If { branches, .. } = statement {
-                    branches.iter().for_each(|(when, _)| self.reads(pool, *when));
+                if let Statement::If(choice) = statement {
+                    choice.branches.iter().for_each(|(when, _)| self.reads(pool, *when));
                 }
             }
         }
@@ -270,7 +270,8 @@ fn collect(statements: &[Statement], roots: &mut Vec<FormulaId>, used: &mut Inde
                 used[*of] = true;
                 arms.iter().for_each(|arm| collect(&arm.body, roots, used));
             }
-            Statement::If { branches, otherwise } => {
+            Statement::If(choice) => {
+                let Choice { branches, otherwise } = &**choice;
                 for (when, body) in branches {
                     roots.push(*when);
                     collect(body, roots, used);
@@ -297,10 +298,10 @@ fn without_empty_branches(
         }
     }
     if otherwise.is_empty() || not_taken.is_empty() {
-        return (!kept.is_empty()).then_some(Statement::If { branches: kept, otherwise });
+        return (!kept.is_empty()).then_some(Statement::choice(kept, otherwise));
     }
     kept.push((pool.and(not_taken), otherwise));
-    Some(Statement::If { branches: kept, otherwise: Vec::new() })
+    Some(Statement::choice(kept, Vec::new()))
 }
 
 /// Takes the dead variables out of the table, and formulas that nothing uses out of the pool.
@@ -377,7 +378,8 @@ fn visit(statements: &mut [Statement], variable: &mut dyn FnMut(&mut VarId), for
                 variable(of);
                 arms.iter_mut().for_each(|arm| visit(&mut arm.body, variable, formula));
             }
-            Statement::If { branches, otherwise } => {
+            Statement::If(choice) => {
+                let Choice { branches, otherwise } = &mut **choice;
                 for (when, body) in branches {
                     formula(when);
                     visit(body, variable, formula);

@@ -5,7 +5,7 @@ use super::numbers::{Bits, constant, widened, width};
 use crate::clocks::{self, Clocks};
 use crate::live::Live;
 use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Type, Value, VarId};
-use grafc_logic::scan::{ClaimKind, Division, Flag, Program, Role, SeenBody, Statement};
+use grafc_logic::scan::{Choice, ClaimKind, Division, Flag, Program, Role, SeenBody, Statement};
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
@@ -454,7 +454,8 @@ impl<'p> Builder<'p> {
                         }
                     }
                 }
-                Statement::If { branches, otherwise } => {
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     let mut left = reached;
                     for (when, body) in branches {
                         let when = self.truth(*when)?;

@@ -270,7 +270,7 @@ fn groups(program: &Program, wanted: &[Wanted], clocks: &Clocks) -> (Vec<Vec<usi
                 (Vec::new(), vec![*input])
             }
             Statement::Case { of, .. } => (vec![*of], Vec::new()),
-            Statement::If { branches, .. } => (Vec::new(), branches.iter().map(|(when, _)| *when).collect()),
+            Statement::If(choice) => (Vec::new(), choice.branches.iter().map(|(when, _)| *when).collect()),
         };
         groups.push(made_of(&variables, &[formulas.clone(), around].concat()));
         open.extend(statement.bodies().flatten().map(|within| (within, formulas.clone())));

@@ -9,7 +9,7 @@ use crate::beyond::Beyond;
 use crate::clocks::{Clocks, constant};
 use biodivine_lib_bdd::Bdd;
 use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Type, Value, VarId};
-use grafc_logic::scan::{Program, Role, Statement};
+use grafc_logic::scan::{Choice, Program, Role, Statement};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
@@ -126,7 +126,8 @@ impl<'p> Run<'p> {
                         self.statements(&arm.body, &guard, sets)?;
                     }
                 }
-                Statement::If { branches, otherwise } => {
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     let mut rest = guard.clone();
                     for (when, body) in branches {
                         let when = self.truth(*when, sets)?;

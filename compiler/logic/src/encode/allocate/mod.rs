@@ -12,7 +12,7 @@ mod order;
 use crate::analysis::components::Components;
 use crate::encode::choose::{choose, raise};
 use crate::lower::{Context, Lowering};
-use crate::scan::{Flag, Origin, Role, Statement, Told, VarId};
+use crate::scan::{Choice, Flag, Origin, Role, Statement, Told, VarId};
 use exclusive::exclusive;
 use grafc_formula::{Formula, FormulaId};
 use grafc_model::chart::{ExprId, ExprKind, StepId, TransitionId, VariableId};
@@ -98,7 +98,8 @@ fn say_why(lowering: &Lowering, variable: VariableId, read: VariableId, statemen
                     *told = Told::Before(read);
                 }
             }
-            Statement::If { branches, otherwise } => {
+            Statement::If(choice) => {
+                let Choice { branches, otherwise } = &mut **choice;
                 branches.iter_mut().for_each(|(_, body)| say_why(lowering, variable, read, body));
                 say_why(lowering, variable, read, otherwise);
             }

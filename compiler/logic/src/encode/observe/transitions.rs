@@ -56,7 +56,7 @@ pub(super) fn statements(
     let wanted = lowering.symbols.fresh(Role::Observed, "observed", Type::Bool, Some(about.into()));
     observing.wanted = Some(wanted);
     let when = lowering.symbols.read(&mut lowering.pool, wanted);
-    vec![Statement::If { branches: vec![(when, body)], otherwise: Vec::new() }]
+    vec![Statement::when(when, body)]
 }
 
 fn set(

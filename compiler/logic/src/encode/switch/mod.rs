@@ -138,7 +138,7 @@ pub(super) fn micro_step(
     } else if !inner.is_empty() {
         let when = lowering.symbols.read(&mut lowering.pool, switch.moved.variable);
         out.push(Statement::Heading(Heading::WhatTheClearingsBringAbout));
-        out.push(Statement::If { branches: vec![(when, inner)], otherwise: Vec::new() });
+        out.push(Statement::when(when, inner));
     }
     out
 }

@@ -2,7 +2,7 @@
 
 mod tables;
 
-use super::{Division, Flag, Program, Role, State, Statement, VarId, is_empty};
+use super::{Choice, Division, Flag, Program, Role, State, Statement, VarId, is_empty};
 use grafc_formula::number::is_zero;
 use grafc_formula::{Formula, FormulaId, Type, Value};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -113,12 +113,13 @@ impl Walk<'_> {
                         self.statements(&arm.body)?;
                     }
                 }
-                Statement::If { branches, otherwise } => {
+                Statement::If(choice) => {
+                    let Choice { branches, otherwise } = &**choice;
                     for (when, _) in branches {
                         self.reads(*when)?;
                     }
                     // A temporary set in a branch counts as set from there on: it is read under the same guard.
-                    for body in branches.iter().map(|(_, body)| body).chain([otherwise]) {
+                    for body in branches.iter().map(|(_, body)| body.as_slice()).chain([otherwise.as_slice()]) {
                         self.statements(body)?;
                     }
                 }

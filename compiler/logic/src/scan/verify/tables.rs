@@ -1,6 +1,6 @@
 //! What the tables of a program say, and what its statements have to fit.
 
-use crate::scan::{Flag, Held, Limit, Origin, Program, Repeat, Role, SeenBody, Statement, Step, Told, VarId};
+use crate::scan::{Choice, Flag, Held, Limit, Origin, Program, Repeat, Role, SeenBody, Statement, Step, Told, VarId};
 use grafc_formula::{Comparison, Formula, Type, Value};
 
 /// Checks steps, timers, the initial reaction, what is shown, and the stability loop.
@@ -38,7 +38,7 @@ fn come_from_something(program: &Program) -> Result<(), String> {
         match statement {
             Statement::Assign { origin, told, .. } => said(*origin, *told)?,
             Statement::Case { arms, .. } => arms.iter().try_for_each(|arm| said(arm.origin, arm.told))?,
-            Statement::Heading(_) | Statement::Divide(_) | Statement::CallTimer { .. } | Statement::If { .. } => {
+            Statement::Heading(_) | Statement::Divide(_) | Statement::CallTimer { .. } | Statement::If(_) => {
                 said(statement.origin(), Told::Nothing)?;
             }
         }
@@ -74,7 +74,8 @@ fn starts(program: &Program) -> Result<(), String> {
     };
     let is_mark = |id| *program.pool.get(id) == Formula::Variable(started);
     let guarded = reaction.iter().all(|statement| match statement {
-        Statement::If { branches, otherwise } => {
+        Statement::If(choice) => {
+            let Choice { branches, otherwise } = &**choice;
             let [(when, body)] = branches.as_slice() else { return false };
             let sets = |statement: &Statement| match statement {
                 Statement::Assign { target, value, .. } => {

@@ -78,7 +78,7 @@ fn a_value_stays_that_one_branch_only_replaces() {
     let (t, read) = bit(&mut p, Role::Temporary);
     let (w, _) = bit(&mut p, Role::Output);
     let no = p.pool.truth(false);
-    let replaced = Statement::If { branches: vec![(a, vec![assign(t, no)])], otherwise: Vec::new() };
+    let replaced = Statement::when(a, vec![assign(t, no)]);
     p.micro_step = vec![assign(t, a), replaced, assign(w, read)];
     assert_eq!(left(&mut p), [0, 3, 0]);
 }
@@ -90,7 +90,7 @@ fn a_value_goes_that_every_branch_replaces() {
     let (t, read) = bit(&mut p, Role::Temporary);
     let (w, _) = bit(&mut p, Role::Output);
     let (yes, no) = (p.pool.truth(true), p.pool.truth(false));
-    let replaced = Statement::If { branches: vec![(a, vec![assign(t, no)])], otherwise: vec![assign(t, yes)] };
+    let replaced = Statement::choice(vec![(a, vec![assign(t, no)])], vec![assign(t, yes)]);
     p.micro_step = vec![assign(t, a), replaced, assign(w, read)];
     assert_eq!(left(&mut p), [0, 2, 0]);
 }
