@@ -9,7 +9,7 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "joined-though-the-guard-changes",
         at: COMPILER,
         breaks: "statements share a guard that the first of them change",
-        text: "closed = is_changed_by(read, branches, otherwise);",
+        text: "closed = is_changed_by(read, choice);",
         instead: "",
     },
     Fault {
