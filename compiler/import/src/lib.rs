@@ -27,6 +27,7 @@ mod write;
 mod xml;
 
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, FileId, Severity, Span};
+use rustc_hash::FxHashSet;
 use sfc::{Project, Unit};
 
 /// Choices of the importer.
@@ -147,12 +148,20 @@ fn charts_of(
         return Vec::new();
     }
     let dialect = options.dialect.unwrap_or_else(|| dialect_of(project));
+    // A program that another one commands is a part of its chart.
+    let roots = write::roots(project, dialect, &chosen);
+    let first: FxHashSet<usize> = roots.iter().copied().collect();
+    let others = chosen.iter().copied().filter(|unit| !first.contains(unit));
+    let mut children = FxHashSet::default();
     let mut texts = Vec::new();
-    for unit in chosen {
-        let written = write::write(project, unit, dialect, limit, diagnostics);
-        texts.extend(written.map(|text| (name(unit).to_string(), project.units[unit].span, text)));
+    for unit in roots.iter().copied().chain(others) {
+        if !children.contains(&unit) {
+            let written = write::write(project, unit, dialect, limit, &mut children, diagnostics);
+            texts.extend(written.map(|text| (unit, text)));
+        }
     }
-    texts
+    texts.sort_by_key(|(unit, _)| *unit);
+    texts.into_iter().map(|(unit, text)| (name(unit).to_string(), project.units[unit].span, text)).collect()
 }
 
 /// The meaning that the tool has which wrote a file.

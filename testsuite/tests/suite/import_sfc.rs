@@ -9,7 +9,8 @@ use grafc_testsuite::runs::caught;
 use std::time::Instant;
 
 /// The files and the dialects that they are read in.
-const FILES: [&str; 3] = ["filling.xml", "sorting.txt", "crane.xml"];
+const FILES: [(&str, Option<Dialect>); 4] =
+    [("filling.xml", None), ("sorting.txt", None), ("crane.xml", None), ("batch.txt", Some(Dialect::Isagraf))];
 
 fn read(name: &str) -> String {
     let path = binary::root().join("testsuite/imports/sfc").join(name);
@@ -63,10 +64,11 @@ fn holds(text: &str, found: &(Vec<Imported>, Diagnostics)) {
 
 #[test]
 fn charts_and_reports_are_as_written_by_hand() {
-    for name in FILES {
+    for (name, dialect) in FILES {
         let text = read(name);
+        let options = Options { dialect, ..Options::default() };
         let (chart, diagnostics) =
-            import(&text, &Options::default()).unwrap_or_else(|diagnostics| panic!("{name}: {diagnostics:?}"));
+            import(&text, &options).unwrap_or_else(|diagnostics| panic!("{name}: {diagnostics:?}"));
         let stem = name.split('.').next().expect("a name");
         assert_eq!(chart, read(&format!("{stem}.gct")), "{name}");
         let report = read(&format!("{stem}.report"));
@@ -78,11 +80,12 @@ fn charts_and_reports_are_as_written_by_hand() {
 /// Not one byte of a file can be missing so that something breaks.
 #[test]
 fn files_cut_off_anywhere_are_told() {
-    for name in FILES {
+    for (name, dialect) in FILES {
         let text = read(name);
+        let options = Options { dialect, ..Options::default() };
         for end in (0..text.len()).filter(|&end| text.is_char_boundary(end)) {
             let cut = &text[..end];
-            let found = caught(|| Ok(grafc_import::import_all(FileId::default(), cut, &Options::default())));
+            let found = caught(|| Ok(grafc_import::import_all(FileId::default(), cut, &options)));
             holds(cut, &found.unwrap_or_else(|fault| panic!("{name}, {end} bytes: {fault}")));
         }
     }
@@ -91,7 +94,7 @@ fn files_cut_off_anywhere_are_told() {
 /// Bytes changed, doubled and left out.
 #[test]
 fn damaged_files_give_an_error_or_charts() {
-    let texts: Vec<String> = FILES.iter().map(|name| read(name)).collect();
+    let texts: Vec<String> = FILES.iter().map(|(name, _)| read(name)).collect();
     let (mut charts, mut errors) = (0, 0);
     for seed in 0..2_000 {
         let mut rng = fastrand::Rng::with_seed(seed);
@@ -200,6 +203,86 @@ fn a_value_that_is_written_and_read_in_one_scan_is_told() {
         order(&program(own, &follow, &bodies)),
         ["the step `A` reads `a` in the scan in which its entry writes it, and takes the value of before"]
     );
+}
+
+/// A program, and one that it may command.
+fn two(step: &str, bodies: &str, condition: &str, child: &str) -> String {
+    format!(
+        "PROGRAM Top\nVAR_INPUT a : BOOL; END_VAR\nINITIAL_STEP S1 : END_STEP\nSTEP S2 : {step} END_STEP\n\
+         TRANSITION FROM S1 TO S2 := {condition}; END_TRANSITION\nTRANSITION FROM S2 TO S1 := NOT a; END_TRANSITION\n\
+         {bodies}\nEND_PROGRAM\nPROGRAM Low\nVAR_INPUT b : BOOL; END_VAR\nINITIAL_STEP L1 : END_STEP\nSTEP L2 : {child} END_STEP\n\
+         TRANSITION FROM L1 TO L2 := b; END_TRANSITION\nTRANSITION FROM L2 TO L1 := NOT b; END_TRANSITION\n\
+         ACTION Back : GKILL(Top); END_ACTION\nEND_PROGRAM\n"
+    )
+}
+
+/// Orders of ISaGRAF to programs of the same file, one by one: what stands in the chart, and what is said about it.
+#[test]
+fn orders_to_child_programs_become_pulse_orders() {
+    let begin = "ACTION Begin : GSTART(Low); END_ACTION";
+    let all: [(String, Dialect, &[&str], &[&str]); 11] = [
+        (
+            two("Begin(P1);", begin, "a", ""),
+            Dialect::Iec,
+            &["start Low on activation", "child grafcet Low of Top"],
+            &[],
+        ),
+        (two("Begin(P0);", begin, "a", ""), Dialect::Iec, &["start Low on deactivation"], &[]),
+        (two("Begin(N);", begin, "a", ""), Dialect::Iec, &["start Low on activation"], &["W0702 7:16"]),
+        (
+            two("Begin(N);", "ACTION Begin : IF a THEN GSTART(Low); END_IF; END_ACTION", "a", ""),
+            Dialect::Iec,
+            &["start Low on event ↑(XS2 and a)"],
+            &["W0702 7:26"],
+        ),
+        (
+            two("Begin(P1);", "ACTION Begin : IF a THEN GSTART(Low); END_IF; END_ACTION", "a", ""),
+            Dialect::Iec,
+            &["// lost: start Low"],
+            &["W0703 7:26"],
+        ),
+        // What commands its father is no father.
+        (
+            two("Begin(P1);", begin, "a", "Back(P1);"),
+            Dialect::Iec,
+            &["child grafcet Low of Top", "// lost: GKILL(Top)"],
+            &["W0703 15:15"],
+        ),
+        (two("Begin(P1);", begin, "a AND GSTATUS(Low) = 0", ""), Dialect::Iec, &["a and not FLow and not XLow"], &[]),
+        (two("Begin(P1);", begin, "a AND GSTATUS(Low) <> 2", ""), Dialect::Iec, &["a and not FLow"], &[]),
+        (two("Begin(P1);", begin, "a AND GSTATUS(Other) = 1", ""), Dialect::Iec, &["condition_1"], &["W0703 5:35"]),
+        (two("Low(N);", "", "a", ""), Dialect::Isagraf, &["run Low"], &[]),
+        (two("Low(S);", "", "a", ""), Dialect::Isagraf, &["start Low on activation"], &[]),
+    ];
+    for (text, dialect, words, report) in all {
+        let options = Options { dialect: Some(dialect), ..Options::default() };
+        let (chart, diagnostics) = import(&text, &options).unwrap_or_else(|said| panic!("{said:?}\n{text}"));
+        for word in words {
+            assert!(chart.contains(word), "{word} in\n{chart}");
+        }
+        assert_eq!(lines(&text, &diagnostics), report, "{diagnostics:?}\n{text}");
+        assert!(grafc::check(FileId(0), &chart, "chart").0.is_some(), "{chart}");
+    }
+}
+
+/// A program that nobody commands is a chart by itself, and one that is wanted by its name as well.
+#[test]
+fn who_is_commanded_is_no_chart_of_its_own() {
+    let names = |text: &str, dialect, unit: Option<&str>| -> Vec<String> {
+        let options = Options { dialect: Some(dialect), unit: unit.map(str::to_owned), ..Options::default() };
+        let (charts, diagnostics) = grafc_import::import_all(FileId::default(), text, &options);
+        assert!(!diagnostics.has_errors(), "{diagnostics:?}");
+        charts.into_iter().map(|chart| chart.name).collect()
+    };
+    let begin = "ACTION Begin : GSTART(Low); END_ACTION";
+    assert_eq!(names(&two("Begin(P1);", begin, "a", ""), Dialect::Iec, None), ["Top"]);
+    assert_eq!(names(&two("Begin(P1);", begin, "a", ""), Dialect::Iec, Some("Low")), ["Low"]);
+    // An action that no step has gives no order.
+    assert_eq!(names(&two("", begin, "a", ""), Dialect::Iec, None), ["Top", "Low"]);
+    assert_eq!(names(&two("Low(N);", "", "a", ""), Dialect::Iec, None), ["Top", "Low"]);
+    assert_eq!(names(&two("Low(N);", "", "a", ""), Dialect::Isagraf, None), ["Top"]);
+    // Two that command each other: the first is above.
+    assert_eq!(names(&two("Begin(P1);", begin, "a", "Back(P1);"), Dialect::Iec, None), ["Top"]);
 }
 
 #[test]

@@ -37,6 +37,7 @@ impl Maker<'_> {
                     writes.entry(variable).or_default().others = true;
                     continue;
                 }
+                Action::Pulse { .. } | Action::Run { .. } => continue,
             };
             let known = writes.entry(variable).or_default();
             match (step, when) {
@@ -78,7 +79,12 @@ impl Maker<'_> {
                 let used = self.variables.list[variable].used;
                 only &= !used.stored && !used.by_name && !used.helper;
             }
-            TermKind::Active(_) | TermKind::Rise(_) | TermKind::Fall(_) | TermKind::Delay { .. } => only = false,
+            TermKind::Active(_)
+            | TermKind::ChildActive(_)
+            | TermKind::ChildFrozen(_)
+            | TermKind::Rise(_)
+            | TermKind::Fall(_)
+            | TermKind::Delay { .. } => only = false,
             TermKind::Bool(_)
             | TermKind::Integer(_)
             | TermKind::Real(_)

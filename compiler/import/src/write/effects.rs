@@ -111,7 +111,9 @@ impl<'a> Maker<'a> {
                         stack.push(Run::new(Site { scope: inner.0, ..site }, inner.1, here));
                         continue;
                     }
-                    self.call(&site, here, name, arguments, statement.span, &mut effects);
+                    if !self.order_of(&site, here, (name, arguments), statement.span, &mut effects) {
+                        self.call(&site, here, name, arguments, statement.span, &mut effects);
+                    }
                     continue;
                 }
                 self.statement(run, statement, &mut effects);
@@ -300,6 +302,7 @@ impl<'a> Maker<'a> {
         self.here = Some(here);
         let cases = self.value(value, ty, site, &effects.environment);
         self.here = None;
+        let cases = cases.map(|cases| self.apart(cases));
         match cases {
             Ok(cases) => self.set(variable, here, cases, effects),
             Err(loss) => effects.lose(span, &loss.why, text()),
@@ -380,14 +383,12 @@ impl<'a> Maker<'a> {
     fn why_no_call(&self, site: &Site, name: &str) -> String {
         let unit = self.unit(&site.scope);
         let ty = unit.variables.find(name).map(|v| v.ty.as_str());
-        let upper = name.to_ascii_uppercase();
-        match (upper.as_str(), ty) {
-            ("GSTART" | "GKILL" | "GFREEZE" | "GRST", _) => format!("charts that were read cannot order `{name}` yet"),
-            (_, Some(ty)) if self.units.contains_key(&ty.to_lowercase()) => {
+        match ty {
+            Some(ty) if self.units.contains_key(&ty.to_lowercase()) => {
                 format!("`{name}` is a block of the type `{ty}`, which is imported by itself")
             }
-            (_, Some(ty)) => format!("`{name}` is a block of the type `{ty}`, which charts do not have"),
-            (_, None) => format!("charts cannot call `{name}`"),
+            Some(ty) => format!("`{name}` is a block of the type `{ty}`, which charts do not have"),
+            None => format!("charts cannot call `{name}`"),
         }
     }
 }

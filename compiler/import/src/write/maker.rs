@@ -28,6 +28,9 @@ pub struct Part<'a> {
     pub span: Span,
     /// True while it goes on.
     pub called: Option<TermId>,
+    /// Whose child program it is, and whether it is given an order that was written.
+    pub parent: Option<usize>,
+    pub ordered: bool,
 }
 
 /// A step among all.
@@ -45,11 +48,45 @@ pub enum When {
     EachScan(Option<TermId>),
 }
 
+/// What a step orders a child program.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Command {
+    Start,
+    Kill,
+    Freeze,
+    Resume,
+}
+
+/// When an order is given.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Event {
+    Activation,
+    Deactivation,
+    Edge(TermId),
+}
+
 /// What a step does.
 #[derive(Clone, Copy)]
 pub enum Action {
-    Continuous { variable: VarId, condition: Option<TermId> },
-    Stored { variable: VarId, value: TermId, when: When },
+    Continuous {
+        variable: VarId,
+        condition: Option<TermId>,
+    },
+    Stored {
+        variable: VarId,
+        value: TermId,
+        when: When,
+    },
+    /// An order to a child program.
+    Pulse {
+        command: Command,
+        child: usize,
+        event: Event,
+    },
+    /// A child program goes on while the step is active.
+    Run {
+        child: usize,
+    },
 }
 
 /// A step as it is written.
@@ -87,6 +124,8 @@ pub struct Maker<'a> {
     pub by_name: FxHashMap<(usize, String), StepId>,
     /// Units by name in small letters.
     pub units: FxHashMap<String, usize>,
+    /// The parts of units that are child programs.
+    pub children: FxHashMap<usize, usize>,
     /// Named values of types.
     pub constants: FxHashMap<String, i64>,
     /// Calls of function blocks, by the path of the instance in small letters.

@@ -7,6 +7,7 @@
 //! Each file takes one construct, and says what of it was changed, is doubtful or was lost.
 
 mod blocks;
+mod children;
 mod continuous;
 mod declarations;
 mod effects;
@@ -26,10 +27,11 @@ mod variables;
 use crate::naming::{Taken, clean, spell, spell_label};
 use crate::sfc::Project;
 use crate::{Dialect, changed};
+pub use children::roots;
 use declarations::Declaration;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use index_vec::IndexVec;
-use maker::{Action, Maker, When};
+use maker::{Action, Event, Maker, When};
 use rustc_hash::{FxHashMap, FxHashSet};
 use selection::Written;
 use terms::{StepId, Terms, VarId};
@@ -37,12 +39,14 @@ pub use text::Text;
 use text::{Spelling, Use};
 use variables::Variables;
 
-/// The text of the chart of a unit; none if it would be longer than `limit`.
+/// The text of the chart of a unit; none if it would be longer than `limit`. Units that become its child programs are added
+/// to `children`.
 pub fn write(
     project: &Project,
     unit: usize,
     dialect: Dialect,
     limit: usize,
+    children: &mut FxHashSet<usize>,
     diagnostics: &mut Diagnostics,
 ) -> Option<String> {
     let units = project.units.iter().enumerate().map(|(place, unit)| (unit.name.to_lowercase(), place)).collect();
@@ -58,6 +62,7 @@ pub fn write(
         always: Vec::new(),
         by_name: FxHashMap::default(),
         units,
+        children: FxHashMap::default(),
         constants: constants(project),
         calls: FxHashMap::default(),
         here: None,
@@ -72,9 +77,11 @@ pub fn write(
     maker.delays();
     maker.named(named);
     maker.continuous();
+    maker.tell_handovers();
     maker.order();
     maker.flags(unit);
     let declarations = maker.declarations();
+    children.extend(maker.children.keys());
     let writer = Writer::new(maker, limit);
     writer.chart(unit, &declarations, &transitions)
 }
@@ -96,7 +103,8 @@ struct Writer<'a> {
     maker: Maker<'a>,
     labels: IndexVec<StepId, String>,
     names: IndexVec<VarId, String>,
-    grafcets: Vec<String>,
+    /// The name of each part, and whether it is given orders.
+    grafcets: Vec<(String, bool)>,
     helper: String,
     text: Text,
 }
@@ -125,11 +133,14 @@ impl<'a> Writer<'a> {
         }
         let mut grafcets = Vec::new();
         for part in &maker.parts {
-            grafcets.push(taken.take(&clean(&part.name.replace('.', "_"))));
+            grafcets.push((taken.take(&clean(&part.name.replace('.', "_"))), part.ordered));
         }
         let helper = taken.take("always");
-        for name in grafcets.iter().chain([&helper]) {
+        for name in grafcets.iter().map(|(name, _)| name).chain([&helper]) {
             implied.insert(&format!("X{name}"));
+        }
+        for (name, _) in grafcets.iter().filter(|(_, ordered)| *ordered) {
+            implied.insert(&format!("F{name}"));
         }
         let mut names: IndexVec<VarId, String> = IndexVec::new();
         for variable in &maker.variables.list {
@@ -150,8 +161,12 @@ impl<'a> Writer<'a> {
         }
         let mut places = transitions.iter().peekable();
         for part in 0..self.maker.parts.len() {
-            let grafcet = spell(&self.grafcets[part]);
-            self.text.push(&format!("\ngrafcet {grafcet} {{\n"));
+            let grafcet = spell(&self.grafcets[part].0);
+            let head = match self.maker.parts[part].parent {
+                Some(parent) => format!("child grafcet {grafcet} of {}", spell(&self.grafcets[parent].0)),
+                None => format!("grafcet {grafcet}"),
+            };
+            self.text.push(&format!("\n{head} {{\n"));
             let first = self.maker.parts[part].first;
             for place in 0..self.maker.parts[part].chart.steps.len() {
                 self.step(part, StepId::new(first + place));
@@ -212,7 +227,12 @@ impl<'a> Writer<'a> {
         }
         self.text.push(" { ");
         for action in actions {
-            let spelling = Spelling { terms: &self.maker.terms, variables: &self.names, labels: &self.labels };
+            let spelling = Spelling {
+                terms: &self.maker.terms,
+                variables: &self.names,
+                labels: &self.labels,
+                grafcets: &self.grafcets,
+            };
             match *action {
                 Action::Continuous { variable, condition } => {
                     self.text.push(&spell(&self.names[variable]));
@@ -237,6 +257,19 @@ impl<'a> Writer<'a> {
                         }
                     }
                 }
+                Action::Pulse { command, child, event } => {
+                    let child = spell(&self.grafcets[child].0);
+                    self.text.push(&format!("{} {child} on ", command.word()));
+                    match event {
+                        Event::Activation => self.text.push("activation"),
+                        Event::Deactivation => self.text.push("deactivation"),
+                        Event::Edge(edge) => {
+                            self.text.push("event ");
+                            spelling.term(&mut self.text, edge, Use::Condition);
+                        }
+                    }
+                }
+                Action::Run { child } => self.text.push(&format!("run {}", spell(&self.grafcets[child].0))),
             }
             self.text.push("\n");
         }
@@ -249,7 +282,12 @@ impl<'a> Writer<'a> {
         self.text.push(" -> ");
         self.steps(&transition.behind);
         self.text.push(" : ");
-        let spelling = Spelling { terms: &self.maker.terms, variables: &self.names, labels: &self.labels };
+        let spelling = Spelling {
+            terms: &self.maker.terms,
+            variables: &self.names,
+            labels: &self.labels,
+            grafcets: &self.grafcets,
+        };
         spelling.term(&mut self.text, transition.condition, Use::Condition);
         self.text.push("\n");
     }

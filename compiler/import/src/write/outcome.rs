@@ -1,7 +1,8 @@
 //! What bodies of statements have done so far, and what of them is lost.
 
+use super::maker::Command;
 use super::resolve::{Environment, Loss};
-use super::terms::VarId;
+use super::terms::{TermId, VarId};
 use grafc_diagnostics::Span;
 
 /// What bodies do.
@@ -10,7 +11,17 @@ pub struct Effects {
     /// The variables, in the order of their first assignments.
     pub order: Vec<VarId>,
     pub environment: Environment,
+    /// Orders to child programs.
+    pub given: Vec<Order>,
     pub lost: Vec<Lost>,
+}
+
+/// An order to a child program, under a condition.
+pub struct Order {
+    pub command: Command,
+    pub child: usize,
+    pub guard: TermId,
+    pub span: Span,
 }
 
 /// What a chart does not do.

@@ -15,7 +15,7 @@ use rustc_hash::FxHashMap;
 type Key = (usize, String, Option<usize>);
 
 /// How many parts one chart may have.
-const MOST_PARTS: usize = 2_000;
+pub(super) const MOST_PARTS: usize = 2_000;
 
 impl<'a> Maker<'a> {
     /// Finds all parts and their steps.
@@ -64,7 +64,7 @@ impl<'a> Maker<'a> {
         named.any(|association| matches!(&association.action, Target::Named(n) if n.eq_ignore_ascii_case(name)))
     }
 
-    fn add_part(&mut self, scope: Scope, name: String, chart: &'a Chart, span: Span) {
+    pub(super) fn add_part(&mut self, scope: Scope, name: String, chart: &'a Chart, span: Span) {
         let part = self.parts.len();
         let first = self.steps.len();
         for (place, step) in chart.steps.iter().enumerate() {
@@ -72,7 +72,17 @@ impl<'a> Maker<'a> {
             self.step_texts.push(StepText::default());
             self.by_name.entry((part, step.name.to_lowercase())).or_insert(id);
         }
-        self.parts.push(Part { scope, name, chart, first, callers: Vec::new(), span, called: None });
+        self.parts.push(Part {
+            scope,
+            name,
+            chart,
+            first,
+            callers: Vec::new(),
+            span,
+            called: None,
+            parent: None,
+            ordered: false,
+        });
     }
 
     /// Adds the charts that steps of a part have as actions, and those of these.
@@ -100,7 +110,11 @@ impl<'a> Maker<'a> {
                     self.parts[part].callers.push((id, association.qualifier, association.span));
                 }
             }
+            self.find_children(next, true);
             next += 1;
+            if next == self.parts.len() {
+                (first..next).for_each(|part| self.find_children(part, false));
+            }
         }
     }
 

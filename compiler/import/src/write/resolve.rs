@@ -80,6 +80,11 @@ impl Maker<'_> {
                     }
                     tasks.push(Task::Leave(id, wanted));
                     if let ExprKind::Call(name, arguments) = &expr.kind {
+                        if name.eq_ignore_ascii_case("GSTATUS") {
+                            tasks.pop();
+                            done.push(self.status(arguments, wanted, expr.span)?);
+                            continue;
+                        }
                         let operand = self.conversion(name, arguments.as_slice(), wanted, expr.span)?;
                         tasks.push(Task::Enter(operand.0, operand.1));
                         continue;
@@ -208,6 +213,13 @@ impl Maker<'_> {
         if left.len() * right.len() > MOST_CASES {
             return Err(Loss { why: "its value depends on too many cases".into(), span });
         }
+        // One of the cases applies, so what differs is what is not equal.
+        if operator == Operator::NotEqual && left.len() * right.len() > 1 {
+            let equal = self.pair(Operator::Equal, wanted, left, right, span)?;
+            let equal = self.merged(equal);
+            let differ = self.terms.not(equal);
+            return Ok(self.certain(differ));
+        }
         let mut cases = Vec::new();
         for &(one, a) in &left {
             for &(two, b) in &right {
@@ -252,6 +264,18 @@ impl Maker<'_> {
             }
             let differ = self.terms.logic(TermKind::Xor(a, b), span);
             return Ok(if is_equal { self.terms.not(differ) } else { differ });
+        }
+        if let (TermKind::Integer(one), TermKind::Integer(two)) = (&self.terms.terms[a].kind, &self.terms.terms[b].kind)
+        {
+            let holds = match operator {
+                Operator::Equal => one == two,
+                Operator::NotEqual => one != two,
+                Operator::Less => one < two,
+                Operator::LessEqual => one <= two,
+                Operator::Greater => one > two,
+                _ => one >= two,
+            };
+            return Ok(self.terms.constant(holds, span));
         }
         let sign = match operator {
             Operator::Equal => " = ",

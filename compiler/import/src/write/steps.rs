@@ -57,6 +57,10 @@ impl<'a> Maker<'a> {
         for lost_one in effects.lost {
             self.tell_lost(&lost_one);
         }
+        for order in effects.given {
+            let message = format!("an order to `{}` is lost: no step gives it", self.parts[order.child].name);
+            self.diagnostics.push(lost(order.span, message));
+        }
         for variable in effects.order {
             for (guard, value) in effects.environment.get(&variable).cloned().unwrap_or_default() {
                 self.always_stored(variable, value, guard);
@@ -71,7 +75,9 @@ impl<'a> Maker<'a> {
             let span = association.span;
             let site = |scope: Scope, active: bool| Site { scope, part, own: Some((step, active)) };
             let Some((inner, statements)) = self.statements(&scope, association) else {
-                self.name(part, step, association, named);
+                if !self.step_program(part, step, association) {
+                    self.name(part, step, association, named);
+                }
                 continue;
             };
             let Some(guard) = self.timed(association, &site(scope.clone(), true), step) else { continue };
@@ -135,7 +141,11 @@ impl<'a> Maker<'a> {
             }
             Ok(_) | Err(_) => {
                 let message = format!("the action `{name}` is lost: it is neither an action nor a Boolean variable");
-                self.diagnostics.push(lost(span, message));
+                let mut said = lost(span, message);
+                if self.units.contains_key(&name.to_lowercase()) {
+                    said = said.help("it is a program: with `--dialect isagraf` it is a child, which the step runs");
+                }
+                self.diagnostics.push(said);
                 self.step_texts[step].lost.push(format!("action {name}"));
             }
         }
@@ -186,6 +196,7 @@ impl<'a> Maker<'a> {
             self.step_texts[step].lost.extend(lines);
         }
         let initial = self.parts[part].chart.steps[self.steps[step].step].initial;
+        self.give(step, effects.given, when);
         for variable in effects.order {
             let cases = effects.environment.get(&variable).cloned().unwrap_or_default();
             for (guard, value) in cases {
@@ -258,7 +269,7 @@ impl<'a> Maker<'a> {
             Action::Stored { variable: other, value, when: When::EachScan(None) | When::Activation } => {
                 *other == variable && self.terms.terms[*value].kind == self.terms.terms[constant].kind
             }
-            Action::Stored { .. } | Action::Continuous { .. } => false,
+            Action::Stored { .. } | Action::Continuous { .. } | Action::Pulse { .. } | Action::Run { .. } => false,
         })
     }
 

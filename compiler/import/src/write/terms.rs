@@ -40,6 +40,9 @@ pub enum TermKind {
     Variable(VarId),
     Active(StepId),
     Time(StepId),
+    /// Whether a child program is active, and whether it is frozen: the place of its part.
+    ChildActive(usize),
+    ChildFrozen(usize),
     Not(TermId),
     Negate(TermId),
     Or(TermId, TermId),
@@ -274,7 +277,9 @@ impl Terms {
             | TermKind::Duration(_)
             | TermKind::Variable(_)
             | TermKind::Active(_)
-            | TermKind::Time(_) => Vec::new(),
+            | TermKind::Time(_)
+            | TermKind::ChildActive(_)
+            | TermKind::ChildFrozen(_) => Vec::new(),
         }
     }
 

@@ -61,6 +61,8 @@ pub struct Spelling<'a> {
     pub terms: &'a Terms,
     pub variables: &'a IndexVec<VarId, String>,
     pub labels: &'a IndexVec<super::terms::StepId, String>,
+    /// The grafcets of all parts, and whether pulse orders are given to them.
+    pub grafcets: &'a [(String, bool)],
 }
 
 impl Spelling<'_> {
@@ -105,6 +107,13 @@ impl Spelling<'_> {
             TermKind::Variable(id) => text.push(&spell(&self.variables[*id])),
             TermKind::Active(step) => text.push(&spell(&format!("X{}", self.labels[*step]))),
             TermKind::Time(step) => text.push(&spell(&format!("T{}", self.labels[*step]))),
+            TermKind::ChildActive(part) => text.push(&spell(&format!("X{}", self.grafcets[*part].0))),
+            // What nobody freezes is not frozen, and has no such flag.
+            TermKind::ChildFrozen(part) => match (&self.grafcets[*part], usage) {
+                ((name, true), _) => text.push(&spell(&format!("F{name}"))),
+                ((_, false), Use::Condition) => text.push("(0)"),
+                ((_, false), Use::Value) => text.push("false"),
+            },
             TermKind::Or(a, b) => pair(text, tasks, Binding::Or, " or ", *a, *b),
             TermKind::Xor(a, b) => pair(text, tasks, Binding::Xor, " xor ", *a, *b),
             TermKind::And(a, b) => pair(text, tasks, Binding::And, " and ", *a, *b),

@@ -40,6 +40,7 @@ impl Maker<'_> {
                 ExprKind::Real(_) => Some(Type::Lreal),
                 ExprKind::Duration(_) => Some(Type::Time),
                 ExprKind::Path(path) => self.type_of_path(path, site),
+                ExprKind::Call(name, _) if name.eq_ignore_ascii_case("GSTATUS") => Some(Type::Int),
                 ExprKind::Call(name, _) => {
                     name.rsplit_once("_TO_").or(name.rsplit_once("_to_")).and_then(|(_, to)| elementary(to))
                 }
