@@ -77,7 +77,7 @@ fn look(chart: &Chart, watched: &Watched, diagnostics: &Diagnostics, counts: &mu
             shown.insert(code);
         }
     }
-    // Pulse orders that disagree raise the flag as well (R15.1); no warning is about them.
+    // Pulse orders that disagree raise the flag as well (R15.1); only of those that are certain to meet there is a warning.
     let is_of_orders = chart.commands().next().is_none();
     let is_raised = is_of_orders && watched.seen.iter().any(|seen| seen.force_conflict);
     if is_raised && diagnostics.iter().all(|d| d.code != Code::W0411) {

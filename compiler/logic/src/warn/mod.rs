@@ -10,6 +10,7 @@ mod entered_while_active;
 mod non_exclusive_divergence;
 mod orders_not_exclusive;
 pub(crate) mod overlap;
+mod pulses_at_once;
 mod ring_of_inputs;
 mod step_never_active;
 mod transition_never_clears;
@@ -27,6 +28,7 @@ const WARNINGS: &[Rule] = &[
     non_exclusive_divergence::check,
     counter_race::check,
     orders_not_exclusive::check,
+    pulses_at_once::check,
     allocation_conflict::check,
     step_never_active::check,
     transition_never_clears::check,
