@@ -87,7 +87,7 @@ impl Part {
             Part::InstructionList => &["backends/src/il"],
             Part::StatementList => &["backends/src/awl"],
             Part::Ladder => &["backends/src/plcopen/ld"],
-            Part::Chart => &["backends/src/plcopen/sfc"],
+            Part::Chart => &["backends/src/plcopen/sfc", "backends/src/sequence", "backends/src/sfc"],
             Part::Rust => &["backends/src/rust"],
             Part::JavaScript => &["backends/src/js"],
             Part::C => &["backends/src/c"],

@@ -69,7 +69,7 @@ const LADDER: &[Suite] = &[
     BACKENDS,
 ];
 const CHART: &[Suite] =
-    &[tests("plcopen_sfc"), with(Tool::Beremiz, "beremiz", Some("sequential_function_charts")), BACKENDS];
+    &[tests("plcopen_sfc"), tests("sfc"), with(Tool::Beremiz, "beremiz", Some("sequential_function_charts")), BACKENDS];
 const RUST: &[Suite] = &[
     Suite { only: Some("overlapping"), ..tests("rust") },
     tests("saved"),
