@@ -32,25 +32,28 @@ impl Parts {
         successor: impl Fn(u32, usize) -> Option<u32>,
         wanted: impl Fn(u32) -> bool,
     ) -> Parts {
-        let mut parts = Parts { nodes: Vec::with_capacity(count), ends: Vec::with_capacity(count) };
+        let mut ends = Vec::with_capacity(count);
+        // The parts that are complete from the front, and what is in none yet from the back: a node is in one of them at most.
+        let mut nodes = vec![0; count];
+        let (mut complete, mut open) = (0, count);
         // The number of each node, or a lower one of what can be reached from it and is in no complete part.
         let mut low = vec![UNSEEN; count];
-        // What is in no complete part yet, and the way from the start to where we are.
-        let mut open: Vec<u32> = Vec::new();
+        // The way from the start to where we are.
         let mut way: Vec<Followed> = Vec::new();
         let mut met = 0;
-        let mut meet = |node: u32, low: &mut [u32], open: &mut Vec<u32>| {
+        let mut meet = |node: u32, low: &mut [u32], nodes: &mut [u32], open: &mut usize| {
             let number = met;
             met += 1;
             low[node as usize] = number;
-            open.push(node);
+            *open -= 1;
+            nodes[*open] = node;
             Followed { node, next: 0, number }
         };
         for start in from {
             if low[start as usize] != UNSEEN || !wanted(start) {
                 continue;
             }
-            way.push(meet(start, &mut low, &mut open));
+            way.push(meet(start, &mut low, &mut nodes, &mut open));
             while let Some(Followed { node, next: place, number }) = way.last_mut() {
                 let at = *node as usize;
                 if let Some(next) = successor(*node, *place as usize) {
@@ -62,10 +65,11 @@ impl Parts {
                         // What leads nowhere, as much does, is a part at once.
                         if successor(next, 0).is_none() {
                             low[next as usize] = DONE;
-                            parts.nodes.push(next);
-                            parts.ends.push(parts.nodes.len() as u32);
+                            nodes[complete] = next;
+                            complete += 1;
+                            ends.push(complete as u32);
                         } else {
-                            way.push(meet(next, &mut low, &mut open));
+                            way.push(meet(next, &mut low, &mut nodes, &mut open));
                         }
                     } else {
                         low[next as usize] = DONE;
@@ -73,14 +77,14 @@ impl Parts {
                     continue;
                 }
                 if low[at] == *number {
-                    while let Some(member) = open.pop() {
+                    while low[at] != DONE {
+                        let member = nodes[open];
+                        open += 1;
                         low[member as usize] = DONE;
-                        parts.nodes.push(member);
-                        if member == *node {
-                            break;
-                        }
+                        nodes[complete] = member;
+                        complete += 1;
                     }
-                    parts.ends.push(parts.nodes.len() as u32);
+                    ends.push(complete as u32);
                 }
                 way.pop();
                 if let Some(before) = way.last() {
@@ -89,7 +93,8 @@ impl Parts {
                 }
             }
         }
-        parts
+        nodes.truncate(complete);
+        Parts { nodes, ends }
     }
 
     /// The parts, each before those that it leads to.
