@@ -253,6 +253,35 @@ fn conditions_and_actions_stand_where_they_belong() {
     }
 }
 
+/// Qualifiers with a time, what is set and reset, and what is done each scan, in both dialects.
+#[test]
+fn qualifiers_are_drawn() {
+    let chart = "chart C evolution scan\ninput a : bool\noutput late, early, h : bool\noutput n : int\nconst wait : time := 2s\n\
+                 initial step 1\nstep 2 { late if [T2 >= wait]  early if not [T2 >= 500ms]  h := true on activation }\n\
+                 step 3 { h := false on activation  n := 0 each scan if [n > 9]  n := n + 1 each scan if [n <= 9] and a }\n\
+                 transition 1 -> 2 : a\ntransition 2 -> 3 : not a\ntransition 3 -> 1 : a\n";
+    let counts = "IF n > 9 THEN n := 0; ELSIF (n <= 9) AND a THEN n := n + 1; END_IF;";
+    let text = draw(chart, Evolution::Scan, Dialect::Neutral).expect("a drawing");
+    assert_eq!(lint(&text, Dialect::Neutral), [], "{text}");
+    let drawn = drawn_chart::read(&Document::read(&text).expect("XML")).expect("a chart");
+    let rows = |step: &str| drawn.actions.get(step).cloned().unwrap_or_default();
+    let row = |qualifier: &str, what: &str| (qualifier.to_owned(), what.to_owned());
+    assert_eq!(rows("X2"), [row("D", "late"), row("L", "early"), row("S", "h")]);
+    assert_eq!(rows("X3"), [row("R", "h"), row("N", counts)]);
+    assert!(text.contains("qualifier=\"D\" duration=\"wait\"") && text.contains("duration=\"T#500ms\""), "{text}");
+
+    let text = draw(chart, Evolution::Scan, Dialect::Codesys).expect("a drawing");
+    assert_eq!(lint(&text, Dialect::Codesys), [], "{text}");
+    for part in [
+        "qualifier=\"L\" duration=\"T#500ms\"",
+        ">D wait</attribute>",
+        "<attribute guid=\"700a583f-b4d4-43e4-8c14-629c7cd3bec8\">X3_active</attribute>",
+        "ELSIF (n &lt;= 9) AND a THEN",
+    ] {
+        assert!(text.contains(part), "{part} in {text}");
+    }
+}
+
 /// What is done when a step is left, beside what is done when it is entered.
 #[test]
 fn actions_on_activation_and_deactivation_keep_apart() {

@@ -30,15 +30,16 @@ pub(super) fn continuous(
         of.entry(action.target).or_default().push(action);
     }
     for (variable, actions) in of {
-        let mut places: Vec<StepId> = actions.iter().map(|action| action.step).collect();
-        places.sort_unstable();
-        places.dedup();
+        let mut by_step: BTreeMap<StepId, Vec<&Continuous>> = BTreeMap::new();
+        for action in &actions {
+            by_step.entry(action.step).or_default().push(action);
+        }
+        let places: Vec<StepId> = by_step.keys().copied().collect();
         let target = expressions.declared(variable);
         let reads = actions.iter().filter(|action| reads_stored(net, action));
         let reads: Vec<Span> = reads.map(|action| action.span).collect();
         if reads.is_empty() && (places.len() == 1 || never_meet(analysis, &places)) {
-            for step in places {
-                let own: Vec<&Continuous> = actions.iter().copied().filter(|action| action.step == step).collect();
+            for (step, own) in by_step {
                 let during = expressions.during(step, &own, reasons);
                 steps[step].holds.push(Hold { target, during });
             }

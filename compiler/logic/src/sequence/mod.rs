@@ -149,7 +149,7 @@ pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagn
     let mut reasons = Reasons::default();
     fit::check(analysis, profile, &mut reasons);
     for span in net.pulses.iter().map(|pulse| pulse.span).chain(net.runs.iter().map(|run| run.span)) {
-        reasons.add(span, "a pulse order");
+        reasons.add(span, "a pulse order, for which IEC 61131-3 has no form");
     }
 
     let mut variables = declared(net);

@@ -31,6 +31,28 @@ struct Deed {
     span: Span,
 }
 
+/// The actions that store into a variable.
+#[derive(Default)]
+struct Writers {
+    places: Vec<usize>,
+    /// Whether all are of one class, and whether all stand in one action of a step.
+    one_class: bool,
+    one_moment: bool,
+}
+
+/// The actions by what they store into.
+fn writers(deeds: &[Deed]) -> FxHashMap<VariableId, Writers> {
+    let mut writers: FxHashMap<VariableId, Writers> = FxHashMap::default();
+    for (place, deed) in deeds.iter().enumerate() {
+        let known = writers.entry(deed.target).or_default();
+        let first = known.places.first().map_or(deed, |first| &deeds[*first]);
+        known.one_class = (known.one_class || known.places.is_empty()) && same_class(first, deed);
+        known.one_moment = (known.one_moment || known.places.is_empty()) && same_moment(first, deed);
+        known.places.push(place);
+    }
+    writers
+}
+
 /// Notes with the steps what they store.
 pub(super) fn stored(
     analysis: &Analysis,
@@ -40,17 +62,15 @@ pub(super) fn stored(
 ) {
     let net = analysis.net();
     let deeds = deeds(net, reasons);
-    let mut writers: FxHashMap<VariableId, Vec<usize>> = FxHashMap::default();
-    for (place, deed) in deeds.iter().enumerate() {
-        writers.entry(deed.target).or_default().push(place);
-    }
+    let writers = writers(&deeds);
     let meet = |a: &Deed, b: &Deed| meet(analysis, a, b);
     for (place, deed) in deeds.iter().enumerate() {
         let others = &writers[&deed.target];
-        let differs = |other: &&usize| !same_class(deed, &deeds[**other]);
-        let clashes = |other: &usize| !same_constant(net, deed, &deeds[*other]) && meet(deed, &deeds[*other]);
-        let mut differing = others.iter().filter(differs).peekable();
-        if differing.peek().is_some() && (others.len() > COMPARED || differing.any(clashes)) {
+        let clashes = |other: &usize| {
+            let other = &deeds[*other];
+            !same_class(deed, other) && !same_constant(net, deed, other) && meet(deed, other)
+        };
+        if !others.one_class && (others.places.len() > COMPARED || others.places.iter().any(clashes)) {
             reasons
                 .add(deed.span, "may be done in one scan with another action on the same variable, in whatever order");
         }
@@ -169,17 +189,17 @@ fn reads_of_others(
     net: &Net,
     deeds: &[Deed],
     place: usize,
-    writers: &FxHashMap<VariableId, Vec<usize>>,
+    writers: &FxHashMap<VariableId, Writers>,
     meet: impl Fn(&Deed, &Deed) -> bool,
 ) -> bool {
     let deed = &deeds[place];
     reads(net, deed).into_iter().any(|read| {
-        let others = writers.get(&read).map(Vec::as_slice).unwrap_or_default();
-        if read == deed.target && others.iter().all(|other| same_class(deed, &deeds[*other])) {
+        let Some(others) = writers.get(&read) else { return false };
+        let is_own = |other: &usize| same_moment(deed, &deeds[*other]);
+        if read == deed.target && others.one_class || others.one_moment && others.places.iter().take(1).all(is_own) {
             return false;
         }
-        let mut apart = others.iter().filter(|other| !same_moment(deed, &deeds[**other]));
-        apart.clone().next().is_some() && others.len() > COMPARED || apart.any(|other| meet(deed, &deeds[*other]))
+        others.places.len() > COMPARED || others.places.iter().any(|other| !is_own(other) && meet(deed, &deeds[*other]))
     })
 }
 
@@ -266,16 +286,16 @@ fn sorted(net: &Net, deeds: &[Deed], groups: &[Vec<usize>], reasons: &mut Reason
 
 /// The Boolean variables that steps only set and reset on activation. Where one step at most is active, `S` and `R` mean
 /// the same: else a step that stays active would set its variable again.
-fn latched(net: &Net, deeds: &[Deed], writers: &FxHashMap<VariableId, Vec<usize>>) -> FxHashSet<VariableId> {
+fn latched(net: &Net, deeds: &[Deed], writers: &FxHashMap<VariableId, Writers>) -> FxHashSet<VariableId> {
     let is_sequential = net.places.iter().filter(|place| place.initial).count() <= 1
         && net.transitions.iter().all(|t| t.pre.len() == 1 && t.post.len() == 1);
-    let latches = |(variable, places): &(&VariableId, &Vec<usize>)| {
+    let latches = |(variable, writers): &(&VariableId, &Writers)| {
         let declared = &net.variables[**variable];
         declared.ty == Type::Bool
             && declared.mode == Mode::Stored
             && declared.initial == Value::Bool(false)
             && !declared.retain
-            && places.iter().all(|place| {
+            && writers.places.iter().all(|place| {
                 let deed = &deeds[*place];
                 let is_literal = matches!(net.exprs[deed.value].kind, ExprKind::Literal(_));
                 deed.when == When::Activation && deed.guard.is_empty() && is_literal
