@@ -15,7 +15,7 @@ use crate::timed::{self, Wanted};
 use crate::times::walk;
 use crate::trace::{Row, Trace};
 use grafc_formula::Value;
-use grafc_logic::scan::{Program, Role};
+use grafc_logic::scan::{ClaimKind, Program, Role};
 use grafc_model::chart::Chart;
 use grafc_model::reaction::Profile;
 
@@ -185,7 +185,8 @@ fn findings<'s>(
     let mut places = open(&few);
     places.extend(untimed(subject.program, goals, &few.of)?);
     places.sort_unstable();
-    if let Ok(soon) = by(&mut Sat::in_short(subject.program), &sought(&places), stop) {
+    let mut in_short = Sat::in_short(subject.program);
+    if let Ok(soon) = by(&mut in_short, &sought(&places), stop) {
         for (place, finding) in places.into_iter().zip(soon.of) {
             match finding {
                 Finding::Never | Finding::Happens => few.of[place] = finding,
@@ -196,6 +197,11 @@ fn findings<'s>(
         }
     }
     let places = open(&few);
+    let is_assumed = subject.program.claims.iter().any(|claim| claim.kind == ClaimKind::Assume);
+    if places.is_empty() && (in_short.allows_inputs || !is_assumed) {
+        few.searched.limit = Some(Limit::Enough);
+        return Ok(few);
+    }
     let mut by_clauses = Sat::new(subject.program);
     let mut at_once = Symbolic::aided(subject.program, &mut by_clauses);
     // What it cannot follow, the other engines may.

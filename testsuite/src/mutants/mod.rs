@@ -23,6 +23,7 @@ mod javascript;
 mod lowering;
 mod net;
 mod proofs;
+mod prover;
 pub mod run;
 pub mod spot;
 mod tokens;
@@ -41,6 +42,8 @@ pub const VARIABLE: &str = "GRAFC_FAULT";
 pub enum Part {
     /// What comes before the backends, and is judged by the simulator.
     Compiler,
+    /// What proves claims on charts.
+    Prover,
     /// Structured Text.
     StructuredText,
     /// Instruction lists.
@@ -65,8 +68,9 @@ pub enum Part {
 
 impl Part {
     /// All of them.
-    pub const ALL: [Part; 11] = [
+    pub const ALL: [Part; 12] = [
         Part::Compiler,
+        Part::Prover,
         Part::StructuredText,
         Part::InstructionList,
         Part::StatementList,
@@ -83,6 +87,7 @@ impl Part {
     pub fn folders(self) -> &'static [&'static str] {
         match self {
             Part::Compiler => &["compiler/net/src", "compiler/formula/src", "compiler/logic/src"],
+            Part::Prover => &["compiler/verify/src"],
             Part::StructuredText => &["backends/src/st"],
             Part::InstructionList => &["backends/src/il"],
             Part::StatementList => &["backends/src/awl"],
@@ -132,7 +137,7 @@ pub struct Fault {
 
 /// All of them, along the way of a chart through the compiler.
 pub fn all() -> impl Iterator<Item = &'static Fault> {
-    let compiler = [net::FAULTS, lowering::FAULTS, encodings::FAULTS, proofs::FAULTS, warnings::FAULTS];
+    let compiler = [net::FAULTS, lowering::FAULTS, encodings::FAULTS, proofs::FAULTS, warnings::FAULTS, prover::FAULTS];
     compiler
         .into_iter()
         .chain([backends::FAULTS, bodies::FAULTS, calls::FAULTS, javascript::FAULTS, c::FAULTS])

@@ -53,6 +53,9 @@ const COMPILER: &[Suite] = &[
     tests("observed"),
 ];
 
+/// The unit tests judge what charts seldom lead to.
+const PROVER: &[Suite] = &[suite("grafc-verify", "compiler/verify", None), tests("circuit"), tests("verify")];
+
 /// The unit tests judge the statements that no chart leads to, and what is right only for other tools.
 const BACKENDS: Suite = suite("grafc-backends", "backends", None);
 const STRUCTURED_TEXT: &[Suite] = &[with(Tool::Matiec, "matiec", None), BACKENDS];
@@ -96,6 +99,7 @@ const C: &[Suite] = &[
 pub fn suites(fault: &Fault) -> &'static [Suite] {
     match fault.at.part {
         Part::Compiler => COMPILER,
+        Part::Prover => PROVER,
         Part::StructuredText => STRUCTURED_TEXT,
         Part::InstructionList => INSTRUCTION_LIST,
         Part::StatementList => STATEMENT_LIST,

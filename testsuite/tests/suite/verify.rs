@@ -312,5 +312,6 @@ fn say(what: &str) {
 
 mod by_hand;
 mod claims;
+mod clauses;
 mod plants;
 mod textbook;

@@ -199,3 +199,25 @@ fn pair(graph: &mut Graph, (a, a_words): (Literal, &[u64]), (b, b_words): (Liter
         out.push(!graph.and(!a, !b));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::by_hand::ring;
+    use super::*;
+
+    #[test]
+    fn what_goes_together_is_guessed() {
+        let mut watched = ring();
+        let samples = Samples::new(&watched, &[]);
+        let [a, b, c] = [0, 1, 2].map(|place| watched.circuit.latches[place].now);
+        let [_, pairs] = samples.of_pairs(&mut watched);
+        let graph = &mut watched.circuit.graph;
+        let mut expected: Vec<Literal> = [(a, b), (a, c), (b, c)].map(|(a, b)| !graph.and(a, b)).to_vec();
+        expected.sort_unstable();
+        let mut found = pairs;
+        found.sort_unstable();
+        assert_eq!(found, expected, "no two, and each of them is empty at times");
+        // At the start, too.
+        assert_eq!(samples.agree(&watched, vec![a, !b, expected[0]]), [expected[0]]);
+    }
+}

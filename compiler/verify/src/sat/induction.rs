@@ -11,6 +11,7 @@ pub(super) struct Induction<'c, 'b, 's> {
     frames: Frames<'c, 'b, 's>,
     rests: Literal,
     begins: Literal,
+    known: Vec<Literal>,
 }
 
 /// Claims that are held together, by their places.
@@ -25,12 +26,18 @@ const GROUP: usize = 64;
 impl<'c, 'b, 's> Induction<'c, 'b, 's> {
     pub(super) fn new(watched: &'c Watched, budget: &'b Budget<'s>) -> Self {
         let frames = Frames::new(watched, Begin::Anywhere, budget);
-        Induction { frames, rests: watched.circuit.rests, begins: watched.begins }
+        Induction { frames, rests: watched.circuit.rests, begins: watched.begins, known: Vec::new() }
     }
 
     /// It is proved to hold at every clock.
     pub(super) fn proved(&mut self, literal: Literal) {
         self.frames.always(literal);
+        self.known.push(literal);
+    }
+
+    /// All that is proved.
+    pub(super) fn known(&self) -> &[Literal] {
+        &self.known
     }
 
     /// Which of these hold at every clock if all of them hold at the first so many; none if that was not found out.
@@ -102,5 +109,70 @@ impl<'c, 'b, 's> Induction<'c, 'b, 's> {
             goes_on.push(!self.frames.literal(frame, self.rests));
         }
         self.frames.solve(&goes_on).map(|found| !found)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::by_hand::{apart, circuit, counter, ring};
+    use super::*;
+
+    /// Which of what is seen is proved never to be, if all of it is not at the first so many clocks.
+    fn never(watched: &Watched, clocks: usize) -> Option<Vec<bool>> {
+        let mut go_on = |_, _| None;
+        let budget = Budget::new(&mut go_on);
+        let claims: Vec<Literal> = watched.facts.iter().map(|(_, seen)| !*seen).collect();
+        Induction::new(watched, &budget).kept(&claims, clocks)
+    }
+
+    #[test]
+    fn a_token_is_in_one_place() {
+        // Each pair follows from the pair before it; that the last place is empty follows from nothing.
+        assert_eq!(never(&ring(), 1), Some(vec![true, true, true, false]));
+        // Without the others none follows.
+        assert_eq!(never(&ring(), 0), Some(vec![false; 4]));
+    }
+
+    #[test]
+    fn what_follows_only_from_what_does_not_hold_is_out() {
+        // The second latch follows the first, which follows the input.
+        let watched = circuit(1, &[false, false], |_, inputs, now| (vec![inputs[0], now[0]], now.to_vec()));
+        assert_eq!(never(&watched, 1), Some(vec![false, false]));
+    }
+
+    #[test]
+    fn what_one_clock_does_not_prove_two_may() {
+        // What leads to 3 is 2, which may be anywhere; what leads to 2 is 3.
+        assert_eq!(never(&apart(), 1), Some(vec![false]));
+        assert_eq!(never(&apart(), 2), Some(vec![true]));
+        // A counter comes to 3 from everywhere, however many clocks it was not there.
+        assert_eq!(never(&counter(), 2), Some(vec![false]));
+    }
+
+    #[test]
+    fn what_is_proved_helps() {
+        let watched = apart();
+        let mut go_on = |_, _| None;
+        let budget = Budget::new(&mut go_on);
+        let mut induction = Induction::new(&watched, &budget);
+        // It is never in the upper half.
+        let upper = watched.circuit.latches[1].now;
+        assert_eq!(induction.kept(&[!upper], 1), Some(vec![true]));
+        induction.proved(!upper);
+        assert_eq!(induction.kept(&[!watched.facts[0].1], 0), Some(vec![true]));
+    }
+
+    #[test]
+    fn a_call_that_takes_two_clocks_ends_within_two() {
+        // It rests, goes on once, and rests again; but for ever where the second holds, which no call begins with.
+        let mut watched = circuit(0, &[true, false], |graph, _, now| {
+            let stays = graph.and(now[1], !now[0]);
+            (vec![graph.and(!now[0], !now[1]), stays], Vec::new())
+        });
+        (watched.begins, watched.circuit.rests) = (watched.truths[0], watched.circuit.latches[0].next);
+        let mut go_on = |_, _| None;
+        let budget = Budget::new(&mut go_on);
+        let mut induction = Induction::new(&watched, &budget);
+        assert_eq!((induction.ends_within(1), induction.ends_within(2)), (Some(false), Some(true)));
     }
 }

@@ -6,8 +6,8 @@
 //!
 //! It works on the circuit of the program, whose clocks are micro-steps, with one variable of the solver for each
 //! conjunction of a clock. What it finds to happen the machine has done; what it finds never to happen is proved for all
-//! clocks, with delays free and without the bound on micro-steps, which is more than there is. What is claimed of what can
-//! still be reached it leaves to others.
+//! clocks, with delays free and without the bound on micro-steps, which is more than there is. That every state can be left,
+//! and leads home, it may prove; that one cannot, and what leads to what, it leaves to others.
 //!
 //! | file | what |
 //! | --- | --- |
@@ -17,15 +17,20 @@
 //! | `walk` | what happens, in real times |
 //! | `candidates` | what may always hold, and help |
 //! | `induction` | what always holds |
+//! | `ways_out` | that every state can be left |
 //! | `bounded` | the fewest micro-steps to something |
+//! | `by_hand` | small circuits for tests |
 
 mod bounded;
 mod budget;
+#[cfg(test)]
+mod by_hand;
 mod candidates;
 mod frames;
 mod induction;
 mod run;
 mod walk;
+mod ways_out;
 
 use crate::beyond::Beyond;
 use crate::circuit::{self, Literal, Watched, watched};
@@ -37,13 +42,18 @@ use budget::Budget;
 use candidates::{Samples, of_tokens};
 use grafc_logic::scan::Program;
 use induction::Induction;
+use run::Run;
 use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::BTreeSet;
 use walk::Walked;
+use ways_out::Out;
 
-/// So much may be done in walks, in inductions, and in bounded search; and for one question in a walk.
+/// So much may be done in walks, in inductions, in bounded search, and for ways out; and for one question in a walk.
 const WALK: u64 = 6_000_000;
 const INDUCTION: u64 = 6_000_000;
 const BOUNDED: u64 = 2_000_000;
+const WAYS_OUT: u64 = 6_000_000;
+const WAYS_OUT_SOON: u64 = 2_500_000;
 const QUESTION: u64 = 20_000;
 
 /// A first walk ends soon, where nothing new is near; where that is all that is left, a second one goes on.
@@ -76,6 +86,8 @@ pub(crate) struct Sat<'p> {
     reach: Reach,
     /// Whether it was asked anything.
     pub(crate) was_asked: bool,
+    /// Whether the assumptions are known to allow some inputs in every state.
+    pub(crate) allows_inputs: bool,
     searched: Searched,
     barred: Option<Way>,
     findings: FxHashMap<Goal, Finding>,
@@ -85,8 +97,8 @@ impl<'p> Sat<'p> {
     /// For a program that shows its transitions.
     pub(crate) fn new(program: &'p Program) -> Self {
         let searched = Searched { states: 0.0, limit: Some(Limit::Depth) };
-        let (reach, was_asked) = (Reach::All, false);
-        Sat { program, reach, was_asked, searched, barred: None, findings: FxHashMap::default() }
+        let (reach, was_asked, allows_inputs) = (Reach::All, false, false);
+        Sat { program, reach, was_asked, allows_inputs, searched, barred: None, findings: FxHashMap::default() }
     }
 
     /// One that finds out what does not take long.
@@ -132,6 +144,7 @@ impl<'p> Sat<'p> {
         let samples = Samples::new(&watched, &places);
         let tokens = samples.agree(&watched, tokens);
         let [firsts, pairs] = samples.of_pairs(&mut watched);
+        let home = home(&mut watched, &walked);
         let watched = watched;
         // What was seen, but needs a short way, is looked for again.
         let needs_more = |fact: &Fact| self.findings.get(&Goal::Fact(*fact)) != Some(&Finding::Happens);
@@ -142,7 +155,11 @@ impl<'p> Sat<'p> {
             return Ok(());
         }
         budget.allow(INDUCTION, INDUCTION);
-        self.prove(goals, [[tokens, firsts].concat(), pairs], &watched, &mut bounded, budget)?;
+        let mut induction = Induction::new(&watched, budget);
+        self.prove(goals, [[tokens, firsts].concat(), pairs], &mut induction, &mut bounded)?;
+        let ways_out = if self.reach == Reach::Short { WAYS_OUT_SOON } else { WAYS_OUT };
+        budget.allow(ways_out, ways_out);
+        self.leave(goals, home, &watched, &induction, budget);
         if self.reach == Reach::Short {
             return Ok(());
         }
@@ -193,11 +210,9 @@ impl<'p> Sat<'p> {
         &mut self,
         goals: &[Goal],
         guesses: [Vec<Literal>; 2],
-        watched: &Watched,
+        induction: &mut Induction,
         bounded: &mut Bounded,
-        budget: &Budget,
     ) -> Result<(), Beyond> {
-        let mut induction = Induction::new(watched, budget);
         let [tokens, pairs] = guesses;
         let mut guesses = tokens;
         for more in [pairs, Vec::new()] {
@@ -207,15 +222,37 @@ impl<'p> Sat<'p> {
             guesses.iter().zip(kept).for_each(|(guess, kept)| if kept { &mut proved } else { &mut left }.push(*guess));
             proved.into_iter().for_each(|guess| induction.proved(guess));
             for clocks in 0..=MOST_CLOCKS {
-                self.facts(&mut induction, bounded, clocks)?;
+                self.facts(induction, bounded, clocks)?;
             }
-            self.ends(goals, &mut induction);
+            self.ends(goals, induction);
             if self.reach == Reach::Short || self.is_done(goals) {
                 return Ok(());
             }
             guesses = [left, more].concat();
         }
         Ok(())
+    }
+
+    /// Proves that every state can be left, and leads home.
+    fn leave(&mut self, goals: &[Goal], home: Literal, watched: &Watched, induction: &Induction, budget: &Budget) {
+        for (goal, out) in [(Goal::Stuck, Out::Moved), (Goal::Homeless, Out::Home(home))] {
+            if goals.binary_search(&goal).is_err() {
+                continue;
+            }
+            // What cannot be left is further from home.
+            if ways_out::always(watched, out, induction.known(), self.bound(), budget) != Some(true) {
+                return;
+            }
+            self.findings.insert(goal, Finding::Never);
+            // A way out begins with inputs that are allowed.
+            self.allows_inputs |= goal == Goal::Stuck;
+        }
+    }
+
+    /// At most so many micro-steps are a reaction.
+    fn bound(&self) -> usize {
+        let limit = self.program.repeat.and_then(|repeat| repeat.limit);
+        limit.map_or(usize::MAX, |limit| limit.bound as usize)
     }
 
     /// Whether all is known that can be.
@@ -229,8 +266,7 @@ impl<'p> Sat<'p> {
         if !is_among(goals, Fact::Livelock) || self.findings.contains_key(&livelock) {
             return;
         }
-        let bound = self.program.repeat.and_then(|repeat| repeat.limit).map_or(u32::MAX, |limit| limit.bound);
-        for clocks in 1..=MOST_MICRO_STEPS.min(bound as usize) {
+        for clocks in 1..=MOST_MICRO_STEPS.min(self.bound()) {
             match induction.ends_within(clocks) {
                 Some(true) => {
                     self.findings.insert(livelock, Finding::Never);
@@ -263,6 +299,25 @@ impl<'p> Sat<'p> {
         }
         Ok(())
     }
+}
+
+/// Where the chart is in a situation that the initial reaction was seen to end in.
+fn home(watched: &mut Watched, walked: &Walked) -> Literal {
+    let mut run = Run::new(watched);
+    let mut situations: BTreeSet<Vec<bool>> = BTreeSet::new();
+    for latches in walked.starts() {
+        run.latches = latches;
+        run.look(&[]);
+        situations.insert(watched.standing.iter().map(|step| run.of(*step) & 1 == 1).collect());
+    }
+    let (graph, standing) = (&mut watched.circuit.graph, &watched.standing);
+    let mut home = Literal::FALSE;
+    for situation in situations {
+        let steps = standing.iter().zip(situation).map(|(step, active)| if active { *step } else { !*step });
+        let here = graph.all(steps);
+        home = graph.or(home, here);
+    }
+    home
 }
 
 /// Whether a fact is among goals, which are in order.

@@ -55,3 +55,24 @@ impl<'c> Run<'c> {
         self.sources.len() as u64
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::by_hand::counter;
+    use super::*;
+
+    #[test]
+    fn each_case_counts_by_itself() {
+        let watched = counter();
+        let mut run = Run::new(&watched);
+        // The second case counts every clock, the third one every other; the fourth keeps still at the last.
+        for (inputs, cases) in [(0b0110, u64::MAX), (0b0010, u64::MAX), (0b1110, 0b0111)] {
+            run.look(&[inputs]);
+            assert_eq!(run.of(watched.facts[0].1) & 0b1111, 0);
+            run.advance(cases);
+        }
+        assert_eq!((run.latches[0] & 0b1111, run.latches[1] & 0b1111), (0b0010, 0b0110));
+        run.look(&[0]);
+        assert_eq!(run.of(watched.facts[0].1) & 0b1111, 0b0010);
+    }
+}

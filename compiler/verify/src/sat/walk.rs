@@ -291,6 +291,12 @@ impl Walked {
         self.met.keys().copied()
     }
 
+    /// What latches hold after initial reactions.
+    pub(super) fn starts(&self) -> impl Iterator<Item = Vec<u64>> + '_ {
+        let is_start = |place: &&Place| place.row.is_some_and(|row| self.rows[row].before.is_none());
+        self.places.iter().filter(is_start).map(|place| place.latches.clone())
+    }
+
     /// The way to where a fact was seen first.
     pub(super) fn way(&self, fact: Fact) -> Option<Way> {
         self.met.get(&fact).map(|row| self.way_to(*row))
