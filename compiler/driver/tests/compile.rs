@@ -138,9 +138,9 @@ fn choices_reach_the_files_of_tools() {
     for (arguments, owner) in [
         (["st", "--dialect", "codesys"], "`--target plcopen`"),
         (["scl", "--body", "st"], "`--target plcopen`"),
-        (["rust", "--task-interval", "1s"], "`--target st`, `--target il` and `--target plcopen`"),
+        (["rust", "--task-interval", "1s"], "`--target st`, `--target il`, `--target sfc` and `--target plcopen`"),
         (["plcopen", "--runtime", "crate"], "`--target rust`"),
-        (["tcpou", "--pou", "program"], "`--target st`, `--target il` and `--target awl`"),
+        (["tcpou", "--pou", "program"], "`--target st`, `--target il`, `--target sfc` and `--target awl`"),
         (["scl", "--block-number", "7"], "`--target awl`"),
         (["il", "--mnemonics", "german"], "`--target awl`"),
     ] {
@@ -170,7 +170,7 @@ fn an_instruction_list_is_the_same_function_block() {
     folder.run(&["valve.gct", "--target", "il", "--runtime", "crate"]).ends(2, "an option of `--target rust`");
     folder
         .run(&["valve.gct", "--target", "rust", "--pou", "program"])
-        .ends(2, "`--target st`, `--target il` and `--target awl`");
+        .ends(2, "`--target st`, `--target il`, `--target sfc` and `--target awl`");
 }
 
 #[test]
