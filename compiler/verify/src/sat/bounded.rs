@@ -85,6 +85,10 @@ impl<'w, 'c, 'b, 's> Bounded<'w, 'c, 'b, 's> {
                 Some(true) => {
                     let inputs: Vec<Vec<u64>> = (0..=frame).map(|frame| self.frames.inputs(frame)).collect();
                     let shown = self.follow(&inputs)?;
+                    // It would be found again and again.
+                    if shown.is_empty() {
+                        return Ok(false);
+                    }
                     // What the machine does not show lies beyond the bound on micro-steps.
                     for fact in shown {
                         self.drop(fact);

@@ -226,7 +226,7 @@ impl Walk<'_, '_, '_, '_> {
     fn react(&mut self, place: &Place, inputs: &[u64]) -> Result<Option<(Place, usize)>, Beyond> {
         self.run.latches.clone_from(&place.latches);
         self.run.look(inputs);
-        self.budget.spend(self.run.size() / 64);
+        self.budget.spend(1 + self.run.size() / 64);
         if self.run.of(self.watched.circuit.assumed) & 1 == 0 {
             return Ok(None);
         }
@@ -271,7 +271,7 @@ impl Walk<'_, '_, '_, '_> {
                 break;
             }
             self.run.look(inputs);
-            self.budget.spend(self.run.size() / 64);
+            self.budget.spend(1 + self.run.size() / 64);
             clocks += 1;
             // The machine came to an end, so it does, too.
             if self.budget.is_over() {

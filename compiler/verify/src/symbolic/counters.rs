@@ -3,6 +3,7 @@
 
 use super::bits::Bits;
 use super::number;
+use super::seen::Seen;
 use super::sets::{Halt, Sets};
 use crate::clocks::constant;
 use biodivine_lib_bdd::{Bdd, BddVariable};
@@ -24,7 +25,7 @@ struct Counter {
 
 impl Counters {
     /// The numbers among the bits.
-    pub(super) fn new(program: &Program, bits: &Bits) -> Counters {
+    pub(super) fn new(program: &Program, bits: &Bits, sets: &mut Sets) -> Result<Counters, Halt> {
         let mut ends: BTreeMap<VarId, (i64, i64)> = BTreeMap::new();
         let mut note = |v: VarId, value: Option<Value>| {
             if let Some(Value::Int(n) | Value::Time(n)) = value {
@@ -48,17 +49,18 @@ impl Counters {
         for (v, variable) in program.variables.iter_enumerated() {
             note(v, Some(variable.initial));
         }
-        let counter = |(v, of): (&VarId, &Vec<super::bits::Bit>)| {
+        let mut list = Vec::new();
+        for (v, of) in &bits.of {
             let ty = program.variables[*v].ty;
             let is_whole = ty != Type::Bool && super::bits::width(ty) == Some(of.len());
-            let (least, most) = *ends.get(v).filter(|_| is_whole)?;
+            let Some((least, most)) = ends.get(v).filter(|_| is_whole) else { continue };
             let functions = of.iter().map(|bit| bits.all.mk_var(bit.now)).collect();
-            let super::seen::Seen::Number(now) = number::of_bits(&bits.all, ty, functions) else { return None };
-            let than = |op, n| number::compare(op, &now, &number::whole(&bits.all, n));
-            let beyond = vec![than(Comparison::Greater, most), than(Comparison::Less, least)];
-            Some(Counter { bits: of.iter().map(|bit| bit.now).collect(), beyond })
-        };
-        Counters { list: bits.of.iter().filter_map(counter).collect() }
+            let Seen::Number(now) = number::of_bits(&bits.all, ty, functions) else { continue };
+            let mut than = |op, n: &i64| number::compare(op, &now, &number::whole(&bits.all, *n), sets);
+            let beyond = vec![than(Comparison::Greater, most)?, than(Comparison::Less, least)?];
+            list.push(Counter { bits: of.iter().map(|bit| bit.now).collect(), beyond });
+        }
+        Ok(Counters { list })
     }
 
     /// Whether there are none.

@@ -135,7 +135,7 @@ impl Found {
         for fact in std::mem::take(&mut looking.facts) {
             let mut finding = None;
             for (_, inputs) in self.relation.at_start.iter().filter(|(other, _)| *other == fact) {
-                if finding.is_none() && !sets.are_apart(&self.relation.start, inputs) {
+                if finding.is_none() && !sets.are_apart(&self.relation.start, inputs)? {
                     finding = Some(if self.needs_no_way(fact) {
                         Finding::Happens
                     } else {
@@ -159,10 +159,12 @@ impl Found {
         for (micro_step, heads) in self.layers.reactions[depth].heads.iter().enumerate() {
             let mut rest = Vec::new();
             for fact in std::mem::take(&mut looking.facts) {
-                let seen = self.relation.facts.get(&fact).filter(|seen| !sets.are_apart(heads, seen));
-                let Some(seen) = seen else {
-                    rest.push(fact);
-                    continue;
+                let seen = match self.relation.facts.get(&fact) {
+                    Some(seen) if !sets.are_apart(heads, seen)? => seen,
+                    _ => {
+                        rest.push(fact);
+                        continue;
+                    }
                 };
                 // It may be that only states do it that there are not.
                 if self.counters.is_some() {

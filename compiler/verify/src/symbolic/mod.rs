@@ -91,7 +91,7 @@ impl<'p> Symbolic<'p> {
             Goal::Fact(fact) => Some(*fact),
         });
         let mut looking = Looking { machine: &mut machine, facts: facts.collect(), findings: &mut self.findings };
-        let counters = Counters::new(program, &found.relation.bits);
+        let counters = Counters::new(program, &found.relation.bits, sets)?;
         let explored = found.explore(MOST_EXACT, &mut looking, sets);
         self.searched.states = found.count();
         if !explored? {

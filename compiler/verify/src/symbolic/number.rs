@@ -1,6 +1,7 @@
 //! Whole numbers as bits of diagrams: two's complement, the lowest bit first, the last one the sign.
 
 use super::seen::Seen;
+use super::sets::{Halt, Sets};
 use biodivine_lib_bdd::{Bdd, BddVariableSet};
 use grafc_formula::{Arithmetic, Comparison, Type, Value};
 
@@ -55,83 +56,87 @@ fn wrapped(all: &BddVariableSet, ty: Type, bits: Vec<Bdd>, width: usize) -> Seen
     of_bits(all, ty, (0..width).map(|place| bit(&bits, place).clone()).collect())
 }
 
-/// One or the other, where both are of a kind.
-pub(crate) fn choice(when: &Bdd, yes: Seen, no: Seen) -> Option<Seen> {
-    match (yes, no) {
-        (Seen::Truth(yes), Seen::Truth(no)) => Some(Seen::Truth(Bdd::if_then_else(when, &yes, &no))),
+/// One or the other; none where they are not of a kind.
+pub(crate) fn choice(when: &Bdd, yes: Seen, no: Seen, sets: &mut Sets) -> Result<Option<Seen>, Halt> {
+    Ok(Some(match (yes, no) {
+        (Seen::Truth(yes), Seen::Truth(no)) => Seen::Truth(sets.choice(when, &yes, &no)?),
         (Seen::Number(yes), Seen::Number(no)) => {
             let width = yes.len().max(no.len());
-            let one = |place| Bdd::if_then_else(when, bit(&yes, place), bit(&no, place));
-            Some(Seen::Number((0..width).map(one).collect()))
+            let bits = (0..width).map(|place| sets.choice(when, bit(&yes, place), bit(&no, place)));
+            Seen::Number(bits.collect::<Result<_, _>>()?)
         }
-        (Seen::Real(yes), Seen::Real(no)) if yes.to_bits() == no.to_bits() => Some(Seen::Real(yes)),
-        _ => None,
-    }
+        (Seen::Real(yes), Seen::Real(no)) if yes.to_bits() == no.to_bits() => Seen::Real(yes),
+        _ => return Ok(None),
+    }))
 }
 
-pub(crate) fn compare_truths(op: Comparison, a: &Bdd, b: &Bdd) -> Option<Bdd> {
+pub(crate) fn compare_truths(op: Comparison, a: &Bdd, b: &Bdd, sets: &mut Sets) -> Result<Option<Bdd>, Halt> {
     match op {
-        Comparison::Equal => Some(a.iff(b)),
-        Comparison::NotEqual => Some(a.xor(b)),
-        Comparison::Less | Comparison::LessEqual | Comparison::Greater | Comparison::GreaterEqual => None,
+        Comparison::Equal => sets.iff(a, b).map(Some),
+        Comparison::NotEqual => sets.xor(a, b).map(Some),
+        Comparison::Less | Comparison::LessEqual | Comparison::Greater | Comparison::GreaterEqual => Ok(None),
     }
 }
 
-pub(crate) fn compare(op: Comparison, a: &[Bdd], b: &[Bdd]) -> Bdd {
-    match op {
-        Comparison::Equal => equal(a, b),
-        Comparison::NotEqual => equal(a, b).not(),
-        Comparison::Less => less(a, b),
-        Comparison::GreaterEqual => less(a, b).not(),
-        Comparison::Greater => less(b, a),
-        Comparison::LessEqual => less(b, a).not(),
-    }
+pub(crate) fn compare(op: Comparison, a: &[Bdd], b: &[Bdd], sets: &mut Sets) -> Result<Bdd, Halt> {
+    Ok(match op {
+        Comparison::Equal => equal(a, b, sets)?,
+        Comparison::NotEqual => equal(a, b, sets)?.not(),
+        Comparison::Less => less(a, b, sets)?,
+        Comparison::GreaterEqual => less(a, b, sets)?.not(),
+        Comparison::Greater => less(b, a, sets)?,
+        Comparison::LessEqual => less(b, a, sets)?.not(),
+    })
 }
 
-fn equal(a: &[Bdd], b: &[Bdd]) -> Bdd {
-    let mut same = bit(a, 0).iff(bit(b, 0));
+fn equal(a: &[Bdd], b: &[Bdd], sets: &mut Sets) -> Result<Bdd, Halt> {
+    let mut same = sets.iff(bit(a, 0), bit(b, 0))?;
     for place in 1..a.len().max(b.len()) {
-        same = same.and(&bit(a, place).iff(bit(b, place)));
+        let here = sets.iff(bit(a, place), bit(b, place))?;
+        same = sets.and(&same, &here)?;
     }
-    same
+    Ok(same)
 }
 
-fn less(a: &[Bdd], b: &[Bdd]) -> Bdd {
+fn less(a: &[Bdd], b: &[Bdd], sets: &mut Sets) -> Result<Bdd, Halt> {
     let width = a.len().max(b.len());
+    if width == 1 {
+        return sets.minus(bit(a, 0), bit(b, 0));
+    }
     // Below the signs, from the lowest bit on.
-    let mut less = bit(b, 0).and_not(bit(a, 0));
+    let mut less = sets.minus(bit(b, 0), bit(a, 0))?;
     for place in 1..width {
         let (a, b) = (bit(a, place), bit(b, place));
         // At the sign, the one that has it is less.
-        let decided = if place + 1 == width { a.and_not(b) } else { b.and_not(a) };
-        less = decided.or(&a.iff(b).and(&less));
+        let decided = if place + 1 == width { sets.minus(a, b)? } else { sets.minus(b, a)? };
+        let same = sets.iff(a, b)?;
+        let so_far = sets.and(&same, &less)?;
+        less = sets.or(&decided, &so_far)?;
     }
-    if width == 1 { bit(a, 0).and_not(bit(b, 0)) } else { less }
+    Ok(less)
 }
 
-pub(crate) fn negate(all: &BddVariableSet, ty: Type, a: &[Bdd]) -> Seen {
+pub(crate) fn negate(all: &BddVariableSet, ty: Type, a: &[Bdd], sets: &mut Sets) -> Result<Seen, Halt> {
     let zero = [all.mk_false()];
-    arithmetic(all, ty, Arithmetic::Subtract, &zero, a).unwrap_or(Seen::Number(zero.to_vec()))
+    Ok(arithmetic(all, ty, Arithmetic::Subtract, &zero, a, sets)?.unwrap_or(Seen::Number(zero.to_vec())))
 }
 
 /// Sums and differences, and products with what is known; none for others.
-pub(crate) fn arithmetic(all: &BddVariableSet, ty: Type, op: Arithmetic, a: &[Bdd], b: &[Bdd]) -> Option<Seen> {
-    let width = super::bits::width(ty)?;
-    let sum = |a: &[Bdd], b: &[Bdd], carry: Bdd, flip: bool| -> Vec<Bdd> {
-        let mut carry = carry;
-        let mut out = Vec::with_capacity(width + 1);
-        // One bit more than both have: nothing is lost before it wraps around.
-        for place in 0..=(a.len().max(b.len())).min(width) {
-            let (x, y) = (bit(a, place), if flip { bit(b, place).not() } else { bit(b, place).clone() });
-            let either = x.xor(&y);
-            out.push(either.xor(&carry));
-            carry = x.and(&y).or(&either.and(&carry));
-        }
-        out
-    };
+pub(crate) fn arithmetic(
+    all: &BddVariableSet,
+    ty: Type,
+    op: Arithmetic,
+    a: &[Bdd],
+    b: &[Bdd],
+    sets: &mut Sets,
+) -> Result<Option<Seen>, Halt> {
+    let Some(width) = super::bits::width(ty) else { return Ok(None) };
     let bits = match op {
-        Arithmetic::Add => sum(a, b, all.mk_false(), false),
-        Arithmetic::Subtract => sum(a, b, all.mk_true(), true),
+        Arithmetic::Add => sum(a, b, all.mk_false(), width, sets)?,
+        Arithmetic::Subtract => {
+            let less: Vec<Bdd> = b.iter().map(Bdd::not).collect();
+            sum(a, &less, all.mk_true(), width, sets)?
+        }
         Arithmetic::Multiply => {
             let is_known = |number: &[Bdd]| number.iter().all(|bit| bit.is_true() || bit.is_false());
             let (factor, known) = if is_known(b) {
@@ -139,20 +144,34 @@ pub(crate) fn arithmetic(all: &BddVariableSet, ty: Type, op: Arithmetic, a: &[Bd
             } else if is_known(a) {
                 (b, a)
             } else {
-                return None;
+                return Ok(None);
             };
             let mut out = vec![all.mk_false()];
             for place in 0..width {
                 if bit(known, place).is_true() {
                     let mut shifted = vec![all.mk_false(); place];
                     shifted.extend(factor.iter().cloned());
-                    out = sum(&out, &shifted, all.mk_false(), false);
+                    out = sum(&out, &shifted, all.mk_false(), width, sets)?;
                     out.truncate(width.max(1));
                 }
             }
             out
         }
-        Arithmetic::Divide | Arithmetic::Modulo => return None,
+        Arithmetic::Divide | Arithmetic::Modulo => return Ok(None),
     };
-    Some(wrapped(all, ty, bits, width))
+    Ok(Some(wrapped(all, ty, bits, width)))
+}
+
+/// One bit more than both have, so that nothing is lost before it wraps around; of at most such a width.
+fn sum(a: &[Bdd], b: &[Bdd], mut carry: Bdd, width: usize, sets: &mut Sets) -> Result<Vec<Bdd>, Halt> {
+    let mut out = Vec::with_capacity(width + 1);
+    for place in 0..=(a.len().max(b.len())).min(width) {
+        let (x, y) = (bit(a, place), bit(b, place));
+        let either = sets.xor(x, y)?;
+        out.push(sets.xor(&either, &carry)?);
+        let both = sets.and(x, y)?;
+        let carried = sets.and(&either, &carry)?;
+        carry = sets.or(&both, &carried)?;
+    }
+    Ok(out)
 }

@@ -64,8 +64,9 @@ impl Relation {
         at_start.extend(flags(program, &run));
         run.statements(&program.before, &yes, sets)?;
         let mut start = keeping(&claimed, &run, bits.consistent.clone(), sets)?;
-        for (bit, function) in new_values(&bits, &run) {
-            start = sets.and(&start, &bits.all.mk_var(bit.now).iff(&function))?;
+        for (bit, function) in new_values(&bits, &run, sets)? {
+            let becomes = sets.iff(&bits.all.mk_var(bit.now), &function)?;
+            start = sets.and(&start, &becomes)?;
         }
 
         let mut run = Run::anywhere(program, &bits, &clocks);
@@ -80,14 +81,14 @@ impl Relation {
         }
         let leads = claimed.leads.iter().map(|(from, to)| (mark(from), mark(to))).collect();
         marks.iter().for_each(|v| run.values[*v] = Some(Seen::Truth(bits.all.mk_false())));
-        run.pass();
+        run.pass(sets)?;
         run.statements(&program.before, &yes, sets)?;
         let allowed = keeping(&claimed, &run, bits.consistent.clone(), sets)?;
-        let begin = Updates::new(&bits.all, new_values(&bits, &run), sets)?;
+        let begin = Updates::new(&bits.all, new_values(&bits, &run, sets)?, sets)?;
 
         let mut run = Run::anywhere(program, &bits, &clocks);
         run.statements(&program.micro_step, &yes, sets)?;
-        let step = Updates::new(&bits.all, new_values(&bits, &run), sets)?;
+        let step = Updates::new(&bits.all, new_values(&bits, &run, sets)?, sets)?;
         let again = match program.repeat {
             Some(repeat) => truth(&run, repeat.again).unwrap_or_else(|| bits.all.mk_false()),
             None => bits.all.mk_false(),
@@ -97,7 +98,7 @@ impl Relation {
         let after: Vec<Bdd> = facts[..program.steps.len()].iter().map(|(_, active)| active.clone()).collect();
         facts.extend(of_transitions(program, &run, &active, &after, sets)?);
         run.statements(&claimed.after, &yes, sets)?;
-        let last = Updates::new(&bits.all, new_values(&bits, &run), sets)?;
+        let last = Updates::new(&bits.all, new_values(&bits, &run, sets)?, sets)?;
         facts.extend(of_claims(&claimed, &run, &again, sets)?);
         let mut by_fact: FxHashMap<Fact, Bdd> = FxHashMap::default();
         for (fact, seen) in flagged.into_iter().chain(facts) {
@@ -174,7 +175,7 @@ fn truth(run: &Run, v: VarId) -> Option<Bdd> {
 }
 
 /// What each bit becomes.
-fn new_values(bits: &Bits, run: &Run) -> Vec<(Bit, Bdd)> {
+fn new_values(bits: &Bits, run: &Run, sets: &mut Sets) -> Result<Vec<(Bit, Bdd)>, Halt> {
     let mut out = Vec::new();
     for (v, of) in &bits.of {
         match &run.values[*v] {
@@ -188,9 +189,11 @@ fn new_values(bits: &Bits, run: &Run) -> Vec<(Bit, Bdd)> {
     }
     for (phases, running) in bits.timers.iter().zip(&run.timers) {
         out.push((phases.on, running.on.clone()));
-        out.extend(phases.passed.iter().copied().zip(running.passed.iter().map(|passed| running.on.and(passed))));
+        for (bit, passed) in phases.passed.iter().zip(&running.passed) {
+            out.push((*bit, sets.and(&running.on, passed)?));
+        }
     }
-    out
+    Ok(out)
 }
 
 fn situation(program: &Program, run: &Run, sets: &mut Sets) -> Result<Vec<(Fact, Bdd)>, Halt> {

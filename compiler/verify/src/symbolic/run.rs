@@ -77,13 +77,15 @@ impl<'p> Run<'p> {
     }
 
     /// Time has passed: of timers that run, more times may have.
-    pub(crate) fn pass(&mut self) {
+    pub(crate) fn pass(&mut self, sets: &mut Sets) -> Result<(), Halt> {
         for (t, running) in self.timers.iter_mut_enumerated() {
             for (passed, time) in running.passed.iter_mut().zip(&self.clocks.times[t]) {
                 let ends = self.bits.all.mk_var(self.bits.asked[&Atom::Ends(self.clocks.operand[t], *time)]);
-                *passed = running.on.and(&passed.or(&ends));
+                let either = sets.or(passed, &ends)?;
+                *passed = sets.and(&running.on, &either)?;
             }
         }
+        Ok(())
     }
 
     /// Statements nest no deeper than lowering nests them.
@@ -99,7 +101,7 @@ impl<'p> Run<'p> {
                     let Some(value) = value else { continue };
                     self.values[*target] = Some(match before {
                         Some(before) if !guard.is_true() => {
-                            number::choice(guard, value, before).ok_or_else(|| beyond(self.program, *target))?
+                            number::choice(guard, value, before, sets)?.ok_or_else(|| beyond(self.program, *target))?
                         }
                         _ => value,
                     });
@@ -108,18 +110,20 @@ impl<'p> Run<'p> {
                 Statement::CallTimer { timer, input, .. } => {
                     let input = self.truth(*input, sets)?;
                     let running = &mut self.timers[*timer];
-                    let goes_on = input.and(&running.on);
+                    let goes_on = sets.and(&input, &running.on)?;
                     for passed in &mut running.passed {
-                        *passed = Bdd::if_then_else(guard, &goes_on.and(passed), passed);
+                        let still = sets.and(&goes_on, passed)?;
+                        *passed = sets.choice(guard, &still, passed)?;
                     }
-                    running.on = Bdd::if_then_else(guard, &input, &running.on);
+                    running.on = sets.choice(guard, &input, &running.on)?;
                 }
                 Statement::Case { of, arms } => {
                     let mut guards = Vec::with_capacity(arms.len());
                     for arm in arms {
                         let at = self.values[*of].clone().ok_or_else(|| beyond(self.program, *of))?;
                         let Seen::Number(at) = at else { return Err(beyond(self.program, *of)) };
-                        let is_it = number::compare(Comparison::Equal, &at, &number::whole(&self.bits.all, arm.value));
+                        let value = number::whole(&self.bits.all, arm.value);
+                        let is_it = number::compare(Comparison::Equal, &at, &value, sets)?;
                         guards.push(sets.and(guard, &is_it)?);
                     }
                     for (arm, guard) in arms.iter().zip(guards) {
@@ -180,7 +184,7 @@ impl<'p> Run<'p> {
             }
             Formula::Variable(v) => self.given(v),
             Formula::TimerDone(t) => match self.program.timers[t].preset {
-                Some(preset) => Seen::Truth(self.has_run(t, preset.ms)),
+                Some(preset) => Seen::Truth(self.has_run(t, preset.ms, sets)?),
                 None => Seen::Truth(all.mk_false()),
             },
             Formula::TimerElapsed(t) => Seen::Elapsed(t),
@@ -199,25 +203,27 @@ impl<'p> Run<'p> {
                 }
                 Seen::Truth(out)
             }
-            Formula::Xor([a, b]) => Seen::Truth(truth(a).xor(&truth(b))),
+            Formula::Xor([a, b]) => Seen::Truth(sets.xor(&truth(a), &truth(b))?),
             Formula::Compare(op, [a, b]) => Seen::Truth(match (&known[&a], &known[&b]) {
-                (Seen::Given(v), _) => self.compared(*v, op, constant(self.program, b).ok_or_else(cannot)?),
-                (_, Seen::Given(v)) => self.compared(*v, op.mirrored(), constant(self.program, a).ok_or_else(cannot)?),
-                (Seen::Elapsed(t), _) => self.elapsed(*t, op, constant(self.program, b)).ok_or_else(cannot)?,
-                (_, Seen::Elapsed(t)) => {
-                    self.elapsed(*t, op.mirrored(), constant(self.program, a)).ok_or_else(cannot)?
+                (Seen::Given(v), _) => self.compared(*v, op, constant(self.program, b).ok_or_else(cannot)?, sets)?,
+                (_, Seen::Given(v)) => {
+                    self.compared(*v, op.mirrored(), constant(self.program, a).ok_or_else(cannot)?, sets)?
                 }
-                (Seen::Number(a), Seen::Number(b)) => number::compare(op, a, b),
-                (Seen::Truth(a), Seen::Truth(b)) => number::compare_truths(op, a, b).ok_or_else(cannot)?,
+                (Seen::Elapsed(t), _) => self.elapsed(*t, op, constant(self.program, b), sets)?.ok_or_else(cannot)?,
+                (_, Seen::Elapsed(t)) => {
+                    self.elapsed(*t, op.mirrored(), constant(self.program, a), sets)?.ok_or_else(cannot)?
+                }
+                (Seen::Number(a), Seen::Number(b)) => number::compare(op, a, b, sets)?,
+                (Seen::Truth(a), Seen::Truth(b)) => number::compare_truths(op, a, b, sets)?.ok_or_else(cannot)?,
                 _ => return Err(cannot()),
             }),
             Formula::Arithmetic(op, [a, b]) => {
                 let (Seen::Number(a), Seen::Number(b)) = (&known[&a], &known[&b]) else { return Err(cannot()) };
-                number::arithmetic(all, pool.ty(id), op, a, b).ok_or_else(cannot)?
+                number::arithmetic(all, pool.ty(id), op, a, b, sets)?.ok_or_else(cannot)?
             }
             Formula::Negate(a) => {
                 let Seen::Number(a) = &known[&a] else { return Err(cannot()) };
-                number::negate(all, pool.ty(id), a)
+                number::negate(all, pool.ty(id), a, sets)?
             }
             Formula::Widen(a) => match &known[&a] {
                 Seen::Number(_) if matches!(pool.ty(id), Type::Real | Type::Lreal) => return Err(cannot()),
@@ -247,16 +253,16 @@ impl<'p> Run<'p> {
         named.unwrap_or_default()
     }
 
-    fn has_run(&self, t: TimerId, time: i64) -> Bdd {
+    fn has_run(&self, t: TimerId, time: i64, sets: &mut Sets) -> Result<Bdd, Halt> {
         let place = self.clocks.times[t].partition_point(|other| *other < time);
         match self.timers[t].passed.get(place) {
-            _ if time <= 0 => self.bits.all.mk_true(),
-            Some(passed) => self.timers[t].on.and(passed),
-            None => self.bits.all.mk_false(),
+            _ if time <= 0 => Ok(self.bits.all.mk_true()),
+            Some(passed) => sets.and(&self.timers[t].on, passed),
+            None => Ok(self.bits.all.mk_false()),
         }
     }
 
-    fn compared(&self, v: VarId, op: Comparison, value: Value) -> Bdd {
+    fn compared(&self, v: VarId, op: Comparison, value: Value, sets: &mut Sets) -> Result<Bdd, Halt> {
         let all = &self.bits.all;
         let ty = self.program.variables[v].ty;
         let Question { from, to, negated } = Question::new(op, ty, value);
@@ -272,21 +278,21 @@ impl<'p> Run<'p> {
         };
         let mut holds = all.mk_true();
         for part in from.map(ask).into_iter().chain(to.map(|bound| ask(bound).not())) {
-            holds = holds.and(&part);
+            holds = sets.and(&holds, &part)?;
         }
-        if negated { holds.not() } else { holds }
+        Ok(if negated { holds.not() } else { holds })
     }
 
-    fn elapsed(&self, t: TimerId, op: Comparison, value: Option<Value>) -> Option<Bdd> {
-        let Some(Value::Time(time)) = value else { return None };
-        let (at, beyond) = (self.has_run(t, time), self.has_run(t, time.saturating_add(1)));
-        Some(match op {
+    fn elapsed(&self, t: TimerId, op: Comparison, value: Option<Value>, sets: &mut Sets) -> Result<Option<Bdd>, Halt> {
+        let Some(Value::Time(time)) = value else { return Ok(None) };
+        let (at, beyond) = (self.has_run(t, time, sets)?, self.has_run(t, time.saturating_add(1), sets)?);
+        Ok(Some(match op {
             Comparison::GreaterEqual => at,
             Comparison::Greater => beyond,
             Comparison::Less => at.not(),
             Comparison::LessEqual => beyond.not(),
-            Comparison::Equal => at.and_not(&beyond),
-            Comparison::NotEqual => at.and_not(&beyond).not(),
-        })
+            Comparison::Equal => sets.minus(&at, &beyond)?,
+            Comparison::NotEqual => sets.minus(&at, &beyond)?.not(),
+        }))
     }
 }

@@ -4,7 +4,8 @@ use crate::beyond::Beyond;
 use crate::goal::Stop;
 use crate::limit::Limit;
 use biodivine_lib_bdd::{Bdd, BddVariable, op_function};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::cell::{Cell, RefCell};
 
 /// Why a diagram was not made.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -20,6 +21,15 @@ impl From<Beyond> for Halt {
         Halt::Beyond(beyond)
     }
 }
+
+/// So many pairs of nodes may be looked at for each node that a diagram may have: they are remembered, too.
+const PAIRS_PER_NODE: usize = 10;
+
+/// Between two questions whether to go on, so many of them are looked at.
+const AT_ONCE: usize = 1 << 14;
+
+/// What a pair of nodes comes to, if that is known: what an operation does.
+type Operation = fn(Option<bool>, Option<bool>) -> Option<bool>;
 
 /// Makes diagrams.
 pub(crate) struct Sets<'s> {
@@ -42,6 +52,23 @@ impl<'s> Sets<'s> {
         self.stop
     }
 
+    /// Does what looks at pairs of nodes, until there is no more room or time.
+    fn watched<T>(&mut self, does: impl FnOnce(&Watch) -> T) -> Result<T, Halt> {
+        let watch = Watch {
+            stop: RefCell::new(self.stop),
+            depth: self.depth,
+            most: self.most.saturating_mul(PAIRS_PER_NODE),
+            seen: Cell::new(0),
+            next: Cell::new(AT_ONCE),
+            hit: Cell::new(None),
+        };
+        let done = does(&watch);
+        match watch.hit.get() {
+            Some(limit) => Err(Halt::Limit(limit)),
+            None => Ok(done),
+        }
+    }
+
     fn kept(&mut self, made: Option<Bdd>) -> Result<Bdd, Halt> {
         let made = made.filter(|made| made.size() <= self.most).ok_or(Halt::Limit(Limit::Nodes))?;
         self.work = self.work.saturating_add(made.size());
@@ -51,20 +78,43 @@ impl<'s> Sets<'s> {
         }
     }
 
-    pub(crate) fn and(&mut self, a: &Bdd, b: &Bdd) -> Result<Bdd, Halt> {
-        let made = Bdd::binary_op_with_limit(self.most, a, b, op_function::and);
+    fn made(&mut self, a: &Bdd, b: &Bdd, operation: Operation) -> Result<Bdd, Halt> {
+        let most = self.most;
+        let made = self.watched(|watch| Bdd::binary_op_with_limit(most, a, b, watch.of(operation)))?;
         self.kept(made)
     }
 
+    pub(crate) fn and(&mut self, a: &Bdd, b: &Bdd) -> Result<Bdd, Halt> {
+        self.made(a, b, op_function::and)
+    }
+
     pub(crate) fn or(&mut self, a: &Bdd, b: &Bdd) -> Result<Bdd, Halt> {
-        let made = Bdd::binary_op_with_limit(self.most, a, b, op_function::or);
-        self.kept(made)
+        self.made(a, b, op_function::or)
     }
 
     /// What is in the first and not in the second.
     pub(crate) fn minus(&mut self, a: &Bdd, b: &Bdd) -> Result<Bdd, Halt> {
-        let made = Bdd::binary_op_with_limit(self.most, a, b, op_function::and_not);
-        self.kept(made)
+        self.made(a, b, op_function::and_not)
+    }
+
+    /// What is in one alone.
+    pub(crate) fn xor(&mut self, a: &Bdd, b: &Bdd) -> Result<Bdd, Halt> {
+        self.made(a, b, op_function::xor)
+    }
+
+    /// What is in both or in none.
+    pub(crate) fn iff(&mut self, a: &Bdd, b: &Bdd) -> Result<Bdd, Halt> {
+        self.made(a, b, op_function::iff)
+    }
+
+    /// The one where something holds, the other where it does not.
+    pub(crate) fn choice(&mut self, when: &Bdd, yes: &Bdd, no: &Bdd) -> Result<Bdd, Halt> {
+        if when.is_true() {
+            return Ok(yes.clone());
+        }
+        let yes = self.and(when, yes)?;
+        let no = self.minus(no, when)?;
+        self.or(&yes, &no)
     }
 
     /// Both, whatever these variables are.
@@ -72,22 +122,29 @@ impl<'s> Sets<'s> {
         if a.is_false() || b.is_false() {
             return self.and(a, b);
         }
-        self.kept(Some(Bdd::binary_op_with_exists(a, b, op_function::and, variables)))
+        let variables: FxHashSet<BddVariable> = variables.iter().copied().collect();
+        let is_left_out = |v| variables.contains(&v);
+        let made = self.watched(|watch| {
+            Bdd::binary_op_nested(a, b, is_left_out, watch.of(op_function::and), watch.of(op_function::or))
+        })?;
+        self.kept(Some(made))
     }
 
-    /// One after the other, so that no step is larger than need be.
+    /// Whatever these variables are.
     pub(crate) fn exists(&mut self, a: &Bdd, variables: &[BddVariable]) -> Result<Bdd, Halt> {
-        self.kept(Some(a.exists(variables)))
+        self.and_exists(a, a, variables)
     }
 
     /// Both, if that takes no more than so many nodes.
     pub(crate) fn small_and(&mut self, a: &Bdd, b: &Bdd, most: usize) -> Result<Option<Bdd>, Halt> {
-        Bdd::binary_op_with_limit(most, a, b, op_function::and).map(|made| self.kept(Some(made))).transpose()
+        let made = self.watched(|watch| Bdd::binary_op_with_limit(most, a, b, watch.of(op_function::and)))?;
+        made.map(|made| self.kept(Some(made))).transpose()
     }
 
     /// Whether they have nothing in common.
-    pub(crate) fn are_apart(&self, a: &Bdd, b: &Bdd) -> bool {
-        Bdd::check_binary_op(usize::MAX, a, b, op_function::and).is_some_and(|(is_not_empty, _)| !is_not_empty)
+    pub(crate) fn are_apart(&mut self, a: &Bdd, b: &Bdd) -> Result<bool, Halt> {
+        let made = self.watched(|watch| Bdd::check_binary_op(usize::MAX, a, b, watch.of(op_function::and)))?;
+        Ok(made.is_some_and(|(is_not_empty, _)| !is_not_empty))
     }
 
     /// With other variables in the places of some, which keeps their order.
@@ -103,5 +160,96 @@ impl<'s> Sets<'s> {
             node.var = names.get(&node.var).copied().unwrap_or(node.var);
         }
         self.kept(Bdd::from_nodes(&nodes).ok())
+    }
+}
+
+/// Counts the pairs of nodes that one operation looks at.
+struct Watch<'s> {
+    stop: RefCell<Stop<'s>>,
+    depth: usize,
+    most: usize,
+    seen: Cell<usize>,
+    next: Cell<usize>,
+    hit: Cell<Option<Limit>>,
+}
+
+impl Watch<'_> {
+    /// The operation, which comes to its end at once when it is not to go on: what it makes then is worth nothing. There is no
+    /// other way to end one.
+    fn of(&self, operation: Operation) -> impl Fn(Option<bool>, Option<bool>) -> Option<bool> {
+        move |a, b| if self.goes_on() { operation(a, b) } else { Some(false) }
+    }
+
+    fn goes_on(&self) -> bool {
+        self.seen.set(self.seen.get() + 1);
+        if self.seen.get() >= self.next.get() {
+            self.next.set(self.seen.get() + AT_ONCE);
+            let limit = (self.stop.borrow_mut())(self.seen.get(), self.depth);
+            // An operation asks twice for each.
+            let is_full = self.seen.get() / 2 > self.most;
+            self.hit.set(self.hit.get().or(limit).or(is_full.then_some(Limit::Nodes)));
+        }
+        self.hit.get().is_none()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use biodivine_lib_bdd::BddVariableSet;
+
+    /// So many pairs of variables, all the first ones before all the others, that are the same in each pair: each more takes
+    /// twice as many nodes.
+    fn same(pairs: u16, sets: &mut Sets) -> Bdd {
+        let all = BddVariableSet::new_anonymous(2 * pairs);
+        let of = |place: u16| all.mk_var(BddVariable::from_index(usize::from(place)));
+        let mut same = all.mk_true();
+        for place in 0..pairs {
+            let pair = sets.iff(&of(place), &of(pairs + place)).expect("a small diagram");
+            same = sets.and(&same, &pair).expect("a diagram");
+        }
+        same
+    }
+
+    /// Once what comes out is there, whether to go on is asked in any case.
+    #[test]
+    fn an_operation_asks_whether_to_go_on_while_it_runs() {
+        let mut go_on = |_, _| None;
+        let large = same(14, &mut Sets::new(&mut go_on, usize::MAX));
+        assert!(large.size() > AT_ONCE, "{}", large.size());
+        let other = large.not();
+        let rest = [BddVariable::from_index(3)];
+        let asked = Cell::new(0);
+        let mut count = |_, _| {
+            asked.set(asked.get() + 1);
+            None
+        };
+        let mut sets = Sets::new(&mut count, usize::MAX);
+        let operations: [&dyn Fn(&mut Sets) -> bool; 5] = [
+            &|sets| sets.and(&large, &large).is_ok(),
+            &|sets| sets.and_exists(&large, &large, &rest).is_ok(),
+            &|sets| sets.exists(&other, &rest).is_ok(),
+            &|sets| sets.small_and(&large, &large, usize::MAX).is_ok(),
+            &|sets| sets.are_apart(&large, &other).is_ok(),
+        ];
+        for (place, operation) in operations.iter().enumerate() {
+            asked.set(0);
+            assert!(operation(&mut sets), "{place}");
+            assert!(asked.get() > 1, "{place}: {}", asked.get());
+        }
+        let mut stop = |_, _| Some(Limit::Time);
+        let mut sets = Sets::new(&mut stop, usize::MAX);
+        let ended = sets.watched(|watch| Bdd::binary_op(&large, &large, watch.of(op_function::and)));
+        assert_eq!(ended, Err(Halt::Limit(Limit::Time)));
+    }
+
+    #[test]
+    fn an_operation_ends_where_it_takes_too_much_room() {
+        let mut go_on = |_, _| None;
+        let large = same(14, &mut Sets::new(&mut go_on, usize::MAX));
+        let mut sets = Sets::new(&mut go_on, large.size() / PAIRS_PER_NODE);
+        let rest = [BddVariable::from_index(3)];
+        assert_eq!(sets.and_exists(&large, &large, &rest), Err(Halt::Limit(Limit::Nodes)));
+        assert_eq!(sets.exists(&large, &rest), Err(Halt::Limit(Limit::Nodes)));
     }
 }

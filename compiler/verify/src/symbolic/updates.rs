@@ -34,7 +34,7 @@ impl Updates {
         let mut parts: Vec<Part> = Vec::new();
         for (bit, function) in &new {
             let reads = function.support_set();
-            let relation = all.mk_var(bit.old).iff(function);
+            let relation = sets.iff(&all.mk_var(bit.old), function)?;
             if let Some(last) = parts.last_mut()
                 && let Some(both) = sets.small_and(&last.relation, &relation, NODES_OF_PART)?
             {
