@@ -3,7 +3,7 @@
 //! Steps are called by their places, variables by their names. Negations stand at the leaves of conditions, operands are
 //! in one order, and what nothing mentions is left out.
 
-use grafc_model::chart::{Chart, Comparison, Event, ExprId, ExprKind, StepId, VariableId, VariableKind};
+use grafc_model::chart::{Chart, Event, ExprId, ExprKind, StepId, Type, VariableId, VariableKind};
 use grafc_net::Net;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -82,8 +82,10 @@ impl Outline<'_> {
             ExprKind::Or(..) => self.junction(id, negated, negated),
             ExprKind::Xor(a, b) => format!("{not}{}", pair("xor", a, b)),
             ExprKind::Compare(op, a, b) => {
-                let op = if negated { opposite(op) } else { op };
-                pair(&format!("{op:?}"), a, b)
+                // Of what is no number neither `<` nor `>=` holds.
+                let is_ordered = !matches!(self.net.exprs[a].ty, Type::Real | Type::Lreal);
+                let op = if negated && is_ordered { op.opposite() } else { op };
+                format!("{}{}", if is_ordered { "" } else { not }, pair(&format!("{op:?}"), a, b))
             }
             ExprKind::Arithmetic(op, a, b) => pair(&format!("{op:?}"), a, b),
             ExprKind::Negate(a) => format!("-{}", self.expression(a, false)),
@@ -123,15 +125,4 @@ impl Outline<'_> {
 /// The names and numbers in a line.
 fn words(line: &str) -> impl Iterator<Item = &str> {
     line.split(|c: char| !c.is_alphanumeric() && c != '_')
-}
-
-fn opposite(op: Comparison) -> Comparison {
-    match op {
-        Comparison::Equal => Comparison::NotEqual,
-        Comparison::NotEqual => Comparison::Equal,
-        Comparison::Less => Comparison::GreaterEqual,
-        Comparison::LessEqual => Comparison::Greater,
-        Comparison::Greater => Comparison::LessEqual,
-        Comparison::GreaterEqual => Comparison::Less,
-    }
 }

@@ -157,7 +157,7 @@ impl<'p> Numbers<'p> {
         let (op, not) = match (op, unsure) {
             (Comparison::NotEqual, true) => (Comparison::Equal, !negated),
             (_, true) => (op, negated),
-            (_, false) if negated => (opposite(op), false),
+            (_, false) if negated => (op.opposite(), false),
             (_, false) => (op, false),
         };
         code.comparison(&format!("{}{suffix}", symbol(op)));
@@ -186,17 +186,6 @@ fn symbol(op: Comparison) -> &'static str {
         Comparison::LessEqual => "<=",
         Comparison::Greater => ">",
         Comparison::GreaterEqual => ">=",
-    }
-}
-
-fn opposite(op: Comparison) -> Comparison {
-    match op {
-        Comparison::Equal => Comparison::NotEqual,
-        Comparison::NotEqual => Comparison::Equal,
-        Comparison::Less => Comparison::GreaterEqual,
-        Comparison::LessEqual => Comparison::Greater,
-        Comparison::Greater => Comparison::LessEqual,
-        Comparison::GreaterEqual => Comparison::Less,
     }
 }
 

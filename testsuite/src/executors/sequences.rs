@@ -1,6 +1,8 @@
 //! Sequential function charts as jobs: what MATIEC makes of them, from whatever text.
 
-use super::task::Task;
+use super::jobs::Job;
+use super::matiec::miscalculates;
+use super::task::{Outcome, Task};
 use ecow::{EcoString, eco_format};
 use grafc_backends::st;
 use grafc_diagnostics::Diagnostics;
@@ -13,7 +15,7 @@ use index_vec::IndexVec;
 
 /// Whether MATIEC might read the time of a step wrongly. It adds up what passes between calls, and 1.9 s and 0.1 s are 1 s
 /// and a thousand milliseconds to it, which is less than 2 s.
-pub(crate) fn loses_a_second(task: &Task) -> bool {
+fn loses_a_second(task: &Task) -> bool {
     let times: Vec<i64> = task.stimuli.iter().map(|stimulus| stimulus.t_ms).collect();
     let since = |start: usize, end: usize| (times[end] - times[start]) % 1000;
     let full = |start: usize| (start + 1..times.len()).any(|end| since(start, end) == 0 && since(start, end - 1) != 0);
@@ -22,10 +24,22 @@ pub(crate) fn loses_a_second(task: &Task) -> bool {
 }
 
 /// The chart of a task as a sequential function chart, if it can be one.
-pub(crate) fn of_task(task: &Task) -> Option<Sequence> {
+fn of_task(task: &Task) -> Option<Sequence> {
     let mut net = grafc_net::build(task.chart);
     passes::run(&mut net, false, &mut Diagnostics::new());
     sequence::sequence(&Analysis::new(net), task.profile).ok()
+}
+
+/// A task as a job, and its chart; why not, where MATIEC cannot run it.
+pub(crate) fn job(task: &Task) -> Result<(Job, Sequence), Outcome> {
+    if miscalculates(task.chart) {
+        return Err(Outcome::PassedOver("MATIEC computes products of times wrongly"));
+    }
+    let sequence = of_task(task).ok_or(Outcome::PassedOver("no sequential function chart (E0503)"))?;
+    if loses_a_second(task) {
+        return Err(Outcome::PassedOver("MATIEC does not carry whole seconds of a step's time"));
+    }
+    Ok((Job { program: variables_of(&sequence), stimuli: task.stimuli.to_vec() }, sequence))
 }
 
 /// The variables of a sequential function chart as a program of a job.

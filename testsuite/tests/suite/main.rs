@@ -9,6 +9,7 @@ mod bare;
 mod batch;
 mod beremiz;
 mod book;
+mod by_executor;
 mod c;
 mod c_elsewhere;
 mod c_projects;

@@ -5,109 +5,41 @@
 //! steps that hand over to each other, and pulses of two steps are no part of what is written; whole seconds of a step's
 //! time are passed over.
 
+use crate::by_executor::{of_steps, random_charts_agree, vectors_and_charts_agree, with_delays};
 use grafc::{Options as Choices, Product};
 use grafc_backends::{Target, sfc};
 use grafc_diagnostics::FileId;
 use grafc_import::Options;
 use grafc_logic::{Encoding, Options as Lowering};
-use grafc_model::chart::Chart;
-use grafc_model::reaction::{Evolution, Profile, Stimulus};
-use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli, vectors_folder};
-use grafc_testsuite::executors::{Outcome, Task, find_or_skip};
+use grafc_model::reaction::{Evolution, Profile};
+use grafc_testsuite::charts::check;
 use grafc_testsuite::outline::outline;
-use grafc_testsuite::random::{ChartKind, checked, trace};
-use grafc_testsuite::runs::simulate;
+use grafc_testsuite::random::{ChartKind, checked};
+
+/// The executor.
+const SEQUENCES: &str = "matiec:sfc";
 
 #[test]
 fn vectors_and_charts_agree_under_matiec() {
-    let Some(executor) = find_or_skip("matiec:sfc") else { return };
-    let all: Vec<Case> = [vectors_folder(), charts_folder()].iter().flat_map(|folder| cases(folder)).collect();
-    let prepared: Vec<(Chart, Vec<Stimulus>)> = all
-        .iter()
-        .map(|case| {
-            let chart = check(&case.name, &case.text).unwrap_or_else(|fault| panic!("{fault}"));
-            let stimuli = stimuli(&case.name, &case.trace, &chart).unwrap_or_else(|fault| panic!("{fault}"));
-            (chart, stimuli)
-        })
-        .collect();
-    let tasks: Vec<Task> = all
-        .iter()
-        .zip(&prepared)
-        .map(|(case, (chart, stimuli))| Task { chart, profile: case.profile, stimuli, turn: 0 })
-        .collect();
-    let mut ran = 0;
-    for ((case, (chart, stimuli)), outcome) in all.iter().zip(&prepared).zip(executor.run(&tasks)) {
-        match outcome {
-            Outcome::PassedOver(_) => {}
-            Outcome::Failed(said) => panic!("{}:\n{said}", case.name),
-            Outcome::Ran(responses) => {
-                ran += 1;
-                assert_eq!(spell(chart, stimuli, &responses), case.expected, "{}", case.name);
-            }
-        }
-    }
-    assert!(ran >= 8, "only {ran} ran");
-}
-
-/// Runs random charts, to stability and scan by scan, and compares them with the simulator; at least so many must run.
-fn random_charts_agree(seeds: std::ops::Range<u64>, edit: fn(String) -> String, least: usize) {
-    let Some(executor) = find_or_skip("matiec:sfc") else { return };
-    let charts: Vec<(String, Chart, Vec<Stimulus>, Profile)> = seeds
-        .map(|seed| {
-            let mut text = edit(checked(seed, ChartKind::Plain).text);
-            if text.contains("each scan") {
-                text = text.replacen('\n', " evolution scan\n", 1);
-            }
-            let chart = check("random", &text).unwrap_or_else(|fault| panic!("{fault}\n{text}"));
-            let scan = seed % 2 == 1 || text.contains("each scan");
-            let evolution = if scan { Evolution::Scan } else { Evolution::Stable };
-            let stimuli = trace(seed, &chart, 30);
-            (text, chart, stimuli, Profile { evolution, ..Profile::default() })
-        })
-        .collect();
-    let tasks: Vec<Task> =
-        charts.iter().map(|(_, chart, stimuli, profile)| Task { chart, profile: *profile, stimuli, turn: 0 }).collect();
-    let mut ran = 0;
-    for ((task, (text, ..)), outcome) in tasks.iter().zip(&charts).zip(executor.run(&tasks)) {
-        let expected = simulate(task.chart, task.profile, task.stimuli);
-        match outcome {
-            Outcome::PassedOver(_) => {}
-            Outcome::Failed(said) => panic!("{said}\n{text}"),
-            Outcome::Ran(actual) => {
-                ran += 1;
-                let difference = executor.difference(&expected, &actual);
-                let runs = || [&expected, &actual].map(|run| spell(task.chart, task.stimuli, run)).join("\n");
-                assert!(difference.is_none(), "call {difference:?} of\n{text}\n{}", runs());
-            }
-        }
-    }
-    assert!(ran >= least, "only {ran} ran");
+    vectors_and_charts_agree(SEQUENCES, 8);
 }
 
 #[test]
 fn plain_charts_agree_under_matiec() {
-    random_charts_agree(0..200, |text| text, 30);
+    random_charts_agree(SEQUENCES, 0..200, ChartKind::Plain, |text| text, 30);
 }
 
 /// Edges and delays of inputs and of steps are found before the chart, in another block.
 #[test]
 fn what_is_found_before_agrees_under_matiec() {
-    let delays = |text: String| {
-        let conditions = text.replace(": a\n", ": 500ms/a\n").replace(": not b\n", ": 300ms/(not b)/1s\n");
-        conditions.replace("↑d", "↓d").replace("↑e", "↓(d and not e)").replace(" if c }", " if c/700ms }")
-    };
-    let of_steps = |text: String| {
-        let conditions = text.replace(": a\n", ": a or ↑X101\n").replace(": b\n", ": b and not 300ms/X100/500ms\n");
-        conditions.replace(": c\n", ": 200ms/(X101 and c)\n").replace(": d\n", ": d or ↑([n > 1])\n")
-    };
-    random_charts_agree(200..500, delays, 25);
-    random_charts_agree(500..900, of_steps, 30);
+    random_charts_agree(SEQUENCES, 200..500, ChartKind::Plain, with_delays, 25);
+    random_charts_agree(SEQUENCES, 500..900, ChartKind::Plain, of_steps, 30);
 }
 
 /// Qualifiers with times, what is stored on activation, on deactivation and in each scan, conditions that read steps.
 #[test]
 fn qualifiers_agree_under_matiec() {
-    random_charts_agree(900..1400, qualified, 60);
+    random_charts_agree(SEQUENCES, 900..1400, ChartKind::Plain, qualified, 60);
 }
 
 /// A plain chart without edges, in which steps do all that has a qualifier.

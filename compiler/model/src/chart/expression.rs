@@ -179,6 +179,18 @@ impl Comparison {
             Comparison::GreaterEqual => Comparison::LessEqual,
         }
     }
+
+    /// What holds where this does not, between values that are in an order: no real that is no number is among them.
+    pub fn opposite(self) -> Comparison {
+        match self {
+            Comparison::Equal => Comparison::NotEqual,
+            Comparison::NotEqual => Comparison::Equal,
+            Comparison::Less => Comparison::GreaterEqual,
+            Comparison::LessEqual => Comparison::Greater,
+            Comparison::Greater => Comparison::LessEqual,
+            Comparison::GreaterEqual => Comparison::Less,
+        }
+    }
 }
 
 /// Arithmetic operators.

@@ -4,7 +4,7 @@ use super::run::{Source, run};
 use super::tools::Tools;
 use crate::executors::jobs::{Job, run_some};
 use crate::executors::matiec::miscalculates;
-use crate::executors::sequences::{loses_a_second, of_task, variables_of};
+use crate::executors::sequences;
 use crate::executors::task::{Executor, Outcome, Task};
 use crate::tools::Tool;
 use grafc_backends::plcopen::Body;
@@ -57,28 +57,20 @@ impl Executor for Plcopen {
     }
 
     fn run(&self, tasks: &[Task]) -> Vec<Outcome> {
-        let mut sequences: Vec<Sequence> = Vec::new();
-        let jobs = tasks.iter().map(|task| {
-            if miscalculates(task.chart) {
-                return Err(Outcome::PassedOver("MATIEC computes products of times wrongly"));
-            }
-            match self.body {
-                Body::St | Body::Il | Body::Ld => Job::of(task).map_err(Outcome::Failed),
-                Body::Sfc => {
-                    let sequence = of_task(task).ok_or(Outcome::PassedOver("no sequential function chart (E0503)"))?;
-                    if loses_a_second(task) {
-                        return Err(Outcome::PassedOver("MATIEC does not carry whole seconds of a step's time"));
-                    }
-                    let program = variables_of(&sequence);
-                    sequences.push(sequence);
-                    Ok(Job { program, stimuli: task.stimuli.to_vec() })
-                }
+        let mut charts: Vec<Sequence> = Vec::new();
+        let jobs = tasks.iter().map(|task| match self.body {
+            _ if miscalculates(task.chart) => Err(Outcome::PassedOver("MATIEC computes products of times wrongly")),
+            Body::St | Body::Il | Body::Ld => Job::of(task).map_err(Outcome::Failed),
+            Body::Sfc => {
+                let (job, chart) = sequences::job(task)?;
+                charts.push(chart);
+                Ok(job)
             }
         });
         let jobs: Vec<_> = jobs.collect();
         let source = match self.body {
             Body::St | Body::Il | Body::Ld => Source::Programs(self.body),
-            Body::Sfc => Source::Sequences(&sequences),
+            Body::Sfc => Source::Sequences(&charts),
         };
         run_some(&self.tools, jobs, |tools, jobs| run(tools, &source, jobs))
     }

@@ -1,10 +1,10 @@
 //! Sequential function charts in text, as MATIEC compiles and a C compiler runs them.
 
-use super::run::{RUNTIME, Unit, build_and_play, miscalculates};
+use super::run::{RUNTIME, Unit, build_and_play};
 use super::tools::Tools;
 use crate::executors::function_block::{FunctionBlock, named};
 use crate::executors::jobs::{self, Job, run_some};
-use crate::executors::sequences::{self, loses_a_second, of_task, variables_of};
+use crate::executors::sequences;
 use crate::executors::task::{Executor, Outcome, Task};
 use crate::tools::Tool;
 use grafc_backends::sfc;
@@ -44,16 +44,9 @@ impl Executor for Sequences {
     fn run(&self, tasks: &[Task]) -> Vec<Outcome> {
         let mut charts: Vec<Sequence> = Vec::new();
         let jobs = tasks.iter().map(|task| {
-            if miscalculates(task.chart) {
-                return Err(Outcome::PassedOver("MATIEC computes products of times wrongly"));
-            }
-            let sequence = of_task(task).ok_or(Outcome::PassedOver("no sequential function chart (E0503)"))?;
-            if loses_a_second(task) {
-                return Err(Outcome::PassedOver("MATIEC does not carry whole seconds of a step's time"));
-            }
-            let program = variables_of(&sequence);
-            charts.push(sequence);
-            Ok(Job { program, stimuli: task.stimuli.to_vec() })
+            let (job, chart) = sequences::job(task)?;
+            charts.push(chart);
+            Ok(job)
         });
         let jobs: Vec<_> = jobs.collect();
         run_some(&self.tools, jobs, |tools, jobs| {
