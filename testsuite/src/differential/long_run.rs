@@ -26,6 +26,8 @@ pub struct Plan {
     pub seed: u64,
     /// of this size,
     pub size: usize,
+    /// all of a kind, if one is given,
+    pub kind: Option<ChartKind>,
     /// and so many calls of each.
     pub scans: usize,
     /// Threads; as many as there are processors if not given.
@@ -49,11 +51,11 @@ pub struct Draft {
 impl Draft {
     /// The chart of a seed. Most are hierarchical, because nothing is missing in these.
     pub fn of(seed: u64, plan: &Plan) -> Self {
-        let kind = match seed % 8 {
+        let kind = plan.kind.unwrap_or(match seed % 8 {
             0 => ChartKind::Plain,
             1..4 => ChartKind::Flat,
             _ => ChartKind::Hierarchical,
-        };
+        });
         let drawn = checked_draw(seed, Draw { kind, size: plan.size });
         let stimuli = trace(seed, &drawn.chart, plan.scans);
         Draft { seed, profile: profile(seed), stimuli, turn: (seed / 8) as usize, drawn }

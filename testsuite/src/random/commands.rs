@@ -3,12 +3,9 @@
 use super::structure::{Frame, FrameKind, RandomStepKind};
 use fastrand::Rng;
 
-/// Lets steps of some charts command later grafcets, some of which become their children; what is commanded may command in
+/// Lets steps command later grafcets, some of which become their children; what is commanded may command in
 /// turn.
 pub(super) fn draw(rng: &mut Rng, frames: &mut [Frame]) {
-    if rng.bool() {
-        return;
-    }
     for target in 1..frames.len() {
         if matches!(frames[target].place, FrameKind::Expansion(_)) || rng.f32() < 0.35 {
             continue;

@@ -20,18 +20,21 @@ mod trace;
 mod write;
 
 pub use claims::with_claims;
+use clap::ValueEnum;
 use grafc_diagnostics::FileId;
 use grafc_model::chart::Chart;
 use grafc_model::reaction::{Evolution, LivelockOutputs, Profile};
 pub use trace::trace;
 
 /// Which part of the language a chart may use.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub enum ChartKind {
     /// Partial grafcets and macro-steps.
     Flat,
-    /// Enclosures, activation links and forcing orders as well.
+    /// Enclosures, activation links and forcing orders as well; of some, children and pulse orders, too.
     Hierarchical,
+    /// The same, all with a child at least.
+    Commanded,
     /// Nothing but steps and conditions of inputs, properly nested.
     Plain,
     /// Few steps and Boolean inputs, without delays: small enough to try everything.
@@ -47,20 +50,29 @@ pub struct Draw {
     pub size: usize,
 }
 
-/// The text of the chart of a seed; nearly always free of errors.
 /// What the seed of children and pulse orders differs by.
 const COMMANDS: u64 = 0x7075_6c73;
 
+/// The text of the chart of a seed; nearly always free of errors.
 fn text(seed: u64, draw: Draw) -> String {
     let mut rng = fastrand::Rng::with_seed(seed);
     let name = format!("Random_{seed}");
     match draw.kind {
         ChartKind::Boolean => boolean::chart(&mut rng, &mut fastrand::Rng::with_seed(seed ^ COMMANDS), &name),
         ChartKind::Plain => plain::chart(&mut rng, &name),
-        ChartKind::Flat | ChartKind::Hierarchical => {
+        ChartKind::Flat | ChartKind::Hierarchical | ChartKind::Commanded => {
             let mut frames = structure::draw(&mut rng, draw.kind, draw.size);
-            if draw.kind == ChartKind::Hierarchical {
-                commands::draw(&mut fastrand::Rng::with_seed(seed ^ COMMANDS), &mut frames);
+            let mut commands = fastrand::Rng::with_seed(seed ^ COMMANDS);
+            match draw.kind {
+                ChartKind::Hierarchical if !commands.bool() => commands::draw(&mut commands, &mut frames),
+                ChartKind::Commanded => {
+                    commands::draw(&mut commands, &mut frames);
+                    while !frames.iter().any(|frame| frame.parent.is_some()) {
+                        frames = structure::draw(&mut rng, draw.kind, draw.size);
+                        commands::draw(&mut commands, &mut frames);
+                    }
+                }
+                _ => {}
             }
             write::chart(&mut rng, &mut ink::Ink::new(seed), &name, &frames)
         }

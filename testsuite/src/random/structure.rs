@@ -56,14 +56,14 @@ pub(super) fn draw(rng: &mut Rng, kind: ChartKind, size: usize) -> Vec<Frame> {
     let mut frames = Vec::new();
     let count = match kind {
         ChartKind::Flat | ChartKind::Plain | ChartKind::Boolean => rng.usize(1..=2 + size),
-        ChartKind::Hierarchical => rng.usize(2..=4 + size),
+        ChartKind::Hierarchical | ChartKind::Commanded => rng.usize(2..=4 + size),
     };
     for index in 0..count {
         let macros = rng.f32() < 0.25;
         let name = format!("G{index}");
         draw_frame(rng, &mut frames, name, FrameKind::Top, ((index + 1) * 100 * size, size), macros);
     }
-    if kind == ChartKind::Hierarchical {
+    if matches!(kind, ChartKind::Hierarchical | ChartKind::Commanded) {
         enclose(rng, &mut frames);
         force(rng, &mut frames);
     }

@@ -9,7 +9,7 @@ use grafc_testsuite::executors::{Executor, Outcome, Task, select};
 use grafc_testsuite::runs::simulate;
 use std::process::{Command, Output};
 
-const PLAN: Plan = Plan { charts: 40, seed: 0, size: 1, scans: 30, threads: None };
+const PLAN: Plan = Plan { charts: 40, seed: 0, size: 1, kind: None, scans: 30, threads: None };
 
 /// An executor that misunderstands charts.
 struct Wrong {

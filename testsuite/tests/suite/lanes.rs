@@ -56,7 +56,7 @@ fn random_charts() {
 /// As the long run has it: all exact encodings with 64 traces, and the simulator with one of them.
 #[test]
 fn the_executor_agrees_with_the_simulator() {
-    let plan = Plan { charts: 10, seed: 0, size: 1, scans: 12, threads: None };
+    let plan = Plan { charts: 10, seed: 0, size: 1, kind: None, scans: 12, threads: None };
     let executors = select("lanes").expect("it is built in");
     let summary = long_run::run(&plan, &executors, |_, _| ());
     assert_eq!((summary.mismatches(), summary.tallies[1].charts), (0, 10));

@@ -13,9 +13,20 @@ use grafc_testsuite::runs::simulate;
 
 const ROWS: usize = 25;
 
+/// A run of charts with children holds nothing else, and its steps command.
+#[test]
+fn commanded_charts_have_children() {
+    for seed in 0..60 {
+        let drawn = checked(seed, ChartKind::Commanded);
+        assert!(drawn.chart.grafcets.iter().any(|grafcet| grafcet.child), "{}", drawn.text);
+        let pulses = ["start ", "run ", "kill ", "freeze ", "resume "];
+        assert!(pulses.iter().any(|pulse| drawn.text.contains(pulse)), "{}", drawn.text);
+    }
+}
+
 #[test]
 fn all_built_in_executors_agree_with_the_simulator() {
-    let plan = Plan { charts: 320, seed: 0, size: 1, scans: ROWS, threads: None };
+    let plan = Plan { charts: 320, seed: 0, size: 1, kind: None, scans: ROWS, threads: None };
     let mut executors = select("built-in").expect("the built-in executors");
     // 64 traces of each chart take a long time: a few charts are run so in `lanes.rs`.
     executors.retain(|executor| !matches!(executor.name(), "simulator" | "lanes"));
