@@ -114,6 +114,9 @@ impl<'a> NetSteps<'a> {
                 observe(self);
             }
         }
+        for (v, _) in self.net.variables.iter_enumerated().filter(|(_, variable)| variable.momentary) {
+            self.variables[v] = Value::Bool(false);
+        }
         let bound = self.profile.bound_for(self.net.places.len(), self.net.transitions.len());
         let mut done = 0;
         loop {

@@ -112,7 +112,7 @@ codes! {
     E0321 "chart-without-steps" Error;
     E0322 "commander-not-the-parent" Error;
     E0323 "beyond-automaton" Error;
-    E0324 "arc-output-under-stable" Error;
+    E0324 "arc-output-without-evolution" Error;
 
     E0411 "cyclic-continuous-actions" Error;
     E0412 "assigned-and-allocated" Error;

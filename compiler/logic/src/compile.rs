@@ -184,7 +184,8 @@ fn assemble(
     {
         choice.branches.iter_mut().for_each(|(_, body)| body.push(at_start.clone()));
     }
-    let mut before = lowering.call_step_timers();
+    let mut before = encode::momentary::statements(&mut lowering);
+    before.extend(lowering.call_step_timers());
     before.extend(input_event.found(&mut lowering));
     before.extend(claimed.before);
 

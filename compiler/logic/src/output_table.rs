@@ -122,7 +122,7 @@ fn stored_output(net: &Net, variable: VariableId) -> StoredOutput {
     let actions = || net.stored.iter().filter(|action| action.target == variable);
     let is_bool = declared.ty == Type::Bool;
     let is = |value: bool| move |e: &grafc_model::chart::ExprId| matches!(net.exprs[*e].kind, ExprKind::Literal(Value::Bool(v)) if v == value);
-    let is_never_reset = is_bool && actions().all(|action| is(true)(&action.value));
+    let is_never_reset = is_bool && !declared.momentary && actions().all(|action| is(true)(&action.value));
     let resets = |event: Event| actions().any(|action| action.event == event && is(false)(&action.value));
     // On no longer than a step that sets it, if that resets it when it is left.
     let outlives = |event: Event| match event {
@@ -136,7 +136,7 @@ fn stored_output(net: &Net, variable: VariableId) -> StoredOutput {
         Event::Clearing(t) => net.transitions[t].grafcet,
     };
     let set_in: FxHashSet<GrafcetId> = actions()
-        .filter(|action| is_bool && !is(false)(&action.value) && outlives(action.event))
+        .filter(|action| is_bool && !declared.momentary && !is(false)(&action.value) && outlives(action.event))
         .map(|action| grafcet_of(action.event))
         .collect();
     let mut stays_on = Vec::new();

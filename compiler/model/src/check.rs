@@ -2,7 +2,7 @@
 
 use crate::chart::{Chart, MacroId, Scenario, Tables};
 use crate::checks;
-use crate::resolve::automata::expand;
+use crate::resolve::automata::{Expanded, expand};
 use crate::resolve::{Resolved, definitions, resolve, resolve_beside};
 use crate::symbols::Symbols;
 use grafc_diagnostics::Diagnostics;
@@ -58,16 +58,16 @@ impl Checked {
 /// left something out there is no chart, and only those messages which hold whatever stands there.
 pub fn check(tree: &ast::Chart, default_name: &str) -> (Option<Chart>, Diagnostics) {
     let expanded = expand(tree);
-    let (tree, faults) = expanded.as_ref().map_or((tree, None), |(tree, faults)| (tree, Some(faults)));
-    let (resolved, diagnostics) = apply_rules(tree, faults, default_name, Symbols::unasked());
+    let tree = expanded.as_ref().map_or(tree, |expanded| &expanded.chart);
+    let (resolved, diagnostics) = apply_rules(tree, expanded.as_ref(), default_name, Symbols::unasked());
     (resolved.complete.then(|| Chart::checked(resolved.chart)), diagnostics)
 }
 
 /// As [`check`], for those who look closer, or want the chart as far as it goes.
 pub fn examine(tree: &ast::Chart, default_name: &str) -> Checked {
     let expanded = expand(tree);
-    let (tree, faults) = expanded.as_ref().map_or((tree, None), |(tree, faults)| (tree, Some(faults)));
-    let (resolved, diagnostics) = apply_rules(tree, faults, default_name, Symbols::new());
+    let tree = expanded.as_ref().map_or(tree, |expanded| &expanded.chart);
+    let (resolved, diagnostics) = apply_rules(tree, expanded.as_ref(), default_name, Symbols::new());
     let mut symbols = resolved.symbols;
     symbols.definitions = definitions(tree, &resolved.parts);
     symbols.sort();
@@ -89,16 +89,22 @@ pub fn scenarios(tree: &ast::Chart, beside: &ast::Chart) -> (Vec<Scenario>, Diag
     (scenarios, diagnostics)
 }
 
-/// The chart under check is complete after this if no rule is broken. `faults` are those of its automata, which are
-/// grafcets by now.
+/// The chart under check is complete after this if no rule is broken. It is the expanded one, where it has automata.
 fn apply_rules<'a>(
     tree: &'a ast::Chart,
-    faults: Option<&Diagnostics>,
+    expanded: Option<&Expanded>,
     default_name: &str,
     symbols: Symbols,
 ) -> (Resolved<'a>, Diagnostics) {
-    let mut diagnostics = faults.cloned().unwrap_or_default();
+    let mut diagnostics = expanded.map(|expanded| expanded.faults.clone()).unwrap_or_default();
     let mut resolved = resolve(tree, default_name, symbols, &mut diagnostics);
+    if let Some(Expanded { momentary, .. }) = expanded {
+        resolved
+            .chart
+            .variables
+            .iter_mut()
+            .for_each(|variable| variable.momentary = momentary.contains(&variable.name));
+    }
     for rule in checks::ERRORS {
         rule(&resolved, &mut diagnostics);
     }

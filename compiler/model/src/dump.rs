@@ -169,6 +169,7 @@ pub fn variable(variable: &Variable) -> String {
     let mode = match variable.mode {
         Mode::Given => "",
         Mode::Wire => ", by continuous actions",
+        Mode::Stored if variable.momentary => ", by stored actions, anew in each reaction",
         Mode::Stored => ", by stored actions",
     };
     let retain = if variable.retain { "retain " } else { "" };

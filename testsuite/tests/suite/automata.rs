@@ -10,6 +10,7 @@ use grafc_model::reaction::{Profile, Stimulus};
 use grafc_model::simulate::Simulator;
 use grafc_testsuite::binary::root;
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, vectors_folder};
+use grafc_testsuite::executors::{Outcome, Task, select};
 use grafc_testsuite::markdown::blocks;
 use grafc_testsuite::runs::compile;
 use std::collections::BTreeMap;
@@ -190,6 +191,173 @@ fn blocks_of_the_language() {
         };
         let (one, other) = (of(&block), of(&grafcet));
         assert!(product(&one, &other).is_ok(), "{block}\n{grafcet}");
+    }
+}
+
+/// A condition of an arc: an input, an output on an arc of the other automaton, or the activity of a state.
+#[derive(Clone, Copy)]
+enum Asked {
+    Input(usize),
+    Output(usize),
+    State(usize),
+}
+
+/// An arc of a random automaton, with what it asks for and what that must be.
+struct Arc {
+    from: usize,
+    to: usize,
+    when: Vec<(Asked, bool)>,
+    publishes: bool,
+}
+
+/// Two automata as tables, each with an output on arcs and one at states, and where they are.
+struct Tables {
+    arcs: [Vec<Arc>; 2],
+    states: [usize; 2],
+    at: [usize; 2],
+    published: [bool; 2],
+    is_scan: bool,
+}
+
+impl Tables {
+    fn random(seed: u64) -> Tables {
+        let mut rng = Rng::with_seed(seed);
+        let states = [rng.usize(2..=4), rng.usize(2..=4)];
+        let mut arcs: [Vec<Arc>; 2] = Default::default();
+        for (of, arcs) in arcs.iter_mut().enumerate() {
+            for _ in 0..rng.usize(2..=8) {
+                let mut when = Vec::new();
+                for _ in 0..rng.usize(1..=2) {
+                    let asked = match rng.u8(0..8) {
+                        0..5 => Asked::Input(rng.usize(0..3)),
+                        5 | 6 => Asked::Output(1 - of),
+                        _ => Asked::State(rng.usize(0..states[1 - of])),
+                    };
+                    when.push((asked, rng.u8(0..3) > 0));
+                }
+                let (from, to) = (rng.usize(0..states[of]), rng.usize(0..states[of]));
+                arcs.push(Arc { from, to, when, publishes: rng.bool() });
+            }
+        }
+        Tables { arcs, states, at: [0; 2], published: [false; 2], is_scan: seed % 2 == 1 }
+    }
+
+    fn text(&self) -> String {
+        let evolution = if self.is_scan { "scan" } else { "stable" };
+        let mut text =
+            format!("chart M evolution {evolution}\ninput i0, i1, i2 : bool\noutput y0, y1, z0, z1 : bool\n");
+        for of in [0, 1] {
+            text += &format!("automaton A{of} {{\n");
+            for state in 0..self.states[of] {
+                let initial = if state == 0 { "initial " } else { "" };
+                let moore = if state % 2 == 1 { format!(" {{ z{of} }}") } else { String::new() };
+                text += &format!("  {initial}state {of}{state}{moore}\n");
+            }
+            for arc in &self.arcs[of] {
+                let asked = arc.when.iter().map(|(asked, wanted)| {
+                    let name = match asked {
+                        Asked::Input(place) => format!("i{place}"),
+                        Asked::Output(other) => format!("y{other}"),
+                        Asked::State(state) => format!("X{}{state}", 1 - of),
+                    };
+                    format!("{}{name}", if *wanted { "" } else { "not " })
+                });
+                let when = asked.collect::<Vec<_>>().join(" and ");
+                let publishes = if arc.publishes { format!(" {{ y{of} }}") } else { String::new() };
+                text += &format!("  arc {of}{} -> {of}{} : {when}{publishes}\n", arc.from, arc.to);
+            }
+            // So that there is one, whatever the arcs.
+            text += &format!("  arc {of}0 -> {of}0 : i0 and not i0 {{ y{of} }}\n}}\n");
+        }
+        text
+    }
+
+    /// Each takes its first arc that it can take; whether anything is another than it was.
+    fn step(&mut self, inputs: &[bool]) -> bool {
+        let (at, published) = (self.at, self.published);
+        for of in [0, 1] {
+            let holds = |(asked, wanted): &(Asked, bool)| {
+                let is = match asked {
+                    Asked::Input(place) => inputs[*place],
+                    Asked::Output(other) => published[*other],
+                    Asked::State(state) => at[1 - of] == *state,
+                };
+                is == *wanted
+            };
+            let arc = self.arcs[of].iter().find(|arc| arc.from == at[of] && arc.when.iter().all(holds));
+            let publishes = arc.is_some_and(|arc| arc.publishes);
+            self.at[of] = arc.map_or(at[of], |arc| arc.to);
+            self.published[of] = publishes || published[of] && !self.is_scan;
+        }
+        (at, published) != (self.at, self.published)
+    }
+
+    /// What is published after a call.
+    fn call(&mut self, inputs: &[bool]) -> [bool; 4] {
+        if self.is_scan {
+            self.step(inputs);
+        } else {
+            self.published = [false; 2];
+            // R9: at most 200 micro-steps.
+            for _ in 0..200 {
+                if !self.step(inputs) {
+                    break;
+                }
+            }
+        }
+        let [y0, y1] = self.published;
+        [y0, y1, self.at[0] % 2 == 1, self.at[1] % 2 == 1]
+    }
+}
+
+/// Random automata that read each other's outputs and states, in both evolutions: the simulator and all that is built in do
+/// what the tables say.
+#[test]
+fn automata_do_what_their_arcs_say() {
+    let mut executors = select("built-in").expect("the built-in executors");
+    executors.retain(|executor| executor.name() != "lanes");
+    let mut charts = Vec::new();
+    for seed in 0..120 {
+        let mut tables = Tables::random(seed);
+        let text = tables.text();
+        let chart = check("automata", &text).unwrap_or_else(|fault| panic!("{text}\n{fault}"));
+        let mut rng = Rng::with_seed(seed);
+        let stimuli: Vec<Stimulus> = (0..30)
+            .map(|call| {
+                let inputs = (0..3).map(|_| Value::Bool(rng.bool())).collect();
+                Stimulus { t_ms: 10 * call, restart: false, inputs }
+            })
+            .collect();
+        let expected: Vec<Vec<Value>> = stimuli
+            .iter()
+            .map(|stimulus| {
+                let inputs: Vec<bool> = stimulus.inputs.iter().map(|value| *value == Value::Bool(true)).collect();
+                tables.call(&inputs).map(Value::Bool).to_vec()
+            })
+            .collect();
+        charts.push((text, chart, stimuli, expected));
+    }
+    let tasks: Vec<Task> = charts
+        .iter()
+        .enumerate()
+        .map(|(turn, (_, chart, stimuli, _))| Task { chart, profile: Profile::default(), stimuli, turn })
+        .collect();
+    for executor in &executors {
+        let mut ran = 0;
+        for ((text, _, _, expected), outcome) in charts.iter().zip(executor.run(&tasks)) {
+            match outcome {
+                Outcome::PassedOver(_) => {}
+                Outcome::Failed(said) => panic!("{}: {said}\n{text}", executor.name()),
+                Outcome::Ran(responses) => {
+                    ran += 1;
+                    let actual: Vec<Vec<Value>> = responses.into_iter().map(|response| response.outputs).collect();
+                    assert_eq!(&actual, expected, "{}\n{text}", executor.name());
+                }
+            }
+        }
+        // Where two arcs leave a state, the encodings whose steps overlap are not for it.
+        let is_for_all = executor.limits() == "none" || executor.name().starts_with("net:");
+        assert!(ran == charts.len() || !is_for_all, "{} ran only {ran}", executor.name());
     }
 }
 

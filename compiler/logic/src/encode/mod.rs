@@ -24,6 +24,7 @@ pub(crate) mod heading;
 mod in_order;
 pub(crate) mod input_event;
 pub(crate) mod livelock;
+pub(crate) mod momentary;
 mod next_activity;
 pub(crate) mod observe;
 pub(crate) mod outputs;

@@ -10,6 +10,7 @@ pub(super) fn check(analysis: &Analysis, profile: Profile, reasons: &mut Reasons
     let net = analysis.net();
     controls(net, reasons);
     assertions(net, reasons);
+    momentary(net, reasons);
     hierarchy(net, reasons);
     transitions(net, reasons);
     selections(analysis, reasons);
@@ -37,6 +38,12 @@ fn assertions(net: &Net, reasons: &mut Reasons) {
     if net.controls.assertion.is_some() {
         let place = net.places.first().map_or_else(Default::default, |place| place.span);
         reasons.add(place, "has nowhere to check assertions (`--check-assertions`)");
+    }
+}
+
+fn momentary(net: &Net, reasons: &mut Reasons) {
+    for variable in net.variables.iter().filter(|variable| variable.momentary) {
+        reasons.add(variable.span, "an output on arcs, which is of one reaction");
     }
 }
 

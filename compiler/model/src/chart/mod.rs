@@ -191,6 +191,9 @@ pub struct Variable {
     pub initial_given: bool,
     /// Whether its value is kept over a restart of the controller (`retain`).
     pub retain: bool,
+    /// Whether it is false again before the first micro-step of each reaction: an output on arcs of automata in a chart that
+    /// evolves to stability.
+    pub momentary: bool,
     /// `%IX0.0`, counted on where several names shared one.
     pub address: Option<Note>,
     /// How it gets its value.

@@ -1,9 +1,10 @@
 //! Automata as what they mean: grafcets of steps and transitions.
 //!
 //! An automaton is in one state. Of the arcs that leave it the first one goes whose condition is true: each later one waits
-//! until those before it do not, so their transition-conditions exclude each other. An output on an arc is published in the
-//! call that takes the arc: as `evolution scan` has one micro-step a call, each transition gives each such output its value,
-//! and in a call that takes no arc a transition from the state to itself makes them false.
+//! until those before it do not, so their transition-conditions exclude each other. An output on an arc is published by the
+//! call that takes the arc. As `evolution scan` has one micro-step a call, there each transition gives each such output its
+//! value, and in a call that takes no arc a transition from the state to itself makes them false. To stability a call may take
+//! several arcs: each makes its outputs true, and each reaction begins with all of them false.
 //!
 //! What is made here has an empty place, behind what it is made of: nothing is said of it.
 
@@ -19,20 +20,34 @@ use smallvec::smallvec;
 /// No more arcs leave a state: each waits for all before it.
 const MOST_ARCS: usize = 500;
 
-/// A chart with its automata as grafcets, and what is wrong with them; none if it has no automata.
-pub fn expand(tree: &Chart) -> Option<(Chart, Diagnostics)> {
+/// A chart whose automata are grafcets.
+pub struct Expanded {
+    /// The chart.
+    pub chart: Chart,
+    /// What is wrong with its automata.
+    pub faults: Diagnostics,
+    /// The outputs on arcs that each reaction begins with as false.
+    pub momentary: FxHashSet<EcoString>,
+}
+
+/// A chart with its automata as grafcets; none if it has no automata.
+pub fn expand(tree: &Chart) -> Option<Expanded> {
     if !tree.items.iter().any(|item| matches!(item, Item::Grafcet(grafcet) if grafcet.automaton)) {
         return None;
     }
     let mut made = tree.clone();
     let chosen = tree.heading.iter().flat_map(|heading| &heading.options);
-    let is_scan = chosen.map(|option| option.kind).any(|kind| kind == ChartOptionKind::Evolution { scan: true });
+    let is_scan = chosen.map(|option| option.kind).find_map(|kind| match kind {
+        ChartOptionKind::Evolution { scan } => Some(scan),
+        _ => None,
+    });
     let mut expander = Expander {
         exprs: &mut made.exprs,
         diagnostics: Diagnostics::new(),
         is_scan,
         declared: declared(tree),
         forced: forced(tree),
+        momentary: FxHashSet::default(),
     };
     for item in &mut made.items {
         match item {
@@ -47,8 +62,8 @@ pub fn expand(tree: &Chart) -> Option<(Chart, Diagnostics)> {
             | Item::Scenario(_) => {}
         }
     }
-    let diagnostics = expander.diagnostics;
-    Some((made, diagnostics))
+    let Expander { diagnostics: faults, momentary, .. } = expander;
+    Some(Expanded { chart: made, faults, momentary })
 }
 
 /// All names that are declared.
@@ -98,9 +113,11 @@ fn forced(tree: &Chart) -> FxHashSet<EcoString> {
 struct Expander<'t> {
     exprs: &'t mut Exprs,
     diagnostics: Diagnostics,
-    is_scan: bool,
+    /// Whether the heading asks for one micro-step a call; none if it does not choose.
+    is_scan: Option<bool>,
     declared: FxHashSet<EcoString>,
     forced: FxHashSet<EcoString>,
+    momentary: FxHashSet<EcoString>,
 }
 
 /// What was said of a state's arcs so far.
@@ -153,7 +170,7 @@ impl Expander<'_> {
                 }
             }
         }
-        if !outputs.is_empty() {
+        if self.is_scan == Some(true) && !outputs.is_empty() {
             for state in &states {
                 let taken = before.get(&state.text).and_then(|before| before.taken);
                 items.push(Item::Transition(self.rest(state, taken, &outputs)));
@@ -172,17 +189,22 @@ impl Expander<'_> {
             }
         }
         if let Some(first) = outputs.first() {
-            if !self.is_scan {
-                let message = "an output on an arc, and the chart evolves to stability";
-                self.diagnostics.push(
-                    Diagnostic::new(Code::E0324, first.span, message)
-                        .note("it is published in the call that takes the arc, and only with `evolution scan` a call takes one")
-                        .help("write `evolution scan` into the heading, as in `chart Main evolution scan`, or the output into a state"),
-                );
+            match self.is_scan {
+                None => {
+                    let message = "an output on an arc, and the heading does not say how the chart evolves";
+                    self.diagnostics.push(
+                        Diagnostic::new(Code::E0324, first.span, message)
+                            .note("it is published by the call that takes the arc: with `evolution scan` that is one arc at most, with `evolution stable` there may be several")
+                            .help("write one of the two into the heading, as in `chart Main evolution scan`, or the output into a state"),
+                    );
+                }
+                Some(true) => {}
+                Some(false) => self.momentary.extend(outputs.iter().map(|output| output.text.clone())),
             }
-            if !automaton.path.is_empty() || self.forced.contains(&automaton.name.text) {
+            let may_be_out_of_force = !automaton.path.is_empty() || self.forced.contains(&automaton.name.text);
+            if self.is_scan == Some(true) && may_be_out_of_force {
                 let message = "an output on an arc, and the automaton is enclosed, forced or commanded";
-                let help = "while it is not in force nothing would make the output false: write it into a state";
+                let help = "while it is not in force nothing would make the output false: write it into a state, or `evolution stable` into the heading";
                 self.fault(first.span, message, help);
             }
         }
@@ -243,7 +265,8 @@ impl Expander<'_> {
         for output in outputs {
             let at = listed.get(&output.text).copied();
             // What is declared nowhere is said once.
-            if at.is_some() || self.declared.contains(&output.text) {
+            let is_told = self.is_scan == Some(true) && self.declared.contains(&output.text);
+            if at.is_some() || is_told {
                 actions.push(self.publish(output, at.is_some(), at.unwrap_or(arc.span.behind())));
             }
         }

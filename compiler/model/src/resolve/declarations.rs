@@ -33,6 +33,7 @@ pub fn variables(parts: &Parts) -> IndexVec<VariableId, Variable> {
                 initial: types::zero(declaration.ty.unwrap_or(STAND_IN)),
                 initial_given: declaration.initial.is_some(),
                 retain: declaration.retain.is_some(),
+                momentary: false,
                 address: None,
                 mode: Mode::Given,
                 span: declared.name.span,

@@ -51,6 +51,9 @@ impl<'a> Simulator<'a> {
             }
         };
         self.previous = Some(inputs);
+        for (id, _) in self.chart.variables.iter_enumerated().filter(|(_, variable)| variable.momentary) {
+            self.state.variables[id] = Value::Bool(false);
+        }
         let cut_off = match self.profile.evolution {
             Evolution::Stable => self.evolve(t, input_event, observe),
             // R14: exactly one micro-step a call.

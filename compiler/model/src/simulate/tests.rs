@@ -51,6 +51,7 @@ fn declare(chart: &mut Tables, kind: VariableKind, mode: Mode) -> VariableId {
         initial: Value::Bool(false),
         initial_given: false,
         retain: false,
+        momentary: false,
         address: None,
         mode,
         span: Span::default(),

@@ -15,6 +15,7 @@ fn variable(name: &str, kind: VariableKind, ty: Type, initial: Value) -> Variabl
         initial,
         initial_given: false,
         retain: false,
+        momentary: false,
         address: None,
         mode: Mode::Given,
         span: Span::default(),

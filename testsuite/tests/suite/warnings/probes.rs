@@ -108,6 +108,7 @@ pub fn variable(chart: &mut Tables, ty: Type, initial: Value) -> VariableId {
         initial,
         initial_given: false,
         retain: false,
+        momentary: false,
         address: None,
         mode: Mode::Stored,
         span,

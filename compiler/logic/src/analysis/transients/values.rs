@@ -105,7 +105,12 @@ fn expression(net: &Net, occasions: &IndexVec<ExprId, Occasion>, e: ExprId, caus
             (Mode::Wire, _) => {
                 Way::BOTH.into_iter().for_each(|way| causes.at_once(Change::Variable(v, way), to(way)));
             }
-            (Mode::Stored, _) => Way::BOTH.into_iter().for_each(|way| causes.next(Change::Variable(v, way), to(way))),
+            (Mode::Stored, _) => {
+                Way::BOTH.into_iter().for_each(|way| causes.next(Change::Variable(v, way), to(way)));
+                if net.variables[v].momentary {
+                    causes.start(to(Way::Down));
+                }
+            }
             (Mode::Given, VariableKind::Input) => Way::BOTH.into_iter().for_each(|way| causes.start(to(way))),
             (Mode::Given, VariableKind::Output | VariableKind::Internal | VariableKind::Constant) => {}
         },
