@@ -6,6 +6,13 @@ const COMPILER: At = At::anywhere(Part::Compiler);
 
 pub(super) const FAULTS: &[Fault] = &[
     Fault {
+        name: "arc-outputs-are-not-anew",
+        at: COMPILER,
+        breaks: "a reaction does not begin with outputs on arcs false (R9)",
+        text: "encode::momentary::statements(&mut lowering)",
+        instead: "Vec::new()",
+    },
+    Fault {
         name: "pulse-kill-lets-live",
         at: COMPILER,
         breaks: "what is killed is not active any more (R15.2)",

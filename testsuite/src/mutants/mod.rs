@@ -14,6 +14,7 @@
 //! says at once which fault has no place any more. `cargo run --release -p grafc-testsuite --bin mutants` tries them
 //! all.
 
+mod automata;
 mod backends;
 mod bodies;
 mod c;
@@ -44,6 +45,10 @@ pub enum Part {
     Compiler,
     /// What proves claims on charts.
     Prover,
+    /// Automata: as blocks of the language, and as what charts are.
+    Automata,
+    /// The evaluation of 64 scenarios at once.
+    Lanes,
     /// Structured Text.
     StructuredText,
     /// Instruction lists.
@@ -68,9 +73,11 @@ pub enum Part {
 
 impl Part {
     /// All of them.
-    pub const ALL: [Part; 12] = [
+    pub const ALL: [Part; 14] = [
         Part::Compiler,
         Part::Prover,
+        Part::Automata,
+        Part::Lanes,
         Part::StructuredText,
         Part::InstructionList,
         Part::StatementList,
@@ -88,6 +95,8 @@ impl Part {
         match self {
             Part::Compiler => &["compiler/net/src", "compiler/formula/src", "compiler/logic/src"],
             Part::Prover => &["compiler/verify/src"],
+            Part::Automata => &["compiler/model/src/resolve", "compiler/automata/src"],
+            Part::Lanes => &["compiler/lanes/src"],
             Part::StructuredText => &["backends/src/st"],
             Part::InstructionList => &["backends/src/il"],
             Part::StatementList => &["backends/src/awl"],
@@ -137,7 +146,15 @@ pub struct Fault {
 
 /// All of them, along the way of a chart through the compiler.
 pub fn all() -> impl Iterator<Item = &'static Fault> {
-    let compiler = [net::FAULTS, lowering::FAULTS, encodings::FAULTS, proofs::FAULTS, warnings::FAULTS, prover::FAULTS];
+    let compiler = [
+        net::FAULTS,
+        lowering::FAULTS,
+        encodings::FAULTS,
+        proofs::FAULTS,
+        warnings::FAULTS,
+        prover::FAULTS,
+        automata::FAULTS,
+    ];
     compiler
         .into_iter()
         .chain([backends::FAULTS, bodies::FAULTS, calls::FAULTS, javascript::FAULTS, c::FAULTS])

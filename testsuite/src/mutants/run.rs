@@ -56,6 +56,9 @@ const COMPILER: &[Suite] = &[
 /// The unit tests judge what charts seldom lead to.
 const PROVER: &[Suite] = &[suite("grafc-verify", "compiler/verify", None), tests("circuit"), tests("verify")];
 
+const AUTOMATA: &[Suite] = &[tests("vectors"), suite("grafc-automata", "compiler/automata", None), tests("automata")];
+const LANES: &[Suite] = &[tests("lanes"), tests("batch")];
+
 /// The unit tests judge the statements that no chart leads to, and what is right only for other tools.
 const BACKENDS: Suite = suite("grafc-backends", "backends", None);
 const STRUCTURED_TEXT: &[Suite] = &[with(Tool::Matiec, "matiec", None), BACKENDS];
@@ -100,6 +103,8 @@ pub fn suites(fault: &Fault) -> &'static [Suite] {
     match fault.at.part {
         Part::Compiler => COMPILER,
         Part::Prover => PROVER,
+        Part::Automata => AUTOMATA,
+        Part::Lanes => LANES,
         Part::StructuredText => STRUCTURED_TEXT,
         Part::InstructionList => INSTRUCTION_LIST,
         Part::StatementList => STATEMENT_LIST,
