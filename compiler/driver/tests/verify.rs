@@ -67,6 +67,35 @@ fn traces_are_files_that_sim_replays() {
     assert_eq!(run.is_done().out, "t_ms,situation,flags\n0,1,\n1,2,\n");
 }
 
+/// Each engine alone says the same of what it decides, and only the one that looks at all states of a small chart decides all.
+#[test]
+fn one_engine_may_be_asked_for() {
+    let folder = Folder::new(&[("dead.gct", DEAD), ("round.gct", ROUND)]);
+    for chart in ["dead.gct", "round.gct"] {
+        let told = |engine: &str| {
+            let out = folder.run(&["verify", chart, "-q", "--engine", engine]).out;
+            let answers = out.lines().map(|line| line.split(" in ").next().unwrap_or_default().to_owned());
+            answers.collect::<Vec<String>>()
+        };
+        let auto = told("auto");
+        assert!(!auto.iter().any(|line| line.starts_with("open")), "{auto:?}");
+        for engine in ["explicit", "symbolic", "sat"] {
+            let alone = told(engine);
+            let decided = alone.iter().filter(|line| line.starts_with("holds") || line.starts_with("fails"));
+            let kind = |line: &str| {
+                line.split_once("  ").map(|(_, what)| what.split(':').next().unwrap_or_default().to_owned())
+            };
+            for line in decided {
+                let same = auto.iter().find(|other| kind(other) == kind(line));
+                assert_eq!(same.map(|other| &other[..5]), Some(&line[..5]), "{engine}: {alone:#?}\n{auto:#?}");
+            }
+        }
+        assert!(!told("explicit").iter().any(|line| line.starts_with("open")), "{chart}");
+    }
+    folder.run(&["verify", "round.gct", "--engine", "luck"]).ends(2, "possible values: auto, explicit, symbolic, sat");
+    folder.run(&["verify", "round.gct", "--emit", "smv", "--engine", "sat"]).ends(2, "--engine");
+}
+
 #[test]
 fn what_is_open_ends_with_4() {
     let sum = "input n : real\nvar sum : real\ninitial step 1 { sum := sum + n on activation }\nstep 2\n\

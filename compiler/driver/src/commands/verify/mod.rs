@@ -46,11 +46,14 @@ pub struct Arguments {
     /// Give what is known after so many seconds
     #[arg(long, value_name = "SECONDS", default_value_t = 60, value_parser = clap::value_parser!(u64).range(1..=31_536_000))]
     time: u64,
+    /// Which engine looks: all of them share the work, or one does all of it
+    #[arg(long, value_enum, default_value_t = Engine::Auto)]
+    engine: Engine,
     /// Write the trace of each claim that fails into this folder
     #[arg(long, value_name = "DIR")]
     traces: Option<PathBuf>,
     /// Prove nothing, but write the chart and its claims as a circuit, for engines of others
-    #[arg(long, value_name = "LANGUAGE", value_enum, conflicts_with_all = ["format", "time", "traces"])]
+    #[arg(long, value_name = "LANGUAGE", value_enum, conflicts_with_all = ["format", "time", "engine", "traces"])]
     emit: Option<emit::Language>,
     /// Where to put the circuit; standard output without it
     #[arg(short, long, value_name = "FILE", requires = "emit")]
@@ -71,13 +74,36 @@ enum Form {
     Junit,
 }
 
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Engine {
+    /// Each does what it is best at
+    Auto,
+    /// One state after the other
+    Explicit,
+    /// All states at once, as decision diagrams
+    Symbolic,
+    /// A solver of clauses
+    Sat,
+}
+
+impl From<Engine> for Method {
+    fn from(engine: Engine) -> Method {
+        match engine {
+            Engine::Auto => Method::Auto,
+            Engine::Explicit => Method::Explicit,
+            Engine::Symbolic => Method::Symbolic,
+            Engine::Sat => Method::Sat,
+        }
+    }
+}
+
 /// Verifies one chart.
 pub fn run(args: Arguments) -> Result<Exit, Failure> {
     if let Some(language) = args.emit {
         return emitted(&args, language);
     }
     let end = Instant::now() + Duration::from_secs(args.time);
-    let (exit, found) = of_chart(&args, |document, profile| verified(document, profile, end))?;
+    let (exit, found) = of_chart(&args, |document, profile| verified(document, profile, args.engine.into(), end))?;
     let Some((name, verified)) = found else { return Ok(exit) };
     if let Some(trace) = &verified.barred {
         return Err(super::barred(trace.rows.last().and_then(|row| row.steps.as_deref()).unwrap_or_default()));
@@ -133,7 +159,7 @@ fn of(verified: &Verified) -> Exit {
 }
 
 /// The answers, if the chart has no errors, and its name.
-fn verified(document: &Document, profile: Profile, end: Instant) -> Option<(String, Verified)> {
+fn verified(document: &Document, profile: Profile, method: Method, end: Instant) -> Option<(String, Verified)> {
     let program = with_claims(document, profile)?;
     let chart = document.chart()?;
     let interrupt = Interrupt::awaited();
@@ -147,6 +173,6 @@ fn verified(document: &Document, profile: Profile, end: Instant) -> Option<(Stri
         }
         (Instant::now() >= end).then_some(Limit::Time)
     };
-    let verified = verify(Subject { chart, program: &program, profile }, Method::Auto, &mut stop);
+    let verified = verify(Subject { chart, program: &program, profile }, method, &mut stop);
     Some((program.name.clone(), verified))
 }
