@@ -205,6 +205,35 @@ fn a_value_that_is_written_and_read_in_one_scan_is_told() {
     );
 }
 
+/// A delay of a chart begins in the scan after the one that makes its operand true; what stands behind the call of a timer
+/// takes what it gives in the same scan.
+#[test]
+fn a_timer_that_is_read_behind_its_call_comes_a_scan_later() {
+    let program = |body: &str, condition: &str| {
+        format!(
+            "PROGRAM P\nVAR_INPUT a : BOOL; END_VAR\nVAR busy, late : BOOL; t : TON; END_VAR\n\
+             INITIAL_STEP S : each(S); END_STEP\nSTEP A : busy(N); END_STEP\n\
+             TRANSITION FROM S TO A := a; END_TRANSITION\nTRANSITION FROM A TO S := {condition}; END_TRANSITION\n\
+             ACTION each : {body} END_ACTION\nEND_PROGRAM\n"
+        )
+    };
+    let told = |text: &str| {
+        let (_, said) = import(text, &Options::default()).unwrap_or_else(|said| panic!("{said:?}\n{text}"));
+        let late = said.iter().filter(|one| one.message.contains("as it was in the scan before"));
+        late.map(|one| one.message.clone()).collect::<Vec<_>>()
+    };
+    let call = "t(IN := busy, PT := T#1s);";
+    assert_eq!(
+        told(&program(&format!("{call} late := t.Q;"), "late")),
+        ["`t.Q` is taken here as it was in the scan before, since steps make its input"]
+    );
+    // Before the call it is that of the scan before in the file as well, and so it is in a condition.
+    assert!(told(&program(&format!("late := t.Q; {call}"), "late")).is_empty());
+    assert!(told(&program(call, "t.Q")).is_empty());
+    // What is given is given at the beginning of the scan.
+    assert!(told(&program("t(IN := a, PT := T#1s); late := t.Q;", "late")).is_empty());
+}
+
 /// A program, and one that it may command.
 fn two(step: &str, bodies: &str, condition: &str, child: &str) -> String {
     format!(

@@ -83,6 +83,10 @@ impl Maker<'_> {
         match (block, pin.as_str()) {
             (Standard::Rise | Standard::Fall, "Q") => self.edge(block, &key, instance, span).map(Some),
             (Standard::OnDelay | Standard::OffDelay, "Q") => {
+                let lower = key.to_lowercase();
+                if self.delays_called.contains(&lower) {
+                    self.read_behind.entry(lower).or_insert(span);
+                }
                 let id = self.variables.helper(&format!("{key}.Q"), Type::Bool, variable.span);
                 Ok(Some(self.read(id, span)))
             }
@@ -178,7 +182,11 @@ impl Maker<'_> {
             }
         };
         match block {
-            Standard::Rise | Standard::Fall | Standard::OnDelay | Standard::OffDelay => Ok(()),
+            Standard::Rise | Standard::Fall => Ok(()),
+            Standard::OnDelay | Standard::OffDelay => {
+                self.delays_called.insert(key.to_lowercase());
+                Ok(())
+            }
             Standard::CountUp | Standard::CountDown => {
                 let up = block == Standard::CountUp;
                 let count = pin(self, if up { "CU" } else { "CD" })?;
@@ -278,6 +286,17 @@ impl Maker<'_> {
             return Err(Loss { why: "charts have no delay of an edge".into(), span });
         }
         let amount = self.amount(time, &site)?;
+        if let Some(span) = self.read_behind.get(key).copied()
+            && !self.is_of_inputs(operand)
+        {
+            let message =
+                format!("`{instance}.Q` is taken here as it was in the scan before, since steps make its input");
+            self.diagnostics.push(
+                doubtful(span, message)
+                    .note("in the file the timer is called first, and what stands behind takes what it gives then")
+                    .note("a delay of a chart begins in the scan after the one that makes its operand true"),
+            );
+        }
         let always = called.is_empty();
         let operand = if always {
             operand

@@ -72,7 +72,7 @@ impl Maker<'_> {
     }
 
     /// Whether a value is made of times and of what nothing in the chart sets.
-    fn is_of_inputs(&self, value: TermId) -> bool {
+    pub(super) fn is_of_inputs(&self, value: TermId) -> bool {
         let mut only = true;
         let all = self.terms.parts(value, 10_000, |term| match term.kind {
             TermKind::Variable(variable) => {

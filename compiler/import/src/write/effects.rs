@@ -83,6 +83,13 @@ impl<'a> Run<'a> {
 impl<'a> Maker<'a> {
     /// What bodies do, one after the other.
     pub fn effects(&mut self, bodies: Vec<Done<'a>>) -> Effects {
+        self.delays_called.clear();
+        let effects = self.one_after_the_other(bodies);
+        self.delays_called.clear();
+        effects
+    }
+
+    fn one_after_the_other(&mut self, bodies: Vec<Done<'a>>) -> Effects {
         let mut effects = Effects::default();
         let mut left = MOST_STATEMENTS;
         for body in bodies {

@@ -130,6 +130,10 @@ pub struct Maker<'a> {
     pub constants: FxHashMap<String, i64>,
     /// Calls of function blocks, by the path of the instance in small letters.
     pub calls: FxHashMap<String, BlockCall>,
+    /// The delays that were called so far where statements are done one after the other, as above.
+    pub delays_called: FxHashSet<String>,
+    /// Of delays whose output is read behind their call in the same scan, where.
+    pub read_behind: FxHashMap<String, Span>,
     /// The condition under which a value is looked at.
     pub here: Option<TermId>,
     /// How deep edges of edges are looked at.

@@ -70,6 +70,8 @@ pub fn write(
         depth: 0,
         lost_conditions: 0,
         said: FxHashSet::default(),
+        delays_called: FxHashSet::default(),
+        read_behind: FxHashMap::default(),
     };
     maker.find_parts(unit);
     maker.find_calls();
