@@ -51,16 +51,23 @@ pub struct Draw {
 /// What the seed of children and pulse orders differs by.
 const COMMANDS: u64 = 0x7075_6c73;
 
+/// What the seed of children that do nothing but run with steps differs by.
+const ALONE: u64 = 0x616c_6f6e;
+
 fn text(seed: u64, draw: Draw) -> String {
     let mut rng = fastrand::Rng::with_seed(seed);
     let name = format!("Random_{seed}");
     match draw.kind {
-        ChartKind::Boolean => boolean::chart(&mut rng, &mut fastrand::Rng::with_seed(seed ^ COMMANDS), &name),
+        ChartKind::Boolean => {
+            let [mut commands, mut alone] = [COMMANDS, ALONE].map(|apart| fastrand::Rng::with_seed(seed ^ apart));
+            boolean::chart(&mut rng, &mut commands, &mut alone, &name)
+        }
         ChartKind::Plain => plain::chart(&mut rng, &name),
         ChartKind::Flat | ChartKind::Hierarchical => {
             let mut frames = structure::draw(&mut rng, draw.kind, draw.size);
             if draw.kind == ChartKind::Hierarchical {
                 commands::draw(&mut fastrand::Rng::with_seed(seed ^ COMMANDS), &mut frames);
+                commands::leave_alone(&mut fastrand::Rng::with_seed(seed ^ ALONE), &mut frames);
             }
             write::chart(&mut rng, &mut ink::Ink::new(seed), &name, &frames)
         }
