@@ -235,15 +235,20 @@ impl<'a> NetSteps<'a> {
     /// R3
     fn clears(&self, id: TransitionId, cx: &Context) -> bool {
         let transition = &self.net.transitions[id];
-        let within = transition.within.or(self.net.grafcets[transition.grafcet].enclosing_step);
+        let within = self.around(&transition.within, transition.grafcet);
         self.pre[id].iter().all(|s| self.active[*s])
-            && within.is_none_or(|e| self.active[e])
+            && (within.is_empty() || within.iter().any(|e| self.active[*e]))
             && !self.frozen(transition.grafcet)
             && !self.memory.frozen[transition.grafcet]
             && (!self.net.grafcets[transition.grafcet].child
                 || !self.pre[id].is_empty()
                 || self.net.grafcets[transition.grafcet].steps.iter().any(|s| self.active[*s]))
             && cx.holds(transition.condition)
+    }
+
+    /// The steps that something of a grafcet is within, before and after enclosures are flattened.
+    fn around<'n>(&'n self, within: &'n [StepId], g: GrafcetId) -> &'n [StepId] {
+        self.net.grafcets[g].enclosing_step.as_ref().map_or(within, std::slice::from_ref)
     }
 
     /// R2: whether a grafcet is frozen in the old situation.
@@ -274,14 +279,15 @@ impl<'a> NetSteps<'a> {
         let mut pulses = Pulses::new(net, given);
         for g in &net.hierarchy {
             let grafcet = &net.grafcets[*g];
-            let within = |s: StepId| net.places[s].within.or(grafcet.enclosing_step);
-            for s in &grafcet.steps {
-                let Some(e) = within(*s) else { continue };
-                let is_start = start.is_some_and(|below| net.places[e].initial && !below[net.places[e].grafcet]);
-                let linked = !before[e] && net.places[*s].activated && !is_start;
-                next[*s] = next[e] && (next[*s] || linked);
+            let within = self.around(net.within(*g), *g);
+            let is_start =
+                |e: &StepId| start.is_some_and(|below| net.places[*e].initial && !below[net.places[*e].grafcet]);
+            let begins = !within.iter().any(|e| before[*e] || is_start(e));
+            let is_empty = !within.is_empty() && !within.iter().any(|e| next[*e]);
+            for s in grafcet.steps.iter().filter(|_| !within.is_empty()) {
+                next[*s] = !is_empty && (next[*s] || begins && net.places[*s].activated);
             }
-            if grafcet.steps.first().and_then(|s| within(*s)).is_some_and(|e| !next[e]) {
+            if is_empty {
                 pulses.forget(*g, &mut self.memory);
                 continue;
             }

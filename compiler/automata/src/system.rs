@@ -159,7 +159,7 @@ impl Maker<'_> {
         }
         self.graphs.push(Graph { name, vertices, arcs: Vec::new(), notes: Vec::new() });
         let number = self.graphs.len() - 1;
-        let is_within = |step: &StepId| self.net.places[*step].within.is_some();
+        let is_within = |step: &StepId| !self.net.places[*step].within.is_empty();
         let is_forced = |step: &StepId| {
             let grafcet = self.net.places[*step].grafcet;
             !self.net.grafcets[grafcet].orders.is_empty() || self.commanded.contains(&grafcet)
@@ -184,7 +184,8 @@ impl Maker<'_> {
         let transition = &net.transitions[id];
         let own = |steps: &[StepId]| steps.iter().find(|step| self.of[**step] == graph).map(|step| self.place[*step]);
         let (from, to) = (own(&transition.pre), own(&transition.post));
-        let others = transition.pre.iter().chain(&transition.within).filter(|step| self.of[**step] != graph);
+        let around = transition.encloser();
+        let others = transition.pre.iter().chain(&around).filter(|step| self.of[**step] != graph);
         let mut states: Vec<(usize, usize)> =
             others.clone().take(STATES).map(|step| (self.of[*step], self.place[*step])).collect();
         let more = others.count() - states.len();
@@ -253,13 +254,17 @@ impl Maker<'_> {
         let mut found: Vec<(usize, String)> = Vec::new();
         let mut seen = vec![false; self.graphs.len()];
         for (id, place) in net.places.iter_enumerated() {
-            let Some(around) = place.within else { continue };
+            if place.within.is_empty() {
+                continue;
+            }
+            let around: Vec<String> = place.within.iter().map(|step| self.state(*step)).collect();
+            let around = around.join(" or ");
             let graph = self.of[id];
             if place.activated {
-                found.push((graph, format!("{REST} -> {} when {} begins", place.label, self.state(around))));
+                found.push((graph, format!("{REST} -> {} when {around} begins", place.label)));
             }
             if !std::mem::replace(&mut seen[graph], true) {
-                found.push((graph, format!("any -> {REST} when {} ends", self.state(around))));
+                found.push((graph, format!("any -> {REST} when {around} ends")));
             }
         }
         found.into_iter().for_each(|(graph, note)| self.graphs[graph].notes.push(note));

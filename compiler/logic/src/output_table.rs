@@ -142,11 +142,7 @@ fn stored_output(net: &Net, variable: VariableId) -> StoredOutput {
     let mut stays_on = Vec::new();
     for g in net.grafcets.indices().filter(|g| set_in.contains(g)) {
         // Emptied with those that enclose it, however deep (R5a).
-        let enclosing = |g: &GrafcetId| {
-            let within = net.grafcets[*g].steps.first().and_then(|s| net.places[*s].within)?;
-            Some(net.places[within].grafcet)
-        };
-        let around = std::iter::successors(Some(g), enclosing);
+        let around = std::iter::successors(Some(g), |g| net.around(*g));
         for order in around.flat_map(|g| &net.grafcets[g].orders) {
             let empties = matches!(&order.forced, Forced::Steps(steps) if steps.is_empty());
             if empties && !resets(Event::Activation(order.step)) && !stays_on.contains(&(g, order.step)) {

@@ -72,7 +72,7 @@ fn because(net: &Net, reason: Reason) -> String {
         Reason::Forced(x, y) => {
             format!("its state would also hold {} and {}, which one order forces together", s(x), s(y))
         }
-        Reason::Commanded => "pulse orders act in the chart".to_owned(),
+        Reason::Commanded => "pulse orders act on its grafcet".to_owned(),
         Reason::GivenUp => "the search for a state to share was given up".to_owned(),
     }
 }

@@ -169,3 +169,61 @@ fn a_transition_that_only_switches_an_output() {
         assert_eq!(verify(&program), Ok(()));
     }
 }
+
+/// Every `CASE` over states that stands in a list, with its arms and what stands in these: `at_G(1 2:[at_H(3)])`.
+fn cases(program: &Program, statements: &[Statement]) -> Vec<String> {
+    let case = |statement: &Statement| {
+        let Statement::Case { of, arms } = statement else { return None };
+        let arms = arms.iter().map(|arm| match &cases(program, &arm.body)[..] {
+            [] => arm.value.to_string(),
+            inside => format!("{}:[{}]", arm.value, inside.join(" ")),
+        });
+        let arms: Vec<String> = arms.collect();
+        Some(format!("{}({})", program.variables[*of].name, arms.join(" ")))
+    };
+    statements.iter().filter_map(case).collect()
+}
+
+/// MAIN, whose steps have these actions, and P, its child, in what is around them; by the encoding `switch`, as it does
+/// large charts.
+fn run_by(actions: [&str; 3], around: &str) -> Program {
+    let [zero, one, two] = actions;
+    let main = if around.is_empty() { "grafcet MAIN { initial" } else { "grafcet X5/MAIN { initial activated" };
+    let text = format!(
+        "input a, b, m : bool output V : bool
+         {around}
+         {main} step 0 {{ {zero} }} step 1 {{ {one} }} step 2 {{ {two} }}
+           transition 0 -> 1 : m transition 1 -> 2 : a and not m transition 2 -> 0 : b and not a and not m }}
+         child grafcet P of MAIN {{ initial step 10 step 11 {{ V }}
+           transition 10 -> 11 : a and not b transition 11 -> 10 : b and not a }}"
+    );
+    let program = compiled_by(&text, &Options { encoding: Encoding::Switch, simplify: false, ..Options::default() });
+    assert_eq!(verify(&program), Ok(()));
+    program
+}
+
+#[test]
+fn the_machine_of_a_child_stands_in_the_arm_of_the_step_that_runs_it() {
+    let program = run_by(["", "run P", ""], "");
+    assert_eq!(cases(&program, &program.micro_step), ["at_MAIN(0 1:[at_P(10 11)] 2)"]);
+    let program = run_by(["", "start P on activation kill P on deactivation", ""], "");
+    assert_eq!(cases(&program, &program.micro_step), ["at_MAIN(0 1:[at_P(10 11)] 2)"]);
+}
+
+#[test]
+fn the_machine_of_a_child_that_several_steps_run_stands_once_beside_theirs() {
+    let program = run_by(["", "run P", "run P"], "");
+    assert_eq!(cases(&program, &program.micro_step), ["at_MAIN(0 1 2)", "at_P(10 11)"]);
+    // So it does in the arm that theirs stands in.
+    let around = "grafcet TOP { initial enclosing step 5 step 6 transition 5 -> 6 : a }";
+    let program = run_by(["run P", "", "run P"], around);
+    assert_eq!(cases(&program, &program.micro_step), ["at_TOP(5:[at_MAIN(0 1 2) at_P(10 11)])"]);
+}
+
+#[test]
+fn what_is_frozen_as_well_has_bits_beside_the_machine_that_commands_it() {
+    let program = run_by(["", "run P freeze P on event ↑b", "resume P on activation"], "");
+    let states: Vec<&str> = program.states.iter().map(|s| program.variables[s.variable].name.as_str()).collect();
+    assert_eq!(states, ["at_MAIN"]);
+    assert_eq!(cases(&program, &program.micro_step), ["at_MAIN(0 1 2)"]);
+}

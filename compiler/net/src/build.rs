@@ -55,7 +55,7 @@ pub fn into_net(chart: Chart) -> Net {
             grafcet: t.grafcet,
             pre,
             post,
-            within: None,
+            within: Steps::new(),
             condition: t.condition,
             span: t.span,
         });
@@ -74,7 +74,7 @@ pub fn into_net(chart: Chart) -> Net {
                 grafcet: s.grafcet,
                 initial: s.initial,
                 activated: s.activated,
-                within: None,
+                within: Steps::new(),
                 started: s.initial,
                 saved: false,
                 auxiliary: false,

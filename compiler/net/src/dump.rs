@@ -42,6 +42,7 @@ fn words(fact: Fact) -> &'static str {
         Fact::SettledStart => "settled start",
         Fact::ClosedFreezing => "closed freezing",
         Fact::NoEnclosures => "no enclosures",
+        Fact::NestedChildren => "nested children",
         Fact::NoTwoStepRings => "no two-step rings",
     }
 }
@@ -73,7 +74,7 @@ fn place(net: &Net, id: StepId) -> String {
         "{flags}{} of {}{}{}",
         net.step(id),
         net.grafcet(place.grafcet),
-        within(net, place.within),
+        within(net, &place.within),
         comment(&place.comment)
     )
 }
@@ -100,15 +101,19 @@ fn transition(net: &Net, id: TransitionId) -> String {
     let (pre, post) = (places(net, &t.pre), places(net, &t.post));
     let condition = expression(&net.exprs, net, t.condition);
     let head = format!("{}: {} when {condition}", net.transition(id), arcs(&pre, &post));
-    format!("{head}{}{}", within(net, t.within), comment(&t.comment))
+    format!("{head}{}{}", within(net, &t.within), comment(&t.comment))
 }
 
 fn places(net: &Net, ids: &[StepId]) -> String {
     list(ids.iter().map(|s| net.step(*s)))
 }
 
-fn within(net: &Net, place: Option<StepId>) -> String {
-    place.map(|e| format!(", within {}", net.step(e))).unwrap_or_default()
+fn within(net: &Net, around: &[StepId]) -> String {
+    if around.is_empty() {
+        String::new()
+    } else {
+        format!(", within {}", around.iter().map(|e| net.step(*e)).collect::<Vec<_>>().join(" or "))
+    }
 }
 
 impl Labels for Net {

@@ -14,6 +14,7 @@
 //! | initial situation | `initial` as the chart marks it | `initial` as rules R5 and R10 settle it, [`Net::conflict_at_start`] |
 //! | freezing | follows the hierarchy | [`Grafcet::frozen_with`] |
 //! | enclosure | [`Grafcet::enclosing_step`] | `within` of [`Place`] and [`Transition`] |
+//! | child that only steps run | [`Net::runs`] | the same: an enclosure of these steps |
 //!
 //! Invariants, which [`crate::verify()`] checks:
 //! - every id lies in its table;
@@ -45,6 +46,8 @@ pub enum Fact {
     ClosedFreezing,
     /// No grafcet has an enclosing step; places and transitions say what they are within.
     NoEnclosures,
+    /// A child that does nothing but run with steps is within them, and no command on it is left.
+    NestedChildren,
     /// No two places hand over to each other: `a -> b -> a`, where neither is before and after one transition.
     NoTwoStepRings,
 }
@@ -98,6 +101,13 @@ impl Net {
         !self.pulses.is_empty() || !self.runs.is_empty()
     }
 
+    /// Whether each grafcet is commanded by pulses.
+    pub fn commanded(&self) -> IndexVec<GrafcetId, bool> {
+        let mut commanded: IndexVec<GrafcetId, bool> = self.grafcets.iter().map(|_| false).collect();
+        self.commands().for_each(|(_, g)| commanded[g] = true);
+        commanded
+    }
+
     /// All commands by pulses: the grafcet that gives it, and the one that it is given to.
     pub fn commands(&self) -> impl Iterator<Item = (GrafcetId, GrafcetId)> + '_ {
         let pulses = self.pulses.iter().map(|pulse| (self.commander(pulse.event), pulse.grafcet));
@@ -125,8 +135,13 @@ impl Net {
     /// The grafcet around one, before and after enclosures are flattened.
     pub fn around(&self, g: GrafcetId) -> Option<GrafcetId> {
         let grafcet = &self.grafcets[g];
-        let within = grafcet.enclosing_step.or_else(|| self.places[*grafcet.steps.first()?].within)?;
+        let within = grafcet.enclosing_step.or_else(|| self.within(g).first().copied())?;
         Some(self.places[within].grafcet)
+    }
+
+    /// What a grafcet is within, once that is flat. One without places does not say.
+    pub fn within(&self, g: GrafcetId) -> &[StepId] {
+        self.grafcets[g].steps.first().map_or(&[], |s| &self.places[*s].within)
     }
 
     /// For each grafcet what its steps command by pulses, and those of its enclosures, however deep.
@@ -175,8 +190,9 @@ pub struct Place {
     pub initial: bool,
     /// Has an activation link: activated together with the step that encloses it.
     pub activated: bool,
-    /// The place that must be active for this one to be, once enclosures are flattened.
-    pub within: Option<StepId>,
+    /// The places of one grafcet of which one must be active for this one to be, once enclosures are flattened: the step
+    /// that encloses it, or those that run its child. None if it stands alone.
+    pub within: Steps,
     /// Whether a start of its grafcet activates it: it is initial in the chart.
     pub started: bool,
     /// Whether it is active again when its grafcet is resumed, as far as the start goes.
@@ -185,6 +201,21 @@ pub struct Place {
     pub auxiliary: bool,
     /// The label in the chart.
     pub span: Span,
+}
+
+impl Place {
+    /// The place that is active whenever this one is, because this one is within it alone.
+    pub fn encloser(&self) -> Option<StepId> {
+        only(&self.within)
+    }
+}
+
+/// The step of a list of one.
+fn only(list: &[StepId]) -> Option<StepId> {
+    match list {
+        [one] => Some(*one),
+        _ => None,
+    }
 }
 
 /// The places on one side of a transition: mostly few, which then lie in the transition itself.
@@ -203,8 +234,8 @@ pub struct Transition {
     pub pre: Steps,
     /// The immediately succeeding places.
     pub post: Steps,
-    /// The place that must be active for it to clear, once enclosures are flattened.
-    pub within: Option<StepId>,
+    /// The places of which one must be active for it to clear, once enclosures are flattened.
+    pub within: Steps,
     /// The transition-condition.
     pub condition: ExprId,
     /// The item in the chart.
@@ -212,6 +243,11 @@ pub struct Transition {
 }
 
 impl Transition {
+    /// The place that is active whenever it clears, because it is within that alone.
+    pub fn encloser(&self) -> Option<StepId> {
+        only(&self.within)
+    }
+
     /// The steps that it leaves: those before it that it does not lead back to.
     pub fn left(&self) -> Vec<StepId> {
         without(&self.pre, &self.post)

@@ -157,8 +157,11 @@ fn freezing_comes_from_the_nearest_grafcet_with_orders() {
 #[test]
 fn what_an_enclosure_holds_is_within_the_enclosing_step() {
     let net = flat(NESTED, false);
-    let within = |s: Option<StepId>| s.map(|s| net.places[s].label.as_str());
-    let places: Vec<_> = net.places.iter().map(|p| (p.label.as_str(), within(p.within))).collect();
+    let within = |around: &[StepId]| {
+        assert!(around.len() < 2);
+        around.first().map(|s| net.places[*s].label.as_str())
+    };
+    let places: Vec<_> = net.places.iter().map(|p| (p.label.as_str(), within(&p.within))).collect();
     let expected = [
         ("1", None),
         ("2", None),
@@ -171,9 +174,112 @@ fn what_an_enclosure_holds_is_within_the_enclosing_step() {
         ("60", Some("50")),
     ];
     assert_eq!(places, expected);
-    let transitions: Vec<_> = net.transitions.iter().map(|t| within(t.within)).collect();
+    let transitions: Vec<_> = net.transitions.iter().map(|t| within(&t.within)).collect();
     assert_eq!(transitions, [None, None, Some("20"), Some("30"), Some("40"), Some("50")]);
     assert!(net.grafcets.iter().all(|g| g.enclosing_step.is_none()));
+}
+
+/// What each of these grafcets is within, and how many commands are left.
+fn nested(text: &str, grafcets: &[&str]) -> (Vec<Vec<String>>, usize) {
+    let net = flat(text, false);
+    assert!(net.facts.contains(&Fact::NestedChildren));
+    let within = |name: &&str| {
+        let g = net.grafcets.indices().find(|g| net.grafcets[*g].name == **name).expect("the grafcet");
+        labels(&net, net.within(g))
+    };
+    (grafcets.iter().map(within).collect(), net.commands().count())
+}
+
+/// MAIN, steps 1 to 3 of which have these actions, and P, a child of it.
+fn commanded(actions: [&str; 3], more: &str) -> (Vec<String>, usize) {
+    let [one, two, three] = actions;
+    let (within, left) = nested(
+        &format!(
+            "input a : bool
+             grafcet MAIN {{
+               initial step 0 step 1 {{ {one} }} step 2 {{ {two} }} step 3 {{ {three} }}
+               transition 0 -> 1 : a transition 1 -> 2 : a transition 2 -> 3 : a
+             }}
+             child grafcet P of MAIN {{ initial step 10 step 11 transition 10 -> 11 : a }}
+             {more}"
+        ),
+        &["P"],
+    );
+    (within[0].clone(), left)
+}
+
+#[test]
+fn a_child_that_steps_run_is_within_them() {
+    let within = |steps: &[&str]| (steps.iter().map(|s| (*s).to_owned()).collect(), 0);
+    assert_eq!(commanded(["run P", "", ""], ""), within(&["1"]));
+    assert_eq!(commanded(["", "run P", "run P"], ""), within(&["2", "3"]));
+    let pair = "start P on activation kill P on deactivation";
+    assert_eq!(commanded([pair, "", ""], ""), within(&["1"]), "the same as `run`");
+    assert_eq!(commanded(["kill P on deactivation start P on activation", "", ""], ""), within(&["1"]));
+    // Frozen by an order it keeps its situation; what is around it may be frozen without it.
+    assert_eq!(commanded(["run P", "force P{*}", ""], ""), within(&["1"]));
+    assert_eq!(commanded(["run P", "", ""], "grafcet TOP { initial step 90 { force MAIN{*} } }"), within(&["1"]));
+}
+
+#[test]
+fn a_child_that_is_commanded_otherwise_stays_one() {
+    let stays = |actions, more: &str, commands: usize| {
+        assert_eq!(commanded(actions, more), (vec![], commands), "{actions:?} {more}");
+    };
+    stays(["run P", "kill P on activation", ""], "", 2);
+    stays(["run P freeze P on deactivation", "resume P on activation", ""], "", 3);
+    stays(["start P on activation", "kill P on activation", ""], "", 2);
+    stays(["start P on activation", "kill P on deactivation", ""], "", 2);
+    // Where one hands over to the other, these restart.
+    let pair = "start P on activation kill P on deactivation";
+    stays([pair, pair, ""], "", 4);
+    stays([pair, "run P", ""], "", 3);
+    // Orders activate it while nothing runs it.
+    stays(["run P", "force P{11}", ""], "", 1);
+    stays(["run P", "force P{INIT}", ""], "", 1);
+    // Frozen or killed, MAIN does the same to P.
+    stays(["run P", "", ""], "grafcet TOP { initial step 90 { freeze MAIN on deactivation } }", 2);
+    // What P starts is killed with P.
+    let q = |actions: &str| {
+        format!(
+            "grafcet X11/E {{ initial activated step 20 {{ {actions} }} step 21 transition 20 -> 21 : a }}
+             child grafcet Q of P {{ initial step 30 }}"
+        )
+    };
+    let more = q("start Q on activation").replace("X11/E", "X10/E");
+    let text = |more: &str| {
+        format!(
+            "input a : bool
+             grafcet MAIN {{ initial step 0 {{ run P }} }}
+             child grafcet P of MAIN {{ initial enclosing step 10 }}
+             {more}"
+        )
+    };
+    assert_eq!(nested(&text(&more), &["P", "Q"]), (vec![vec![], vec![]], 2));
+    let more = q("run Q").replace("X11/E", "X10/E");
+    let expected = vec![vec!["0".to_owned()], vec!["10".to_owned()], vec!["20".to_owned()]];
+    assert_eq!(nested(&text(&more), &["P", "E", "Q"]), (expected, 0));
+}
+
+#[test]
+fn a_nested_child_begins_with_what_runs_it_and_is_not_frozen_with_it() {
+    let net = flat(
+        "grafcet TOP { initial step 90 { force MAIN{*} } }
+         grafcet MAIN { initial step 1 { run P } }
+         child grafcet P of MAIN { initial enclosing step 10 step 11 transition 10 -> 11 : 1 transition -> 11 : 1 }
+         grafcet X10/E { activated step 20 initial step 21 }",
+        false,
+    );
+    let of = |wanted: fn(&grafc_net::net::Place) -> bool| {
+        let steps: Vec<StepId> = net.places.indices().filter(|s| wanted(&net.places[*s])).collect();
+        labels(&net, &steps)
+    };
+    // 20, since links of what a child encloses count at the start (R15).
+    assert_eq!(of(|place| place.initial), ["90", "1", "10", "20"]);
+    assert_eq!(of(|place| place.activated), ["10", "20"]);
+    let frozen_with: Vec<bool> = net.grafcets.iter().map(|g| g.frozen_with.is_some()).collect();
+    assert_eq!(frozen_with, [false; 4]);
+    assert!(net.transitions.iter().all(|t| labels(&net, &t.within) == ["1"]), "source transitions as well");
 }
 
 /// The arcs of a net in which no two places hand over to each other: `1 2 -> 3`.
@@ -264,10 +370,10 @@ fn a_new_place_stands_where_the_one_after_it_stands() {
     );
     let (id, place) = net.places.iter_enumerated().next_back().expect("a place");
     assert_eq!(place.label, "S1_E1");
-    assert_eq!(place.within.map(|e| net.places[e].label.as_str()), Some("1"));
+    assert_eq!(labels(&net, &place.within), ["1"]);
     assert_eq!(net.grafcets[place.grafcet].name, "G2");
     assert!(net.macro_steps[MacroId::new(0)].places.contains(&id), "the macro-step is active with it");
-    assert_eq!(net.transitions.last().and_then(|t| t.within), place.within);
+    assert_eq!(net.transitions.last().map(|t| &t.within), Some(&place.within));
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Each invariant of a net, broken: [`verify()`] must say so.
 
 use grafc_diagnostics::{Diagnostics, FileId};
-use grafc_model::chart::{GrafcetId, MacroId, Order, Situation, StepId, TransitionId};
-use grafc_net::net::{Forced, RankedOrder};
+use grafc_model::chart::{GrafcetId, MacroId, Order, Run, Situation, StepId, TransitionId};
+use grafc_net::net::{Forced, RankedOrder, Steps};
 use grafc_net::{Fact, Net, build, passes, verify};
 
 /// Macro-steps, orders, nested enclosures and a ring of two.
@@ -23,16 +23,27 @@ const TEXT: &str = "
 ";
 
 fn built() -> Net {
-    let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), TEXT);
+    net(TEXT)
+}
+
+fn net(text: &str) -> Net {
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::default(), text);
     assert!(!diagnostics.has_errors(), "{diagnostics:?}");
     let (chart, diagnostics) = grafc_model::check(&tree, "chart");
     build(&chart.unwrap_or_else(|| panic!("{diagnostics:?}")))
 }
 
 fn flat() -> Net {
-    let mut net = built();
+    passed(built())
+}
+
+fn passed(mut net: Net) -> Net {
     passes::run(&mut net, true, &mut Diagnostics::new());
     net
+}
+
+fn within(step: usize) -> Steps {
+    [StepId::new(step)].into_iter().collect()
 }
 
 fn step(net: &Net, label: &str) -> StepId {
@@ -59,8 +70,8 @@ fn ids_lie_in_their_tables() {
     let (net, far) = (flat(), StepId::new(99));
     let g3 = grafcet(&net, "G3");
     broken(&net, "place 99", |n| n.transitions[TransitionId::new(0)].pre.push(far));
-    broken(&net, "place 99", |n| n.transitions[TransitionId::new(0)].within = Some(far));
-    broken(&net, "place 99", |n| n.places[StepId::new(0)].within = Some(far));
+    broken(&net, "place 99", |n| n.transitions[TransitionId::new(0)].within = within(99));
+    broken(&net, "place 99", |n| n.places[StepId::new(0)].within = within(99));
     broken(&net, "place 99", |n| n.grafcets[g3].steps.push(far));
     broken(&net, "place 99", |n| n.grafcets[g3].enclosing_step = Some(far));
     broken(&net, "place 99", |n| n.macro_steps[MacroId::new(0)].places.push(far));
@@ -149,11 +160,9 @@ fn facts_hold() {
     broken(&net, "still has an enclosing step", |n| n.grafcets[g3].enclosing_step = Some(step(n, "20")));
     broken(&net, "not within the same place", |n| {
         let s = step(n, "31");
-        n.places[s].within = None;
+        n.places[s].within.clear();
     });
-    broken(&net, "not within the same place", |n| {
-        n.transitions.last_mut().expect("the last").within = Some(StepId::new(0))
-    });
+    broken(&net, "not within the same place", |n| n.transitions.last_mut().expect("the last").within = within(0));
     broken(&net, "hand over to each other", |n| {
         let (one, two) = (step(n, "1"), step(n, "2"));
         let back = n.transitions.iter_mut().find(|t| t.pre[..] == [two]).expect("2 -> 2_1");
@@ -170,5 +179,51 @@ fn nothing_is_said_before_its_pass() {
     broken(&net, "orders are ranked", |n| n.grafcets[g3].orders.push(order.clone()));
     broken(&net, "before the start", |n| n.conflict_at_start = true);
     broken(&net, "freezing is closed", |n| n.grafcets[g3].frozen_with = Some(GrafcetId::new(0)));
-    broken(&net, "enclosure is flat", |n| n.places[StepId::new(0)].within = Some(StepId::new(1)));
+    broken(&net, "enclosure is flat", |n| n.places[StepId::new(0)].within = within(1));
+}
+
+/// A child that steps of its parent run, and an enclosure in it.
+const RUN: &str = "
+    input a : bool
+    grafcet G1 { initial step 1 { run G2 } step 2 { run G2 } step 3 transition 1 -> 2 : a transition 2 -> 3 : a }
+    child grafcet G2 of G1 { initial enclosing step 20 step 21 transition 20 -> 21 : a }
+    grafcet X20/G3 { initial activated step 30 }
+";
+
+#[test]
+fn a_nested_child_follows_its_steps_alone() {
+    let net = passed(net(RUN));
+    let g2 = grafcet(&net, "G2");
+    assert_eq!(net.within(g2), [step(&net, "1"), step(&net, "2")]);
+    broken(&net, "is nested, and", |n| {
+        let (run, span) = (step(n, "3"), n.grafcets[g2].span);
+        n.runs.push(Run { step: run, grafcet: g2, span });
+    });
+    // Step 1, which runs it, is initial; without it nothing is.
+    broken(&net, "is initial within", |n| {
+        let one = step(n, "1");
+        n.places[one].initial = false;
+    });
+    broken(&net, "is frozen with", |n| n.grafcets[g2].frozen_with = Some(grafcet(n, "G1")));
+    let around = |steps: [usize; 2]| -> Steps { steps.into_iter().map(StepId::new).collect() };
+    let put = |n: &mut Net, steps: [usize; 2]| {
+        for s in n.grafcets[g2].steps.clone() {
+            n.places[s].within = around(steps);
+        }
+        n.transitions.iter_mut().filter(|t| t.grafcet == g2).for_each(|t| t.within = around(steps));
+    };
+    broken(&net, "out of order", |n| put(n, [1, 0]));
+    let other = passed(self::net(&format!("{RUN} grafcet G0 {{ initial step 9 }}")));
+    let last = step(&other, "9").index();
+    broken(&other, "of several grafcets", |n| {
+        let g0 = n.hierarchy.iter().position(|g| n.grafcets[*g].name == "G0").expect("G0");
+        let g0 = n.hierarchy.remove(g0);
+        n.hierarchy.insert(0, g0);
+        put(n, [0, last]);
+    });
+    broken(&self::net(RUN), "child is nested", |n| {
+        n.facts.push(Fact::NoEnclosures);
+        n.grafcets.iter_mut().for_each(|g| g.enclosing_step = None);
+        put(n, [0, 1]);
+    });
 }

@@ -31,8 +31,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "conflict-stays-lowered",
         at: COMPILER,
         breaks: "orders that disagree do not raise a flag again that an input has lowered (R2)",
-        text: "!task.events.is_empty() || conflicts",
-        instead: "!task.events.is_empty() || conflicts && false",
+        text: "!task.pulses.is_empty() || conflicts",
+        instead: "!task.pulses.is_empty() || conflicts && false",
     },
     Fault {
         name: "held-after-the-start",

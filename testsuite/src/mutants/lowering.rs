@@ -112,7 +112,7 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "pulse-again-untold",
-        at: COMPILER,
+        at: COMPILER.within("micro_step"),
         breaks: "what pulse orders change asks for another micro-step (R15)",
         text: "pulses.changes.iter().copied()",
         instead: "pulses.changes[..0].iter().copied()",
@@ -312,8 +312,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "source-clears-without-encloser",
         at: COMPILER,
         breaks: "a source transition clears while its enclosing step is inactive (R3)",
-        text: "transition.within.filter(|_| transition.pre.is_empty() || !simplify)",
-        instead: "None",
+        text: "!transition.within.is_empty() && (transition.pre.is_empty() || !simplify)",
+        instead: "false",
     },
     Fault {
         name: "set-and-reset-swapped",

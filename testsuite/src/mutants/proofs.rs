@@ -6,6 +6,13 @@ const COMPILER: At = At::anywhere(Part::Compiler);
 
 pub(super) const FAULTS: &[Fault] = &[
     Fault {
+        name: "commanded-steps-share-a-token",
+        at: COMPILER,
+        breaks: "steps that pulse orders act on are said to exclude each other (R15)",
+        text: "commanded[net.places[s].grafcet]",
+        instead: "false",
+    },
+    Fault {
         name: "joined-though-the-guard-changes",
         at: COMPILER,
         breaks: "statements share a guard that the first of them change",

@@ -9,7 +9,7 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "never-active-in-spite-of-a-link",
         at: COMPILER,
         breaks: "a step with an activation link is said never to be active (W0414)",
-        text: "possible.linked.entry(around).or_default().push(step);",
+        text: "possible.linked.entry(*around).or_default().push(step);",
         instead: "",
     },
     Fault {

@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 const INPUTS: [&str; 5] = ["a", "b", "c", "d", "e"];
 
 /// The text of a small Boolean chart. Children and pulse orders are drawn apart, so that charts without them stay as they are.
-pub(super) fn chart(rng: &mut Rng, commands: &mut Rng, name: &str) -> String {
+pub(super) fn chart(rng: &mut Rng, commands: &mut Rng, alone: &mut Rng, name: &str) -> String {
     let inputs = &INPUTS[..rng.usize(2..=5)];
     let mut out = format!("chart {name}\n\ninput {} : bool\noutput w, v : bool\nvar q : bool\n\n", inputs.join(", "));
     // Up to ten steps in up to three grafcets.
@@ -23,7 +23,9 @@ pub(super) fn chart(rng: &mut Rng, commands: &mut Rng, name: &str) -> String {
         .collect();
     // A later one may be commanded by pulses, and be a child.
     let commander: Vec<Option<Commander>> = (0..grafcets)
-        .map(|grafcet| (grafcet > 0 && encloser[grafcet].is_none()).then(|| Commander::draw(commands, grafcet))?)
+        .map(|grafcet| {
+            (grafcet > 0 && encloser[grafcet].is_none()).then(|| Commander::draw(commands, alone, grafcet))?
+        })
         .collect();
     for grafcet in 0..grafcets {
         let enclosed = encloser[grafcet];
@@ -65,8 +67,10 @@ pub(super) fn chart(rng: &mut Rng, commands: &mut Rng, name: &str) -> String {
                 actions.push(format!("force G{forced}{to}"));
             }
             for (target, by) in commander.iter().enumerate() {
-                if by.as_ref().is_some_and(|by| by.grafcet == grafcet) && commands.u8(0..5) < 3 {
-                    actions.push(pulse(commands, inputs, target));
+                let Some(by) = by.as_ref().filter(|by| by.grafcet == grafcet) else { continue };
+                if commands.u8(0..5) < 3 {
+                    let drawn = pulse(commands, inputs, target);
+                    actions.push(if by.is_alone { format!("run G{target}") } else { drawn });
                 }
             }
             let body = if actions.is_empty() { String::new() } else { format!(" {{ {} }}", actions.join("  ")) };
@@ -93,14 +97,17 @@ struct Commander {
     grafcet: usize,
     /// Whether the commanded one is its child.
     is_parent: bool,
+    /// Whether it does nothing but run it.
+    is_alone: bool,
 }
 
 impl Commander {
-    fn draw(rng: &mut Rng, commanded: usize) -> Option<Self> {
+    fn draw(rng: &mut Rng, alone: &mut Rng, commanded: usize) -> Option<Self> {
         if rng.u8(0..2) == 0 {
             return None;
         }
-        Some(Commander { grafcet: rng.usize(0..commanded), is_parent: rng.u8(0..3) > 0 })
+        let (grafcet, is_parent) = (rng.usize(0..commanded), rng.u8(0..3) > 0);
+        Some(Commander { grafcet, is_parent, is_alone: alone.bool() })
     }
 }
 

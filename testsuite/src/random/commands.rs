@@ -46,6 +46,32 @@ pub(super) fn draw(rng: &mut Rng, frames: &mut [Frame]) {
     }
 }
 
+/// Lets some children do nothing but run with steps of one frame of their parent, where they may be told nothing else.
+pub(super) fn leave_alone(rng: &mut Rng, frames: &mut [Frame]) {
+    for target in 0..frames.len() {
+        let Some(parent) = frames[target].parent.clone().filter(|_| rng.bool()) else { continue };
+        let name = frames[target].name.clone();
+        let is_of_it = |order: &String| order.split(' ').nth(1) == Some(name.as_str());
+        for frame in frames.iter_mut() {
+            frame.clearing.retain(|(_, order)| !is_of_it(order));
+            for node in &mut frame.nodes {
+                node.pulses.retain(|order| !is_of_it(order));
+                node.orders.retain(|order| !order.starts_with(&format!("{name}{{")) || rng.u8(0..4) == 0);
+            }
+        }
+        let Some(host) = frames.iter().position(|frame| frame.name == parent) else { continue };
+        for _ in 0..rng.usize(1..=3) {
+            let Some(step) = some_step(rng, &frames[host]) else { continue };
+            let node = &mut frames[host].nodes[step];
+            node.pulses.retain(|order| !is_of_it(order));
+            node.pulses.push(match rng.u8(0..6) {
+                0 => format!("start {name} on activation kill {name} on deactivation"),
+                _ => format!("run {name}"),
+            });
+        }
+    }
+}
+
 /// One order of a frame.
 fn command(rng: &mut Rng, host: &mut Frame, name: &str) {
     let word = ["start", "start", "start", "kill", "freeze", "resume", "resume"][rng.usize(0..7)];

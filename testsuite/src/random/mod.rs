@@ -53,12 +53,18 @@ pub struct Draw {
 /// What the seed of children and pulse orders differs by.
 const COMMANDS: u64 = 0x7075_6c73;
 
+/// What the seed of children that do nothing but run with steps differs by.
+const ALONE: u64 = 0x616c_6f6e;
+
 /// The text of the chart of a seed; nearly always free of errors.
 fn text(seed: u64, draw: Draw) -> String {
     let mut rng = fastrand::Rng::with_seed(seed);
     let name = format!("Random_{seed}");
     match draw.kind {
-        ChartKind::Boolean => boolean::chart(&mut rng, &mut fastrand::Rng::with_seed(seed ^ COMMANDS), &name),
+        ChartKind::Boolean => {
+            let [mut commands, mut alone] = [COMMANDS, ALONE].map(|apart| fastrand::Rng::with_seed(seed ^ apart));
+            boolean::chart(&mut rng, &mut commands, &mut alone, &name)
+        }
         ChartKind::Plain => plain::chart(&mut rng, &name),
         ChartKind::Flat | ChartKind::Hierarchical | ChartKind::Commanded => {
             let mut frames = structure::draw(&mut rng, draw.kind, draw.size);
@@ -74,6 +80,7 @@ fn text(seed: u64, draw: Draw) -> String {
                 }
                 _ => {}
             }
+            commands::leave_alone(&mut fastrand::Rng::with_seed(seed ^ ALONE), &mut frames);
             write::chart(&mut rng, &mut ink::Ink::new(seed), &name, &frames)
         }
     }

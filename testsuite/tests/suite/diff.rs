@@ -173,8 +173,8 @@ fn executors_are_chosen_by_name_and_by_group() {
         Ok(select(list)?.iter().map(|executor| executor.name().to_string()).collect())
     };
     assert_eq!(names("scan:switch-O0,net:built"), Ok(vec!["net:built".into(), "scan:switch-O0".into()]));
-    assert_eq!(names("net").unwrap().len(), 6);
-    assert_eq!(names("built-in").unwrap().len(), 1 + 6 + 8 + 1);
+    assert_eq!(names("net").unwrap().len(), 7);
+    assert_eq!(names("built-in").unwrap().len(), 1 + 7 + 8 + 1);
     let fault = names("net,nobody").unwrap_err();
     assert!(fault.starts_with("there is no executor `nobody`; there are simulator, net:built,"), "{fault}");
 }

@@ -198,7 +198,7 @@ impl Counts {
         self.conflicts += u32::from(net.conflict_at_start);
         self.frozen_with += u32::from(net.grafcets.iter().any(|g| g.frozen_with.is_some()));
         self.further += u32::from(pairs().any(|(c, n)| n.frozen_with.is_some() && n.frozen_with != around(c)));
-        self.within += u32::from(net.transitions.iter().any(|t| t.within.is_some() && t.pre.is_empty()));
+        self.within += u32::from(net.transitions.iter().any(|t| !t.within.is_empty() && t.pre.is_empty()));
     }
 }
 

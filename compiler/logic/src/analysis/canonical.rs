@@ -65,10 +65,10 @@ impl<'a> Canonical<'a> {
             transition_rank[*t] = TransitionId::from_usize(number);
         }
         let transition = transitions.iter().map(|(.., t)| *t).collect();
-        let places = steps.iter().map(|s| bare_place(&net.places[*s], &rank)).collect();
+        let places = steps.iter().map(|s| bare_place(&net.places[*s], &side)).collect();
         let transitions = transitions.into_iter().map(|(pre, post, t)| {
-            let Transition { grafcet, within, condition, span, .. } = net.transitions[t];
-            let within = within.map(|s| rank[s]);
+            let Transition { grafcet, ref within, condition, span, .. } = net.transitions[t];
+            let within = side(within);
             Transition { designation: None, comment: None, grafcet, pre, post, within, condition, span }
         });
         let grafcets: IndexVec<GrafcetId, Grafcet> = net.grafcets.iter().map(|g| bare_grafcet(g, &ranked)).collect();
@@ -110,8 +110,8 @@ fn is_sorted(net: &Net) -> bool {
         && net.grafcets.iter().map(|g| &g.steps).chain(forced).all(|steps| steps.is_sorted())
 }
 
-fn bare_place(place: &Place, rank: &IndexVec<StepId, StepId>) -> Place {
-    Place { comment: None, within: place.within.map(|s| rank[s]), ..place.clone() }
+fn bare_place(place: &Place, ranked: &impl Fn(&[StepId]) -> Steps) -> Place {
+    Place { comment: None, within: ranked(&place.within), ..place.clone() }
 }
 
 fn bare_grafcet(grafcet: &Grafcet, ranked: &impl Fn(&[StepId]) -> Vec<StepId>) -> Grafcet {

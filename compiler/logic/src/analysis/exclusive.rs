@@ -40,7 +40,7 @@ impl Analysis {
 
     /// A step and the steps around it, which are active whenever it is (I1).
     fn around(&self, step: StepId) -> impl Iterator<Item = StepId> {
-        std::iter::successors(Some(step), |s| self.net.places[*s].within).take(LOOKED_AT)
+        std::iter::successors(Some(step), |s| self.net.places[*s].encloser()).take(LOOKED_AT)
     }
 
     /// Whether an order of one step, or one that wins over it, keeps the other step inactive (R2, I2).

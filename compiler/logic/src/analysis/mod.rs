@@ -31,7 +31,7 @@ use crate::scan::{ActionId, Origin};
 use components::{Components, FoundComponents, Reason};
 use grafc_formula::FormulaId;
 use grafc_formula::exclusion::EdgeFacts;
-use grafc_model::chart::{Event, StepId, TransitionId};
+use grafc_model::chart::{Event, GrafcetId, StepId, TransitionId};
 use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
 use liveness::Liveness;
@@ -61,6 +61,8 @@ pub struct Analysis {
     pub(crate) rivals: Arc<Rivals>,
     /// Steps of parts of which one component holds every step.
     pub(crate) one_token: FxHashSet<StepId>,
+    /// Grafcets that pulse orders act on, of which nothing is proved.
+    pub(crate) commanded: IndexVec<GrafcetId, bool>,
     transients: OnceLock<Transients>,
     together: OnceLock<Together>,
     liveness: OnceLock<Liveness>,
@@ -73,13 +75,9 @@ impl Analysis {
         let arcs = Arcs::of(&net, |_| true);
         let conditions = Conditions::new(Lowering::new(net.clone(), None, false));
         let facts = EdgeFacts::new(&conditions.lowering.edges);
-        // What pulse orders may make of a situation is not looked into: nothing is proved of such a chart.
-        let found = if net.has_commands() {
-            FoundComponents::nothing(&net, Rivals::new(&net, &arcs, &conditions, &facts))
-        } else {
-            components::find(&net, &arcs, &facts, &conditions)
-        };
+        let found = components::find(&net, &arcs, &facts, &conditions);
         let FoundComponents { components, cover, reasons, reachable, rivals, one_token } = found;
+        let commanded = net.commanded();
         let (transients, together, liveness) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Analysis {
             net,
@@ -92,6 +90,7 @@ impl Analysis {
             reachable,
             rivals: Arc::new(rivals),
             one_token,
+            commanded,
             transients,
             together,
             liveness,
@@ -108,7 +107,7 @@ impl Analysis {
         (self.net, self.arcs, self.conditions, self.components, self.cover)
     }
 
-    /// How many micro-steps a reaction can need.
+    /// How many micro-steps a reaction can need; what pulse orders may make of a situation is not looked into.
     pub fn transients(&self) -> &Transients {
         let find = || if self.net.has_commands() { Transients::unknown() } else { transients::find(self) };
         self.transients.get_or_init(find)

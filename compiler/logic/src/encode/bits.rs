@@ -129,8 +129,8 @@ fn next_situation(
     }
     for g in &net.hierarchy {
         let grafcet = &net.grafcets[*g];
-        let within = grafcet.steps.first().and_then(|s| net.places[*s].within);
-        let within = within.and_then(|e| clearings.next[e]);
+        let within =
+            settle::around(lowering, *g, |lowering, e| clearings.next[e].unwrap_or_else(|| lowering.active(e)));
         let known = &clearings.next;
         let mut next = |lowering: &mut Lowering, s: StepId| known[s].unwrap_or_else(|| lowering.active(s));
         let in_force = settle::orders(lowering, task.components, *g, within, &mut next, &mut statements);

@@ -24,10 +24,13 @@ pub(crate) fn clears(
     frozen: &Frozen,
     simplify: bool,
 ) -> Vec<FormulaId> {
-    let transition = &lowering.net.transitions[t];
-    let within = transition.within.filter(|_| transition.pre.is_empty() || !simplify);
+    let net = &*lowering.net.clone();
+    let transition = &net.transitions[t];
     let mut factors: Vec<FormulaId> = Vec::with_capacity(transition.pre.len() + 3);
-    factors.extend(within.iter().chain(&transition.pre).map(|s| lowering.active(*s)));
+    if !transition.within.is_empty() && (transition.pre.is_empty() || !simplify) {
+        factors.push(lowering.one_active(&transition.within));
+    }
+    factors.extend(transition.pre.iter().map(|s| lowering.active(*s)));
     if let Some(frozen) = frozen[transition.grafcet] {
         factors.push(lowering.pool.not(frozen));
     }

@@ -59,8 +59,6 @@ pub(crate) fn micro_step(
         Encoding::SinglePhase | Encoding::RTrigger | Encoding::STrigger | Encoding::Sequent => {
             bits::micro_step(lowering, cx, task, input_event, out);
         }
-        // Where pulse orders act, no steps are proved to exclude each other: each has a bit.
-        Encoding::Switch if lowering.net.has_commands() => bits::micro_step(lowering, cx, task, input_event, out),
         Encoding::Switch => out.extend(switch::micro_step(lowering, cx, task, input_event)),
     }
 }

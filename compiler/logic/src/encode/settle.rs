@@ -9,6 +9,8 @@
 //! N_i    = N_e AND ( (f_w of the orders that force i)  OR  NOT (f_w of any order but {*}) AND (own OR link AND NOT X_e) )
 //! ```
 //!
+//! A child that steps run is within all of them: `X_e` and `N_e` are the disjunctions of theirs.
+//!
 //! `own` is what clearings alone would make of the step; which factors and terms there are is known here, so that a step
 //! on which nothing acts keeps the short formula.
 
@@ -48,11 +50,9 @@ pub(crate) fn frozen(lowering: &mut Lowering) -> (Frozen, Vec<Statement>) {
 
 /// Places whose next activity others read, or that more than clearings act on.
 pub(crate) fn acted_on(net: &Net) -> IndexVec<StepId, bool> {
-    let mut found: IndexVec<StepId, bool> = net.places.iter().map(|place| place.within.is_some()).collect();
+    let mut found: IndexVec<StepId, bool> = net.places.iter().map(|place| !place.within.is_empty()).collect();
     for place in &net.places {
-        if let Some(e) = place.within {
-            found[e] = true;
-        }
+        place.within.iter().for_each(|e| found[*e] = true);
     }
     for grafcet in &net.grafcets {
         let sets = grafcet.orders.iter().any(|order| matches!(order.forced, Forced::Steps(_)));
@@ -68,11 +68,25 @@ pub(crate) fn acted_on(net: &Net) -> IndexVec<StepId, bool> {
     found
 }
 
+/// The next activity of what a grafcet is within: of one of these steps, if there are any.
+pub(crate) fn around(
+    lowering: &mut Lowering,
+    g: GrafcetId,
+    next: impl Fn(&mut Lowering, StepId) -> FormulaId,
+) -> Option<FormulaId> {
+    let net = &*lowering.net.clone();
+    let steps: Vec<FormulaId> = net.within(g).iter().map(|e| next(lowering, *e)).collect();
+    (!steps.is_empty()).then(|| lowering.pool.or(steps))
+}
+
 /// What clearings make of a step, and the link that activates it with the step around it (R5a).
 pub(crate) fn linked(lowering: &mut Lowering, s: StepId, own: FormulaId) -> FormulaId {
-    let place = &lowering.net.places[s];
-    let Some(e) = place.within.filter(|_| place.activated) else { return own };
-    let was = lowering.active(e);
+    let net = &*lowering.net.clone();
+    let place = &net.places[s];
+    if place.within.is_empty() || !place.activated {
+        return own;
+    }
+    let was = lowering.one_active(&place.within);
     let fresh = lowering.pool.not(was);
     lowering.pool.or([own, fresh])
 }

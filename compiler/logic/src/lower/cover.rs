@@ -54,9 +54,13 @@ impl Cover {
     /// Whether nothing has to wait: without enclosures, forced situations and stored actions, and with a set for every
     /// step, a transition moves its states and switches their outputs itself.
     pub(crate) fn moves_in_place(&self, net: &Net) -> bool {
-        let enclosed = net.places.iter().any(|place| place.within.is_some());
+        let enclosed = net.places.iter().any(|place| !place.within.is_empty());
         let covered = self.of_step.iter().all(Option::is_some) && self.sets.iter().any(|set| set.steps.len() > 1);
-        covered && !enclosed && net.stored.is_empty() && net.grafcets.indices().all(|g| !is_forced(net, g))
+        covered
+            && !enclosed
+            && !net.has_commands()
+            && net.stored.is_empty()
+            && net.grafcets.indices().all(|g| !is_forced(net, g))
     }
 }
 

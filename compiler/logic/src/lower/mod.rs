@@ -458,6 +458,12 @@ impl Lowering {
         }
     }
 
+    /// Whether one of these steps is active.
+    pub(crate) fn one_active(&mut self, steps: &[StepId]) -> FormulaId {
+        let active: Vec<FormulaId> = steps.iter().map(|s| self.active(*s)).collect();
+        self.pool.or(active)
+    }
+
     /// Whether a pulse order has frozen a grafcet (R15).
     pub(crate) fn is_frozen(&mut self, g: GrafcetId) -> FormulaId {
         match self.frozen_bits.frozen[g] {

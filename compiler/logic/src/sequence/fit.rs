@@ -52,8 +52,13 @@ fn hierarchy(net: &Net, reasons: &mut Reasons) {
         for order in &grafcet.orders {
             reasons.add(order.span, "a forcing order");
         }
-        if grafcet.steps.iter().any(|s| net.places[*s].within.is_some()) {
-            reasons.add(grafcet.span, "an enclosure");
+        if grafcet.steps.iter().any(|s| !net.places[*s].within.is_empty()) {
+            let what = if grafcet.child {
+                "a child that steps run, for which IEC 61131-3 has no form"
+            } else {
+                "an enclosure"
+            };
+            reasons.add(grafcet.span, what);
         }
     }
 }

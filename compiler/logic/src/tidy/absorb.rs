@@ -37,7 +37,7 @@ pub(crate) fn restrict(
         let mut known: FxHashMap<FormulaId, FormulaId> = FxHashMap::default();
         for f in lowering.pool.below(conditions[t]) {
             let Some(s) = step_of.get(&f) else { continue };
-            let active = transition.pre.contains(s) || transition.within == Some(*s);
+            let active = transition.pre.contains(s) || transition.encloser() == Some(*s);
             let excluded = !active
                 && transition.pre.iter().any(|p| components.of(*p).iter().any(|c| components.of(*s).contains(c)));
             if active || excluded {

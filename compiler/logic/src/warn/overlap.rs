@@ -72,8 +72,9 @@ fn seen(analysis: &Analysis, options: &Options) -> Option<(Span, String)> {
     if analysis.net().options.over(options.profile).evolution == Evolution::Scan {
         return Some((start, "with `--evolution scan` it is there at the end of a call".to_owned()));
     }
-    if let Some(grafcet) = net.grafcets.iter().find(|g| g.steps.iter().any(|s| net.places[*s].within.is_some())) {
-        return Some((grafcet.span, format!("the enclosure `{}` sees both of its enclosing grafcet", grafcet.name)));
+    if let Some(grafcet) = net.grafcets.iter().find(|g| g.steps.iter().any(|s| !net.places[*s].within.is_empty())) {
+        let what = if grafcet.child { "child" } else { "enclosure" };
+        return Some((grafcet.span, format!("the {what} `{}` sees both of the grafcet around it", grafcet.name)));
     }
     if let Some(order) = net.grafcets.iter().find_map(|g| g.orders.first()) {
         return Some((order.span, "a forcing order acts while both are active".to_owned()));

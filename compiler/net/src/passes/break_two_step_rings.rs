@@ -98,7 +98,8 @@ fn rings(net: &Net) -> Vec<Ring> {
 
 /// Makes the place between the others and the first, and the transition from it to the first.
 fn insert(net: &mut Net, ring: &Ring, always: ExprId, labels: &mut HashSet<EcoString>) -> StepId {
-    let Place { grafcet, within, .. } = net.places[ring.first];
+    let Place { grafcet, ref within, .. } = net.places[ring.first];
+    let within = within.clone();
     let span = net.transitions[ring.back[0]].span;
     let joined = format!("{}_{}", net.places[ring.other].label, net.places[ring.first].label);
     let label = unused(joined.into(), labels);
@@ -108,7 +109,7 @@ fn insert(net: &mut Net, ring: &Ring, always: ExprId, labels: &mut HashSet<EcoSt
         grafcet,
         initial: false,
         activated: false,
-        within,
+        within: within.clone(),
         started: false,
         saved: false,
         auxiliary: true,

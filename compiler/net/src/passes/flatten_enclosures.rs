@@ -22,10 +22,10 @@ pub const PASS: Pass = Pass {
 
 fn run(net: &mut Net, _diagnostics: &mut Diagnostics) {
     for place in &mut net.places {
-        place.within = net.grafcets[place.grafcet].enclosing_step;
+        place.within = net.grafcets[place.grafcet].enclosing_step.into_iter().collect();
     }
     for transition in &mut net.transitions {
-        transition.within = net.grafcets[transition.grafcet].enclosing_step;
+        transition.within = net.grafcets[transition.grafcet].enclosing_step.into_iter().collect();
     }
     for grafcet in &mut net.grafcets {
         grafcet.enclosing_step = None;

@@ -7,6 +7,7 @@ mod break_two_step_rings;
 mod close_freezing;
 mod expand_macro_steps;
 mod flatten_enclosures;
+mod nest_children;
 mod rank_orders;
 mod settle_start;
 
@@ -34,6 +35,7 @@ pub const ORDER: &[Pass] = &[
     settle_start::PASS,
     close_freezing::PASS,
     flatten_enclosures::PASS,
+    nest_children::PASS,
     break_two_step_rings::PASS,
 ];
 

@@ -2,7 +2,7 @@
 //! filled in what belongs to a later one.
 
 use super::tables::ascending;
-use crate::net::{Fact, Forced, Grafcet, Net};
+use crate::net::{Fact, Forced, Net};
 use grafc_model::chart::{GrafcetId, StepId, TransitionId};
 use index_vec::IndexVec;
 
@@ -14,6 +14,7 @@ pub(super) fn verify(net: &Net) -> Result<(), String> {
             Fact::SettledStart => settled_start(net)?,
             Fact::ClosedFreezing => closed_freezing(net)?,
             Fact::NoEnclosures => no_enclosures(net)?,
+            Fact::NestedChildren => nested_children(net)?,
             Fact::NoTwoStepRings => no_two_step_rings(net)?,
         }
     }
@@ -27,9 +28,13 @@ pub(super) fn verify(net: &Net) -> Result<(), String> {
     if lacks(Fact::ClosedFreezing) && net.grafcets.iter().any(|g| g.frozen_with.is_some()) {
         return Err("some freezing is closed".into());
     }
-    let within = net.places.iter().map(|s| s.within).chain(net.transitions.iter().map(|t| t.within));
-    if lacks(Fact::NoEnclosures) && within.flatten().next().is_some() {
+    let mut within = net.places.iter().map(|s| &s.within).chain(net.transitions.iter().map(|t| &t.within));
+    if lacks(Fact::NoEnclosures) && within.any(|around| !around.is_empty()) {
         return Err("some enclosure is flat".into());
+    }
+    let is_nested = |g: GrafcetId| net.grafcets[g].child && !net.within(g).is_empty();
+    if lacks(Fact::NestedChildren) && net.grafcets.indices().any(is_nested) {
+        return Err("some child is nested".into());
     }
     Ok(())
 }
@@ -61,8 +66,8 @@ fn ranked_orders(net: &Net) -> Result<(), String> {
 }
 
 /// What a grafcet is within, at any stage. One without places and transitions does not say once it is flat.
-fn enclosing(net: &Net, grafcet: &Grafcet) -> Option<StepId> {
-    grafcet.enclosing_step.or_else(|| grafcet.steps.first().and_then(|s| net.places[*s].within))
+fn around(net: &Net, g: GrafcetId) -> &[StepId] {
+    net.grafcets[g].enclosing_step.as_ref().map_or_else(|| net.within(g), std::slice::from_ref)
 }
 
 fn settled_start(net: &Net) -> Result<(), String> {
@@ -72,7 +77,8 @@ fn settled_start(net: &Net) -> Result<(), String> {
         if let Some(s) = active.iter().find(|s| net.places[**s].auxiliary) {
             return Err(format!("{s} is initial, but no step"));
         }
-        if let Some(e) = enclosing(net, grafcet).filter(|e| !net.places[*e].initial) {
+        let around = around(net, g);
+        if let Some(e) = around.first().filter(|_| !around.iter().any(|e| net.places[*e].initial)) {
             if let Some(s) = active.first() {
                 return Err(format!("{s} is initial within {e}, which is not"));
             }
@@ -99,8 +105,9 @@ fn closed_freezing(net: &Net) -> Result<(), String> {
     let mut expected: IndexVec<GrafcetId, Option<GrafcetId>> = net.grafcets.iter().map(|_| None).collect();
     for g in &net.hierarchy {
         let grafcet = &net.grafcets[*g];
-        if let Some(e) = enclosing(net, grafcet) {
-            let around = net.places[e].grafcet;
+        // An order that freezes what runs a child leaves the child alone.
+        if let Some(e) = around(net, *g).first().filter(|_| !grafcet.child) {
+            let around = net.places[*e].grafcet;
             expected[*g] = if net.grafcets[around].orders.is_empty() { expected[around] } else { Some(around) };
         }
         if grafcet.frozen_with != expected[*g] && !grafcet.steps.is_empty() {
@@ -117,12 +124,16 @@ fn no_enclosures(net: &Net) -> Result<(), String> {
     let mut seen: IndexVec<GrafcetId, bool> = net.grafcets.iter().map(|_| false).collect();
     for g in &net.hierarchy {
         let grafcet = &net.grafcets[*g];
-        let within = enclosing(net, grafcet);
-        if let Some(s) = grafcet.steps.iter().find(|s| net.places[**s].within != within) {
+        let within = net.within(*g);
+        if let Some(s) = grafcet.steps.iter().find(|s| net.places[**s].within[..] != *within) {
             return Err(format!("{s} and its neighbours are not within the same place"));
         }
-        if let Some(e) = within.filter(|e| !seen[net.places[*e].grafcet]) {
+        ascending("the places around a grafcet", within)?;
+        if let Some(e) = within.iter().find(|e| !seen[net.places[**e].grafcet]) {
             return Err(format!("{g} comes before the grafcet of {e}, which it is within"));
+        }
+        if within.iter().any(|e| net.places[*e].grafcet != net.places[within[0]].grafcet) {
+            return Err(format!("{g} is within places of several grafcets"));
         }
         seen[*g] = true;
     }
@@ -132,6 +143,14 @@ fn no_enclosures(net: &Net) -> Result<(), String> {
         }
     }
     Ok(())
+}
+
+fn nested_children(net: &Net) -> Result<(), String> {
+    let is_nested = |g: &GrafcetId| net.grafcets[*g].child && !net.within(*g).is_empty();
+    match net.commands().find(|(_, commanded)| is_nested(commanded)) {
+        None => Ok(()),
+        Some((by, g)) => Err(format!("{g} is nested, and {by} commands it")),
+    }
 }
 
 fn no_two_step_rings(net: &Net) -> Result<(), String> {

@@ -68,7 +68,7 @@ fn places(net: &Net) -> Result<(), String> {
     if listed != net.places.len() {
         return Err("a place is not listed by its grafcet".into());
     }
-    net.places.iter().filter_map(|place| place.within).try_for_each(|e| in_table("place", e, &net.places))
+    net.places.iter().flat_map(|place| &place.within).try_for_each(|e| in_table("place", *e, &net.places))
 }
 
 pub(super) fn ascending(what: &str, steps: &[StepId]) -> Result<(), String> {
@@ -95,9 +95,7 @@ fn arcs(net: &Net) -> Result<(), String> {
                 }
             }
         }
-        if let Some(e) = transition.within {
-            in_table("place", e, &net.places)?;
-        }
+        transition.within.iter().try_for_each(|e| in_table("place", *e, &net.places))?;
         in_table("expression", transition.condition, &net.exprs)?;
     }
     Ok(())

@@ -88,6 +88,25 @@ fn a_lower_graph_stands_still_while_the_upper_one_is_elsewhere() {
     assert_eq!(edges, pairs(expected));
 }
 
+/// The same with the lower graph as a child: it does not stand still while the upper one is at 1, but begins anew at 2;
+/// from 2 to 0 the one vertex hands over to the other, and it goes on.
+#[test]
+fn a_child_that_two_vertices_run_begins_anew_but_for_a_hand_over() {
+    let text = "chart Nested
+        input x0, xi, xj : bool
+        grafcet U {
+          initial step U0 { run L } step U1 step U2 { run L }
+          transition U0 -> U1 : ↑x0 transition U1 -> U2 : ↑x0 transition U2 -> U0 : ↑x0
+        }
+        child grafcet L of U {
+          initial step L0 step L1
+          transition L0 -> L1 : xi and not xj transition L1 -> L0 : xj and not xi
+        }";
+    let (nodes, edges) = nodes_and_edges(&explored(text));
+    assert_eq!(nodes, ["00", "01", "1", "20", "21"]);
+    assert_eq!(edges, pairs("00-01 00-1 01-00 01-1 1-20 1-21 20-00 20-01 20-21 21-00 21-01 21-20"));
+}
+
 /// \"A process begun is finished\": the upper arcs wait for it, and graph and tests shrink (figure 12.38).
 #[test]
 fn where_a_process_begun_is_finished_the_graph_shrinks() {

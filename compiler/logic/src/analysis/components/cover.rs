@@ -59,7 +59,7 @@ fn always_marked(net: &Net, around: &Surroundings, component: &Component) -> boo
     let into: FxHashSet<TransitionId> = component.own.iter().flat_map(|s| around.entering(*s)).copied().collect();
     let keeps = |t: &TransitionId| into.contains(t);
     component.initial.is_some()
-        && place.within.is_none()
+        && place.within.is_empty()
         && forced(&net.grafcets[place.grafcet]).count() == component.forced.len()
         && component.own.iter().all(|s| around.leaving(*s).iter().all(keeps))
 }
@@ -184,7 +184,7 @@ impl<'f> Groups<'f> {
 /// Whether the own steps of a component have an initial one, and one with a link.
 fn initial_and_link(net: &Net, component: &Component) -> (bool, bool) {
     let own = || component.own.iter().map(|s| &net.places[*s]);
-    (own().any(|place| place.initial), own().any(|place| place.activated && place.within.is_some()))
+    (own().any(|place| place.initial), own().any(|place| place.activated && !place.within.is_empty()))
 }
 
 /// For each region those that some transition touches as well, itself too; none if there are many. Regions of different

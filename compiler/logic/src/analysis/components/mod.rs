@@ -15,6 +15,9 @@
 //! was inactive, and nothing in it has cleared: by 4 the links bring at most one token. An order leaves what it finds
 //! or makes the situation the forced one, and then 5 holds.
 //!
+//! What pulse orders (R15) make of a grafcet is not looked into: of those on which they act no step is in a component. What
+//! such a grafcet encloses is as any enclosure: its enclosing step is activated and deactivated in other ways, but it is.
+//!
 //! What follows is used to keep formulas short: where nothing but clearings acts on a step, the step that the token
 //! comes to was inactive, and a clearing that does not lead back changes the situation. What does not follow: that the
 //! token moves along transitions. A link and an order bring one from nowhere, and an order also from any step to any
@@ -54,7 +57,7 @@ use super::rivals::Rivals;
 use crate::lower::cover::{Cover, CoverSet};
 use cover::Arranged;
 use grafc_formula::exclusion::EdgeFacts;
-use grafc_model::chart::{StepId, TransitionId};
+use grafc_model::chart::{GrafcetId, StepId, TransitionId};
 use grafc_net::net::{Forced, Grafcet};
 use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
@@ -115,20 +118,6 @@ pub(crate) struct FoundComponents {
     pub(crate) one_token: FxHashSet<StepId>,
 }
 
-impl FoundComponents {
-    /// Nothing is found but the rivals.
-    pub(crate) fn nothing(net: &Net, rivals: Rivals) -> Self {
-        FoundComponents {
-            components: Components::none(net),
-            cover: Cover { sets: Vec::new(), of_step: net.places.iter().map(|_| None).collect() },
-            reasons: net.places.indices().map(|s| (s, Reason::Commanded)).collect(),
-            reachable: Reachable::nothing(net),
-            rivals,
-            one_token: FxHashSet::default(),
-        }
-    }
-}
-
 /// A set of the cover, and the other steps of its component, as far as they are written out.
 struct Written {
     set: CoverSet,
@@ -140,14 +129,16 @@ pub(crate) fn find(net: &Net, arcs: &Arcs, facts: &EdgeFacts, conditions: &Condi
     let canonical = Canonical::new(net, arcs);
     let rivals = Rivals::new(net, arcs, conditions, facts);
     let parts = parts::parts(&canonical);
+    let commanded = net.commanded();
     let to_write = WRITTEN * net.places.len();
     let mut apart = FxHashSet::default();
-    let mut arranged = search(&canonical, &rivals, &apart);
+    let mut arranged = search(&canonical, &rivals, &commanded, &apart);
     let one_token = |part: &Part, arranged: &Arranged| {
         let set = part.steps.first().and_then(|s| arranged.cover.of_step[*s]);
         set.is_some_and(|set| arranged.cover.sets[set].steps.len() == part.steps.len())
     };
-    let wanted = |part: &Part| !one_token(part, &arranged);
+    let is_commanded = |part: &Part| part.steps.first().is_some_and(|s| commanded[canonical.net.places[*s].grafcet]);
+    let wanted = |part: &Part| !one_token(part, &arranged) && !is_commanded(part);
     let reachable = Reachable::find(&canonical, &parts, conditions, facts, &rivals, wanted);
     for _ in 0..ROUNDS {
         let unknown = |t: TransitionId| net.transitions[t].pre.first().is_none_or(|s| reachable.part(*s).is_none());
@@ -162,7 +153,7 @@ pub(crate) fn find(net: &Net, arcs: &Arcs, facts: &EdgeFacts, conditions: &Condi
             break;
         }
         apart.extend(found);
-        arranged = search(&canonical, &rivals, &apart);
+        arranged = search(&canonical, &rivals, &commanded, &apart);
     }
     let whole = parts.iter().filter(|part| one_token(part, &arranged)).flat_map(|part| &part.steps);
     let one_token = whole.map(|s| canonical.step[*s]).collect();
@@ -178,11 +169,19 @@ pub(crate) fn find(net: &Net, arcs: &Arcs, facts: &EdgeFacts, conditions: &Condi
 }
 
 /// What the search finds, by canonical ids. Of rivals that are known to be `apart` at most one clears.
-fn search(canonical: &Canonical, rivals: &Rivals, apart: &FxHashSet<(TransitionId, TransitionId)>) -> Arranged {
+fn search(
+    canonical: &Canonical,
+    rivals: &Rivals,
+    commanded: &IndexVec<GrafcetId, bool>,
+    apart: &FxHashSet<(TransitionId, TransitionId)>,
+) -> Arranged {
     let (net, arcs) = (&*canonical.net, &*canonical.arcs);
     let around = Surroundings::new(net, arcs);
     let undecided = net.places.indices().map(|s| {
         let leaving = arcs.leaving(s);
+        if commanded[net.places[s].grafcet] {
+            return Some(Reason::Commanded);
+        }
         if rivals.many(canonical.step[s]) {
             return Some(Reason::Many(leaving.len()));
         }

@@ -246,7 +246,7 @@ impl<'n> Search<'n> {
             return Err(self.contradiction(Reason::Initial(other, s), other, s));
         }
         if place.activated
-            && place.within.is_some()
+            && !place.within.is_empty()
             && let Some(other) = self.link.replace(s)
         {
             return Err(self.contradiction(Reason::Links(other, s), other, s));

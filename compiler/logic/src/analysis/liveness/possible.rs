@@ -103,7 +103,7 @@ fn refuted(asked: &mut Questions, constant: &[Constant]) -> IndexVec<TransitionI
         }
         let transition = &net.transitions[t];
         let reads_steps = reads_steps(net, transition.condition);
-        if !reads_steps && transition.pre.len() + usize::from(transition.within.is_some()) < 2 {
+        if !reads_steps && transition.pre.len() + usize::from(transition.encloser().is_some()) < 2 {
             continue;
         }
         let needed = needed(net, t);
@@ -131,7 +131,7 @@ fn reads_steps(net: &Net, condition: ExprId) -> bool {
 fn needed(net: &Net, t: TransitionId) -> Steps {
     let transition = &net.transitions[t];
     let mut needed = transition.pre.clone();
-    needed.extend(transition.within);
+    needed.extend(transition.encloser());
     let (mut first, mut open) = (Some(transition.condition), Vec::new());
     while let Some(e) = first.take().or_else(|| open.pop()) {
         match net.exprs[e].kind {
@@ -205,8 +205,8 @@ impl<'n> Possible<'n> {
             needed.into_iter().for_each(|step| possible.waiting[step].push(t));
         }
         for (step, place) in net.places.iter_enumerated().filter(|(_, place)| place.activated) {
-            if let Some(around) = place.within {
-                possible.linked.entry(around).or_default().push(step);
+            for around in &place.within {
+                possible.linked.entry(*around).or_default().push(step);
             }
         }
         for order in net.grafcets.iter().flat_map(|grafcet| &grafcet.orders) {
@@ -227,13 +227,11 @@ impl<'n> Possible<'n> {
     }
 
     fn activate(&mut self, step: StepId) {
-        match self.net.places[step].within {
-            Some(around) if !self.active[around] => self.enclosed.entry(around).or_default().push(step),
-            Some(_) | None if !self.active[step] => {
-                self.active[step] = true;
-                self.new.push(step);
-            }
-            Some(_) | None => {}
+        let around = &self.net.places[step].within;
+        if !around.is_empty() && !around.iter().any(|e| self.active[*e]) {
+            around.iter().for_each(|e| self.enclosed.entry(*e).or_default().push(step));
+        } else if !std::mem::replace(&mut self.active[step], true) {
+            self.new.push(step);
         }
     }
 
@@ -278,7 +276,8 @@ fn idle(net: &Net, possible: &mut Possible) -> Vec<Idle> {
         let unmet = |t: TransitionId| needed(net, t).into_iter().find(|need| !possible.active[*need]);
         let place = &net.places[step];
         let is_meant = place.initial || place.activated || leads_to[step].is_some() || placed_by[step].is_some();
-        let around = place.within.filter(|around| is_meant && !possible.active[*around]);
+        let is_waiting = is_meant && !place.within.iter().any(|around| possible.active[*around]);
+        let around = place.within.first().copied().filter(|_| is_waiting);
         around.or_else(|| unmet(leads_to[step]?)).or_else(|| placed_by[step].filter(|step| !possible.active[*step]))
     };
     let mut found = Vec::new();

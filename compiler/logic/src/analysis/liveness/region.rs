@@ -62,7 +62,7 @@ impl<'q, 'a> Region<'q, 'a> {
     /// Whether the situation is changed by nothing but clearings.
     pub(super) fn is_alone(&self) -> bool {
         let grafcet = &self.net.grafcets[self.grafcet];
-        grafcet.orders.is_empty() && grafcet.steps.iter().all(|step| self.net.places[*step].within.is_none())
+        grafcet.orders.is_empty() && grafcet.steps.iter().all(|step| self.net.places[*step].within.is_empty())
     }
 
     fn guard(&self, t: TransitionId) -> &Guard {

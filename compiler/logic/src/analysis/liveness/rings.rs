@@ -71,13 +71,13 @@ impl Factors {
     fn of(asked: &Questions, never: &Never) -> Factors {
         let net = asked.analysis.net();
         let mut told_or_above: IndexVec<StepId, bool> = index_vec![false; net.places.len()];
-        let around = net.places.iter().filter_map(|place| place.within);
+        let around = net.places.iter().flat_map(|place| place.within.iter().copied());
         let forcing = net.grafcets.iter().flat_map(|grafcet| &grafcet.orders).map(|order| order.step);
         let told = asked.analysis.together().clearings.iter().map(|clashes| clashes.step);
         around.chain(forcing).chain(told).for_each(|step| told_or_above[step] = true);
         let mut factors = Factors { all: Vec::new(), of: IndexVec::with_capacity(net.transitions.len()) };
         for (t, transition) in net.transitions.iter_enumerated() {
-            let stands_alone = transition.within.is_none() && net.grafcets[transition.grafcet].orders.is_empty();
+            let stands_alone = transition.within.is_empty() && net.grafcets[transition.grafcet].orders.is_empty();
             let counts = stands_alone
                 && !transition.pre.is_empty()
                 && transition.pre.iter().all(|step| !told_or_above[*step])

@@ -34,7 +34,6 @@ use super::canonical::Canonical;
 use super::rivals::Rivals;
 use grafc_formula::exclusion::EdgeFacts;
 use grafc_model::chart::{StepId, TransitionId};
-use grafc_net::Net;
 use index_vec::IndexVec;
 use moves::Question;
 use parts::Part;
@@ -74,11 +73,6 @@ pub(crate) struct Reached {
 }
 
 impl Reachable {
-    /// No part is looked at.
-    pub(crate) fn nothing(net: &Net) -> Reachable {
-        Reachable { parts: Arc::new(Vec::new()), part_of: net.places.iter().map(|_| None).collect() }
-    }
-
     /// The situations of the parts that are `wanted`.
     pub(crate) fn find(
         canonical: &Canonical,

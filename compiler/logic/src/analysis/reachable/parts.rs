@@ -101,7 +101,7 @@ impl Part {
         let Some(place) = self.steps.first().map(|s| &net.places[*s]) else { return Vec::new() };
         let those = |wanted: &dyn Fn(StepId) -> bool| self.steps.iter().copied().filter(|s| wanted(*s)).collect();
         let mut starts: Vec<Vec<StepId>> = vec![those(&|s| starts_active(&net.places[s]))];
-        if place.within.is_some() {
+        if !place.within.is_empty() {
             starts.push(Vec::new());
             starts.push(those(&|s| net.places[s].activated));
         }

@@ -40,7 +40,9 @@ pub(super) fn ways(analysis: &Analysis, action: usize) -> Vec<Way> {
         Event::Clearing(t) => vec![clearing(analysis, t)],
         Event::Deactivation(step) => {
             let out_of = analysis.arcs.out_of_step(step);
-            if net.places[step].within.is_some() || is_emptied(net, step) || out_of.len() > TOLD_APART {
+            let is_commanded = analysis.commanded[net.places[step].grafcet];
+            let is_otherwise = !net.places[step].within.is_empty() || is_emptied(net, step) || is_commanded;
+            if is_otherwise || out_of.len() > TOLD_APART {
                 return vec![Way { before: vec![step], ..Way::default() }];
             }
             out_of.iter().map(|t| clearing(analysis, *t)).collect()
@@ -48,7 +50,9 @@ pub(super) fn ways(analysis: &Analysis, action: usize) -> Vec<Way> {
         Event::Activation(step) => {
             let into = analysis.arcs.into_step(step);
             let activated = Some(step);
-            let mut ways: Vec<Way> = if net.places[step].activated || is_forced(net, step) || into.len() > TOLD_APART {
+            let is_commanded = analysis.commanded[net.places[step].grafcet];
+            let is_otherwise = net.places[step].activated || is_forced(net, step) || is_commanded;
+            let mut ways: Vec<Way> = if is_otherwise || into.len() > TOLD_APART {
                 vec![Way { activated, ..Way::default() }]
             } else {
                 into.iter().map(|t| Way { activated, ..clearing(analysis, *t) }).collect()

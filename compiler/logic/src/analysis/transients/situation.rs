@@ -116,7 +116,7 @@ fn transition(ways: &Ways, t: TransitionId, causes: &mut Causes) {
     let (clears, stops) = (Change::Clears(t), Change::Stops(t));
     causes.start(clears);
     // All these are active when it clears. Had one just been activated, that alone would be cause enough; see `step`.
-    let before = |s: StepId| transition.within == Some(s) || ways.leads_out_of(t, s);
+    let before = |s: StepId| transition.encloser() == Some(s) || ways.leads_out_of(t, s);
     conditions::add(&ways.analysis.net, ways.occasions, (condition, Way::Up), &before, clears, causes);
     conditions::add(&ways.analysis.net, ways.occasions, (condition, Way::Down), &before, stops, causes);
     for s in &transition.pre {
@@ -126,8 +126,8 @@ fn transition(ways: &Ways, t: TransitionId, causes: &mut Causes) {
         return;
     }
     causes.next(Change::Thawed(grafcet), clears);
-    if let Some(enclosing) = transition.within.filter(|_| transition.pre.is_empty()) {
-        causes.next(Change::Activated(enclosing), clears);
+    for enclosing in transition.within.iter().filter(|_| transition.pre.is_empty()) {
+        causes.next(Change::Activated(*enclosing), clears);
     }
 }
 
@@ -148,10 +148,10 @@ fn step(ways: &Ways, s: StepId, causes: &mut Causes) {
             stops_to_keep(ways, *t, s, causes);
         }
     }
-    if let Some(enclosing) = place.within {
-        causes.at_once(Change::Deactivated(enclosing), deactivated);
+    for enclosing in &place.within {
+        causes.at_once(Change::Deactivated(*enclosing), deactivated);
         if place.activated {
-            causes.at_once(Change::Activated(enclosing), placed);
+            causes.at_once(Change::Activated(*enclosing), placed);
         }
     }
     // What the activation makes possible; pair by pair where there are few, to leave out those that exclude each other.
@@ -199,7 +199,6 @@ fn orders(net: &Net, g: GrafcetId, sets: &IndexVec<StepId, usize>, causes: &mut 
         causes.at_once(Change::Thawed(around), Change::Thawed(g));
         causes.at_once(Change::Released(around), Change::Thawed(g));
     }
-    let within = grafcet.steps.first().and_then(|s| net.places[*s].within);
     let mut all = 0;
     for (rank, order) in grafcet.orders.iter().enumerate() {
         causes.at_once(Change::Activated(order.step), Change::Frozen(g));
@@ -217,8 +216,8 @@ fn orders(net: &Net, g: GrafcetId, sets: &IndexVec<StepId, usize>, causes: &mut 
         let obeyed = Change::Obeyed(g, rank);
         causes.at_once(Change::Activated(order.step), obeyed);
         causes.at_once(Change::Overruled(g, rank), obeyed);
-        if let Some(enclosing) = within {
-            causes.at_once(Change::Activated(enclosing), obeyed);
+        for enclosing in net.within(g) {
+            causes.at_once(Change::Activated(*enclosing), obeyed);
         }
         causes.at_once(obeyed, Change::Forced(g));
         for s in steps {

@@ -151,7 +151,7 @@ impl Stable {
     /// if nothing has changed in the condition: because the condition asks for time to pass there, or for a step within
     /// that step to be active, which was not active before either.
     pub(super) fn needs_more(&self, net: &Net, t: TransitionId, step: StepId) -> bool {
-        let outward = |s: &StepId| std::iter::successors(net.places[*s].within, |e| net.places[*e].within);
+        let outward = |s: &StepId| std::iter::successors(net.places[*s].encloser(), |e| net.places[*e].encloser());
         self.waited.of(t).contains(&step)
             || self.active.of(t).iter().any(|s| outward(s).take(LOOKED_AT).any(|e| e == step))
     }

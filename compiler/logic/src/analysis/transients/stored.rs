@@ -61,8 +61,8 @@ fn stops(net: &Net, t: TransitionId, effect: Change, causes: &mut Causes) {
     let transition = &net.transitions[t];
     causes.at_once(Change::Stops(t), effect);
     causes.next(Change::Frozen(transition.grafcet), effect);
-    if let Some(enclosing) = transition.within {
-        causes.next(Change::Deactivated(enclosing), effect);
+    for enclosing in &transition.within {
+        causes.next(Change::Deactivated(*enclosing), effect);
     }
 }
 

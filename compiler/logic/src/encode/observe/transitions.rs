@@ -28,7 +28,9 @@ pub(super) fn statements(
     let auxiliary = net.places.iter().filter(|place| place.auxiliary).count();
     // Those that a pass has added come last, one for each place of its own.
     for (t, transition) in net.transitions.iter_enumerated().take(net.transitions.len() - auxiliary) {
-        let around = transition.within.iter().chain(&transition.pre).map(|s| active[*s]);
+        let around = (!transition.within.is_empty())
+            .then(|| lowering.pool.or(transition.within.iter().map(|e| active[*e]).collect::<Vec<_>>()));
+        let around = around.into_iter().chain(transition.pre.iter().map(|s| active[*s]));
         let free = frozen[transition.grafcet].map(|frozen| lowering.pool.not(frozen));
         let left = left_to_clear(lowering, t);
         let value = lowering.pool.and(around.chain(free).chain(left));

@@ -1,9 +1,10 @@
 //! What the next situation brings about: another micro-step, outputs that follow a state, and the situation itself.
 
 use super::moves::changes_of;
-use super::{Switch, assign_number, assign_truth, copy, differs, entered, uncovered, within};
+use super::{Switch, assign_number, assign_truth, copy, differs, encloser, entered, uncovered};
 use crate::encode::choose::choose;
 use crate::encode::clearings::Clearings;
+use crate::encode::pulses::Pulses;
 use crate::encode::state_case::StateCase;
 use crate::lower::Lowering;
 use crate::lower::situation::Set;
@@ -13,11 +14,19 @@ use index_vec::IndexVec;
 
 impl Switch<'_> {
     /// Bits that change ask for another micro-step; states have done so when they were written.
-    pub(super) fn tell_changed_bits(&self, lowering: &mut Lowering, clearings: &Clearings) -> Option<Statement> {
+    pub(super) fn tell_changed_bits(
+        &self,
+        lowering: &mut Lowering,
+        clearings: &Clearings,
+        pulses: Option<&Pulses>,
+    ) -> Option<Statement> {
         let again = self.task.again?;
-        let told: IndexVec<TransitionId, bool> =
-            lowering.net.transitions.indices().map(|t| !changes_of(lowering, t).is_empty()).collect();
+        let commanded = lowering.net.commanded();
+        let is_told =
+            |t: TransitionId| commanded[lowering.net.transitions[t].grafcet] || !changes_of(lowering, t).is_empty();
+        let told: IndexVec<TransitionId, bool> = lowering.net.transitions.indices().map(is_told).collect();
         let mut terms = clearings.changes(lowering, self.task, |_| false, |t| told[t]);
+        terms.extend(uncovered::commanded(lowering, clearings, pulses));
         if terms.is_empty() {
             return None;
         }
@@ -60,8 +69,7 @@ impl Switch<'_> {
             for index in &self.layout.sets_of[*g] {
                 let set = lowering.situation.sets[*index].clone();
                 out.extend(self.commit_enclosed(lowering, &set));
-                let by_encloser =
-                    within(net, *g).is_some_and(|e| lowering.situation.bit(e).is_none()) && !self.layout.forced[*g];
+                let by_encloser = encloser(lowering, *g).is_some() && !self.layout.forced[*g];
                 if !by_encloser {
                     out.push(copy(lowering, Origin::Chart, set.variable, set.next));
                 }

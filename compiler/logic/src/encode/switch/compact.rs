@@ -15,12 +15,13 @@
 //! A set of few steps needs no arms and, if no enclosure or order acts on it, no next state: its transitions are latched.
 
 use super::moves::{changes_of, home};
-use super::{assign_number, copy, differs, next_in_set, uncovered, value_of, within};
+use super::{assign_number, copy, differs, next_in_set, origin_around, uncovered, value_of};
 use crate::encode::by_grafcet::sorted;
 use crate::encode::choose::choose;
 use crate::encode::clearings::{Clearings, StepEvents, clears};
 use crate::encode::heading::heading;
 use crate::encode::input_event::InputEvent;
+use crate::encode::pulses::Pulses;
 use crate::encode::state_case::StateCase;
 use crate::encode::task::Task;
 use crate::encode::{settle, stored};
@@ -51,13 +52,17 @@ pub(super) fn micro_step(
     let is_short = |set: &Set| set.steps.len() < FEW && !set.steps.iter().any(|s| acted_on[*s]);
     let short: Vec<bool> = sets.map(is_short).collect();
     let (mut clearings, moves) = transitions(lowering, task, &frozen, &short, &mut out);
-    heading(&mut out, Heading::EnclosuresAndOrders, settled(lowering, task, &short, &mut clearings));
-    out.extend(tell(lowering, task, &short, &clearings));
+    let mut acting = Vec::new();
+    let mut pulses = lowering.net.has_commands().then(|| Pulses::new(lowering, task, input_event, &mut acting));
+    acting.extend(settled(lowering, task, &short, &mut clearings, pulses.as_mut()));
+    heading(&mut out, Heading::EnclosuresAndOrders, acting);
+    out.extend(tell(lowering, task, &short, &clearings, pulses.as_ref()));
     let step_events = StepEvents::new(lowering, &clearings, task.components);
     let actions = stored::actions(lowering, cx, task, &clearings, step_events, input_event);
     heading(&mut out, Heading::StoredActions, actions);
     let situation = situation(lowering, &short, moves, &clearings);
     sorted(&mut out, lowering, Part::Situation, situation);
+    out.extend(pulses.into_iter().flat_map(|pulses| pulses.remembered));
     out
 }
 
@@ -77,7 +82,8 @@ fn transitions<'a>(
         Event::Clearing(t) => Some(t),
         Event::Event(..) | Event::Deactivation(_) | Event::Activation(_) | Event::EachScan(..) => None,
     };
-    let awaited: FxHashSet<TransitionId> = net.stored.iter().filter_map(|action| clearing(action.event)).collect();
+    let events = net.stored.iter().map(|action| action.event).chain(net.pulses.iter().map(|pulse| pulse.event));
+    let awaited: FxHashSet<TransitionId> = events.filter_map(clearing).collect();
     let (mut latched, mut moves, mut of_short) = (Vec::new(), Vec::new(), Moves::new());
     let mut branches: FxHashMap<StepId, Vec<(FormulaId, Vec<Statement>)>> = FxHashMap::default();
     let mut clearings = Clearings::with(task.arcs, net, IndexVec::new());
@@ -146,16 +152,23 @@ fn transitions<'a>(
 }
 
 /// Enclosures and orders, grafcet by grafcet from the top down (R5).
-fn settled(lowering: &mut Lowering, task: &Task, short: &[bool], clearings: &mut Clearings) -> Vec<Statement> {
+fn settled(
+    lowering: &mut Lowering,
+    task: &Task,
+    short: &[bool],
+    clearings: &mut Clearings,
+    mut pulses: Option<&mut Pulses>,
+) -> Vec<Statement> {
     let net = &*lowering.net.clone();
     let acted_on = settle::acted_on(net);
     let mut out = Vec::new();
     for g in &net.hierarchy {
-        let around = within(net, *g).map(|e| uncovered::next(lowering, clearings, e));
+        let around = settle::around(lowering, *g, |lowering, e| uncovered::next(lowering, clearings, e));
         let known = &clearings.next;
         let mut next = |lowering: &mut Lowering, s: StepId| known[s].unwrap_or_else(|| next_in_set(lowering, s));
         let in_force = settle::orders(lowering, task.components, *g, around, &mut next, &mut out);
-        out.extend(uncovered::settle(lowering, clearings, &acted_on, *g, around, in_force.as_ref()));
+        let pulses = pulses.as_deref_mut();
+        out.extend(uncovered::settle(lowering, clearings, &acted_on, *g, (around, in_force.as_ref()), pulses));
         for (index, is_short) in short.iter().enumerate() {
             if lowering.situation.sets[index].grafcet == *g && !is_short {
                 enclose(lowering, *g, index, around, &mut out);
@@ -164,11 +177,11 @@ fn settled(lowering: &mut Lowering, task: &Task, short: &[bool], clearings: &mut
                 }
             }
         }
-    }
-    // Events of covered steps compare the state with the next one.
-    for s in net.places.indices() {
-        if matches!(lowering.situation.holder(s), Holder::State { set, .. } if !short[set]) {
-            clearings.next[s] = Some(next_in_set(lowering, s));
+        // Events of covered steps compare the state with the next one, which is final now.
+        for s in &net.grafcets[*g].steps {
+            if matches!(lowering.situation.holder(*s), Holder::State { set, .. } if !short[set]) {
+                clearings.next[*s] = Some(next_in_set(lowering, *s));
+            }
         }
     }
     out
@@ -176,13 +189,14 @@ fn settled(lowering: &mut Lowering, task: &Task, short: &[bool], clearings: &mut
 
 /// A set is emptied with the step around it, and starts with that (R5a).
 fn enclose(lowering: &mut Lowering, g: GrafcetId, index: usize, around: Option<FormulaId>, out: &mut Vec<Statement>) {
-    let (Some(around), Some(e)) = (around, within(&lowering.net, g)) else { return };
+    let Some(around) = around else { return };
+    let net = &*lowering.net.clone();
     let set = lowering.situation.sets[index].clone();
-    let origin = Origin::Step(e);
+    let origin = origin_around(net, g);
     let gone = lowering.pool.not(around);
     let mut branches = vec![(gone, vec![assign_number(lowering, origin, set.next, set.idle)])];
     if let Some(first) = set.steps.iter().copied().find(|s| lowering.net.places[*s].activated) {
-        let active = lowering.active(e);
+        let active = lowering.one_active(net.within(g));
         let fresh = lowering.pool.not(active);
         branches.push((fresh, vec![assign_number(lowering, origin, set.next, value_of(lowering, first))]));
     }
@@ -215,9 +229,19 @@ fn force(
 }
 
 /// Another micro-step is needed where a state or a bit changes (R8); edges have spoken before.
-fn tell(lowering: &mut Lowering, task: &Task, short: &[bool], clearings: &Clearings) -> Option<Statement> {
+fn tell(
+    lowering: &mut Lowering,
+    task: &Task,
+    short: &[bool],
+    clearings: &Clearings,
+    pulses: Option<&Pulses>,
+) -> Option<Statement> {
     let again = task.again?;
-    let told = |t| changes_of(lowering, t).iter().any(|(set, _)| !short[*set]);
+    let commanded = lowering.net.commanded();
+    let told = |t: TransitionId| {
+        let is_commanded = commanded[lowering.net.transitions[t].grafcet];
+        is_commanded || changes_of(lowering, t).iter().any(|(set, _)| !short[*set])
+    };
     let told: IndexVec<TransitionId, bool> = lowering.net.transitions.indices().map(told).collect();
     let in_short = |s| matches!(lowering.situation.holder(s), Holder::State { set, .. } if short[set]);
     let in_short: IndexVec<StepId, bool> = lowering.net.places.indices().map(in_short).collect();
@@ -229,6 +253,7 @@ fn tell(lowering: &mut Lowering, task: &Task, short: &[bool], clearings: &Cleari
         terms.push(differs(lowering, set.variable, set.next));
     }
     terms.extend(clearings.changes(lowering, task, |s| in_short[s], |t| told[t]));
+    terms.extend(uncovered::commanded(lowering, clearings, pulses));
     if terms.len() == 1 && !lowering.edges.is_empty() {
         return None;
     }

@@ -1,6 +1,7 @@
 //! Decomposition into interacting transition graphs (Shalyto, 12.3): each set of steps that exclude each other is one
 //! number, and a micro-step looks at the arm of the active step only, enclosures inside the arm of the step that encloses
-//! them.
+//! them. A child that several steps run is one machine beside the one that runs it: while it is idle, none of its arms is
+//! gone into, so that nothing has to be asked before it.
 //!
 //! ```text
 //! CASE at OF  3: IF condition THEN next := 4 …             transitions: read the old situation, write the next one
@@ -12,6 +13,8 @@
 //!
 //! Where nothing else hangs on a clearing, its transition writes the states themselves, see `in_place`. A small chart costs
 //! little in any case; there `compact` takes the fewest lines.
+//!
+//! Pulse orders act on grafcets whose steps are bits, between enclosures and forcing orders.
 //!
 //! Outside of a micro-step `next` equals the state, so nothing has to be copied where nothing moves. Steps that no set
 //! covers stay bits, with the formulas of the single-phase encoding; a transition that touches one is latched like there.
@@ -32,6 +35,7 @@ use crate::encode::each_scan;
 use crate::encode::heading::heading;
 use crate::encode::input_event::InputEvent;
 use crate::encode::outputs::Followers;
+use crate::encode::pulses::Pulses;
 use crate::encode::settle;
 use crate::encode::stored;
 use crate::lower::cover::is_forced;
@@ -48,8 +52,10 @@ use rustc_hash::FxHashMap;
 /// How sets lie in grafcets and grafcets in steps.
 struct Layout {
     sets_of: IndexVec<GrafcetId, Vec<usize>>,
-    /// The grafcets that a step encloses, if they have sets.
+    /// The grafcets that a step alone encloses, if they have sets.
     inside: FxHashMap<StepId, Vec<GrafcetId>>,
+    /// The grafcets that several steps of a grafcet run, if they have sets.
+    shared: IndexVec<GrafcetId, Vec<GrafcetId>>,
     /// Grafcets on which an order sets a situation.
     forced: IndexVec<GrafcetId, bool>,
 }
@@ -60,14 +66,17 @@ impl Layout {
         let mut layout = Layout {
             sets_of: net.grafcets.iter().map(|_| Vec::new()).collect(),
             inside: FxHashMap::default(),
+            shared: net.grafcets.iter().map(|_| Vec::new()).collect(),
             forced: net.grafcets.indices().map(|g| is_forced(net, g)).collect(),
         };
         for (index, set) in lowering.situation.sets.iter().enumerate() {
             layout.sets_of[set.grafcet].push(index);
         }
         for g in net.grafcets.indices().filter(|g| !layout.sets_of[*g].is_empty()) {
-            if let Some(e) = within(net, g) {
-                layout.inside.entry(e).or_default().push(g);
+            match net.within(g) {
+                [] => {}
+                [e] => layout.inside.entry(*e).or_default().push(g),
+                [e, ..] => layout.shared[net.places[*e].grafcet].push(g),
             }
         }
         layout
@@ -80,9 +89,20 @@ impl Layout {
     }
 }
 
-/// The step that encloses a grafcet.
-fn within(net: &Net, g: GrafcetId) -> Option<StepId> {
-    net.grafcets[g].steps.first().and_then(|s| net.places[*s].within)
+/// The state-held step that encloses a grafcet alone, so that the grafcet lies in its arm.
+fn encloser(lowering: &Lowering, g: GrafcetId) -> Option<StepId> {
+    match lowering.net.within(g) {
+        [e] if lowering.situation.bit(*e).is_none() => Some(*e),
+        _ => None,
+    }
+}
+
+/// What is told of a grafcet that begins and ends with what it is within.
+fn origin_around(net: &Net, g: GrafcetId) -> Origin {
+    match net.within(g) {
+        [e] => Origin::Step(*e),
+        _ => Origin::Orders(g),
+    }
 }
 
 struct Switch<'t> {
@@ -124,16 +144,20 @@ pub(super) fn micro_step(
     // case.
     let mut inner = Vec::new();
     let mut clearings = Clearings::with(task.arcs, net, std::mem::take(&mut switch.cleared));
-    heading(&mut inner, Heading::EnclosuresAndOrders, switch.settle(lowering, &mut clearings));
-    inner.extend(switch.tell_changed_bits(lowering, &clearings));
+    let mut settled = Vec::new();
+    let mut pulses = net.has_commands().then(|| Pulses::new(lowering, task, input_event, &mut settled));
+    settled.extend(switch.settle(lowering, &mut clearings, pulses.as_mut()));
+    heading(&mut inner, Heading::EnclosuresAndOrders, settled);
+    inner.extend(switch.tell_changed_bits(lowering, &clearings, pulses.as_ref()));
     let step_events = StepEvents::new(lowering, &clearings, task.components);
     let actions = stored::actions(lowering, cx, task, &clearings, step_events, input_event);
     heading(&mut inner, Heading::StoredActions, actions);
     heading(&mut inner, Heading::OutputsOfTheSteps, switch.follow(lowering));
     heading(&mut inner, Heading::Situation, switch.commit(lowering, &clearings));
+    inner.extend(pulses.into_iter().flat_map(|pulses| pulses.remembered));
     // Orders that disagree raise a flag, and raise it again where an input has lowered it.
     let conflicts = net.controls.clear_flags.is_some() && net.grafcets.iter().any(|grafcet| grafcet.orders.len() > 1);
-    if !task.events.is_empty() || conflicts || each_scan::any(net) {
+    if !task.events.is_empty() || !task.pulses.is_empty() || conflicts || each_scan::any(net) {
         out.extend(inner);
     } else if !inner.is_empty() {
         let when = lowering.symbols.read(&mut lowering.pool, switch.moved.variable);

@@ -20,8 +20,9 @@ impl Numbered {
     pub fn new(lowering: &mut Lowering) -> Self {
         let net = &*lowering.net.clone();
         let mut numbered = Numbered { variable: BTreeMap::new(), transitions: BTreeMap::new() };
-        for action in &net.stored {
-            let Event::Clearing(t) = action.event else { continue };
+        let awaited = net.stored.iter().map(|action| action.event).chain(net.pulses.iter().map(|pulse| pulse.event));
+        for event in awaited {
+            let Event::Clearing(t) = event else { continue };
             let Some(set) = home(lowering, t) else { continue };
             numbered.transitions.insert(t, 0);
             numbered.variable.entry(set).or_insert_with(|| {

@@ -1,7 +1,7 @@
 //! The transitions, which read the old situation and write the next one.
 
 use super::moves::{changes_of, home};
-use super::{Switch, assign_number, assign_truth, within};
+use super::{Switch, assign_number, assign_truth, encloser};
 use crate::encode::choose::choose;
 use crate::encode::clearings::clears;
 use crate::encode::settle;
@@ -80,18 +80,21 @@ impl Switch<'_> {
     }
 
     /// Puts the branches of each step into the arms of its set, and those of an enclosure into the arm of the step that
-    /// encloses it; from the bottom of the hierarchy up.
+    /// encloses it; from the bottom of the hierarchy up. What several steps run stands once, behind what runs it.
     fn nest(
         &self,
         lowering: &Lowering,
         mut branches: FxHashMap<StepId, Vec<(FormulaId, Vec<Statement>)>>,
     ) -> Vec<Statement> {
         let net = &*lowering.net.clone();
-        let mut depth: IndexVec<GrafcetId, usize> = net.grafcets.iter().map(|_| 0).collect();
+        // The step in whose arm each grafcet stands, if in any, and how deep that is.
+        let mut at: IndexVec<GrafcetId, (Option<StepId>, usize)> = net.grafcets.iter().map(|_| (None, 0)).collect();
         for g in &net.hierarchy {
-            depth[*g] = match within(net, *g) {
-                Some(e) if lowering.situation.bit(e).is_none() => (depth[net.places[e].grafcet] + 1) % DEEPEST,
-                Some(_) | None => 0,
+            let parent = net.within(*g).first().map(|e| net.places[*e].grafcet);
+            at[*g] = match (parent, encloser(lowering, *g)) {
+                (Some(parent), Some(e)) if at[parent].1 + 1 < DEEPEST => (Some(e), at[parent].1 + 1),
+                (Some(parent), None) if net.within(*g).len() > 1 => at[parent],
+                _ => (None, 0),
             };
         }
         let mut nested: FxHashMap<StepId, Vec<Statement>> = FxHashMap::default();
@@ -107,7 +110,7 @@ impl Switch<'_> {
                     arms.add(lowering, *s, body);
                 }
                 let case = arms.case(set.variable);
-                match within(net, *g).filter(|_| depth[*g] > 0) {
+                match at[*g].0 {
                     Some(e) => nested.entry(e).or_default().extend(case),
                     None => top.entry(*g).or_default().extend(case),
                 }
