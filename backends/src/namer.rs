@@ -3,7 +3,10 @@
 use crate::keywords::{Family, Reserved};
 use crate::transliterate::{identifier, is_identifier};
 use ecow::{EcoString, eco_format};
-use rustc_hash::{FxHashMap, FxHashSet};
+use hashbrown::HashTable;
+use hashbrown::hash_table::Entry;
+use rustc_hash::{FxBuildHasher, FxHashMap};
+use std::hash::BuildHasher;
 
 /// The longest name that is given: more is unreadable, and some PLC editors stop there.
 pub const MAX_LENGTH: usize = 63;
@@ -29,8 +32,9 @@ impl Family {
 pub struct Namer {
     family: Family,
     reserved: Reserved,
-    /// In upper case.
-    taken: FxHashSet<EcoString>,
+    taken: Taken,
+    /// The name that is looked at, in upper case.
+    upper: String,
     /// The next suffix to try for a stem.
     next: FxHashMap<EcoString, u32>,
 }
@@ -38,12 +42,18 @@ pub struct Namer {
 impl Namer {
     /// A namer that has given no name yet.
     pub fn new(family: Family) -> Self {
-        Namer { family, reserved: Reserved::of(family), taken: FxHashSet::default(), next: FxHashMap::default() }
+        Namer {
+            family,
+            reserved: Reserved::of(family),
+            taken: Taken::default(),
+            upper: String::new(),
+            next: FxHashMap::default(),
+        }
     }
 
     /// When no further name will be asked for: there is no need to know those that were given.
     pub fn close(&mut self) {
-        (self.taken, self.next) = (FxHashSet::default(), FxHashMap::default());
+        (self.taken, self.next) = (Taken::default(), FxHashMap::default());
     }
 
     /// A name as near to the wanted one as can be.
@@ -110,10 +120,44 @@ impl Namer {
     }
 
     /// Takes an identifier if it is free.
-    fn take(&mut self, name: &EcoString) -> bool {
-        let key = name.to_ascii_uppercase();
-        !self.reserved.contains(&key) && self.taken.insert(key)
+    fn take(&mut self, name: &str) -> bool {
+        self.upper.clear();
+        self.upper.push_str(name);
+        self.upper.make_ascii_uppercase();
+        !self.reserved.contains(&self.upper) && self.taken.insert(&self.upper)
     }
+}
+
+/// The names that were given, in upper case. The table holds places in the list, not the names: there are very many.
+#[derive(Clone, Default)]
+struct Taken {
+    list: Vec<EcoString>,
+    places: HashTable<u32>,
+}
+
+impl Taken {
+    fn reserve(&mut self, count: usize) {
+        self.list.reserve(count);
+        self.places.reserve(count, |place| hash(&self.list[*place as usize]));
+    }
+
+    /// Takes a name, unless it is taken.
+    fn insert(&mut self, name: &str) -> bool {
+        let Taken { list, places } = self;
+        let of = |place: &u32| list[*place as usize].as_str();
+        match places.entry(hash(name), |place| of(place) == name, |place| hash(of(place))) {
+            Entry::Occupied(_) => false,
+            Entry::Vacant(entry) => {
+                entry.insert(list.len() as u32);
+                list.push(name.into());
+                true
+            }
+        }
+    }
+}
+
+fn hash(name: &str) -> u64 {
+    FxBuildHasher.hash_one(name)
 }
 
 /// Three signs that stand for a whole name that was cut: so it does not depend on which others were cut like it.

@@ -169,7 +169,7 @@ impl Notation for Rust<'_> {
                 let level = if text.starts_with('-') { RustLevel::Prefix } else { RustLevel::Atom };
                 (level, Arrangement::Atom(text))
             }
-            Formula::Variable(variable) => (RustLevel::Atom, Arrangement::Name(self.places.read(*variable))),
+            Formula::Variable(variable) => atom(self.places.read(*variable)),
             Formula::TimerDone(timer) => {
                 atom(eco_format!("{}.has_run({})", self.places.timer(*timer), self.places.preset(*timer)))
             }

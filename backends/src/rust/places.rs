@@ -5,8 +5,7 @@ use super::names::{RustNames, StateNames};
 use ecow::{EcoString, eco_format};
 use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_logic::scan::{Held, Origins, Program, Role, StepId, TimerId, VarId};
-use index_vec::IndexVec;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// How the variables of one program are read and written.
 pub(super) struct Places<'p> {
@@ -14,12 +13,12 @@ pub(super) struct Places<'p> {
     names: &'p RustNames,
     /// Where variables come from, if somebody asks.
     pub origins: Option<Origins>,
-    /// How each variable is read.
-    read: IndexVec<VarId, EcoString>,
     /// The state whose values each variable holds.
     state: FxHashMap<VarId, usize>,
     /// The steps whose bits lie in the packed situation.
     packed: FxHashMap<VarId, StepId>,
+    /// Temporaries that functions pass on to each other.
+    shared: FxHashSet<VarId>,
 }
 
 impl<'p> Places<'p> {
@@ -32,21 +31,18 @@ impl<'p> Places<'p> {
                 Held::State(..) => None,
             }));
         }
-        let mut places =
-            Places { program, names, origins: None, read: IndexVec::new(), state: program.state_of(), packed };
-        for id in program.variables.indices() {
-            let text = places.spell(id);
-            places.read.push(text);
-        }
-        places
+        let state = program.state_of();
+        Places { program, names, origins: None, state, packed, shared: FxHashSet::default() }
     }
 
-    fn spell(&self, id: VarId) -> EcoString {
+    /// A variable as an operand. Of many variables these texts would be what takes most room, so none is kept.
+    pub fn read(&self, id: VarId) -> EcoString {
         let name = &self.names.variables[id];
         match self.program.variables[id].role {
             Role::Input => eco_format!("inputs.{name}"),
             Role::Output => eco_format!("self.outputs.{name}"),
             Role::Internal => eco_format!("self.variables.{name}"),
+            Role::Temporary if self.shared.contains(&id) => eco_format!("values.{name}"),
             Role::Constant | Role::Temporary | Role::Observed => name.clone(),
             Role::Flag(flag) => eco_format!("self.flags.{}", flag.name()),
             Role::Step => match self.packed.get(&id) {
@@ -59,14 +55,7 @@ impl<'p> Places<'p> {
 
     /// Temporaries that functions pass on to each other.
     pub fn share(&mut self, shared: &[VarId]) {
-        for v in shared {
-            self.read[*v] = eco_format!("values.{}", self.names.variables[*v]);
-        }
-    }
-
-    /// A variable as an operand.
-    pub fn read(&self, id: VarId) -> &EcoString {
-        &self.read[id]
+        self.shared.extend(shared);
     }
 
     /// The step whose bit in the packed situation a variable is.
@@ -101,7 +90,7 @@ impl<'p> Places<'p> {
     pub fn preset(&self, timer: TimerId) -> EcoString {
         let preset = self.program.timers[timer].given_preset();
         match preset.constant {
-            Some(constant) => self.read[constant].clone(),
+            Some(constant) => self.read(constant),
             None => literal(Value::Time(preset.ms), Type::Time),
         }
     }
@@ -109,9 +98,9 @@ impl<'p> Places<'p> {
     /// The columns of an operand of an arithmetic operation, which is no operation itself.
     pub fn width_of_operand(&self, program: &Program, id: FormulaId) -> usize {
         match program.pool.get(id) {
-            Formula::Variable(v) => self.read[*v].len(),
+            Formula::Variable(v) => self.read(*v).len(),
             Formula::Widen(a) => match program.pool.get(*a) {
-                Formula::Variable(v) => self.read[*v].len() + "i32::from()".len(),
+                Formula::Variable(v) => self.read(*v).len() + "i32::from()".len(),
                 _ => "i32::from()".len(),
             },
             Formula::TimerElapsed(t) => self.timer(*t).len() + ".elapsed()".len(),

@@ -50,7 +50,7 @@ impl Situation<'_> {
             out.open("match step {");
             for s in self.program.steps.indices() {
                 let value = match self.program.steps[s].held {
-                    Held::Bit(bit) => self.places.read(bit).clone(),
+                    Held::Bit(bit) => self.places.read(bit),
                     Held::State(state, value) => {
                         let state = self.program.states[state].variable;
                         let variant = self.places.variant(state, value).unwrap_or_default();
@@ -92,7 +92,7 @@ impl Situation<'_> {
                 format!("steps {} to {}", label(first), label(last))
             });
             let value = match held {
-                Held::Bit(bit) => self.places.read(bit).clone(),
+                Held::Bit(bit) => self.places.read(bit),
                 Held::State(state, value) => {
                     let place = self.place(state, value);
                     let number = match place.cmp(&first) {

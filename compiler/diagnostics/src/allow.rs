@@ -144,7 +144,7 @@ mod tests {
     use crate::FileId;
 
     fn span(start: usize, end: usize) -> Span {
-        Span::new(FileId(0), start, end)
+        Span::new(FileId::new(0), start, end)
     }
 
     fn reason(allowances: &Allowances, diagnostic: Diagnostic) -> Option<String> {

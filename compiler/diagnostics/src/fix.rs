@@ -109,7 +109,7 @@ pub fn apply<'e>(file: FileId, text: &str, edits: impl IntoIterator<Item = &'e E
 mod tests {
     use super::*;
 
-    const FILE: FileId = FileId(3);
+    const FILE: FileId = FileId::new(3);
 
     fn edit(start: u32, end: u32, text: &str) -> Edit {
         Edit { span: Span { file: FILE, start, end }, text: text.into() }
@@ -138,7 +138,7 @@ mod tests {
         assert_eq!(refused(&[edit(1, 2, "")]), Misfit::Outside(span(1, 2)), "within a character");
         assert_eq!(refused(&[edit(4, 5, "")]), Misfit::Outside(span(4, 5)));
         assert_eq!(refused(&[edit(3, 1, "")]), Misfit::Outside(span(3, 1)));
-        let elsewhere = Span { file: FileId(0), start: 0, end: 1 };
+        let elsewhere = Span { file: FileId::new(0), start: 0, end: 1 };
         assert_eq!(refused(&[Edit { span: elsewhere, text: String::new() }]), Misfit::OtherText(elsewhere));
     }
 }

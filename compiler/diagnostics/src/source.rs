@@ -3,12 +3,35 @@
 use crate::extract::Extract;
 use crate::lines::{EditorPosition, Lines, Position, Unit, ceiling, floor};
 use std::fmt;
+use std::num::NonZeroU32;
 use std::ops::Range;
 use std::sync::OnceLock;
 
 /// A text that was handed to grafc: a chart or a trace.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
-pub struct FileId(pub u32);
+///
+/// Never 0 inside, so that a span that may be missing takes no more room than a span: trees and tables are full of them.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct FileId(NonZeroU32);
+
+const _: () = assert!(size_of::<Option<Span>>() == size_of::<Span>());
+
+impl FileId {
+    /// The text of a number; they count from 0.
+    pub const fn new(number: u32) -> Self {
+        FileId(NonZeroU32::MIN.saturating_add(number))
+    }
+
+    fn index(self) -> usize {
+        self.0.get() as usize - 1
+    }
+}
+
+impl Default for FileId {
+    /// The first text.
+    fn default() -> Self {
+        FileId::new(0)
+    }
+}
 
 /// A half-open range of bytes in one source text.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
@@ -145,21 +168,21 @@ impl SourceMap {
 
     /// Adds a text; spans in it carry the id returned.
     pub fn add(&mut self, name: impl Into<String>, text: impl Into<String>) -> FileId {
-        let id = FileId(self.files.len() as u32);
+        let id = FileId::new(self.files.len() as u32);
         self.files.push(SourceFile::new(name, text));
         id
     }
 
     /// Says what is at hand of a text that was added as an empty one: the spans in it are those of the extract.
     pub fn show(&mut self, id: FileId, extract: Extract) {
-        let file = &mut self.files[id.0 as usize];
+        let file = &mut self.files[id.index()];
         let (text, pieces) = extract.into_parts();
         *file = SourceFile { pieces, ..SourceFile::new(std::mem::take(&mut file.name), text) };
     }
 
     /// The text of an id that [`SourceMap::add`] returned.
     pub fn file(&self, id: FileId) -> &SourceFile {
-        &self.files[id.0 as usize]
+        &self.files[id.index()]
     }
 
     /// The piece of text under a span.
@@ -175,7 +198,7 @@ mod tests {
     #[test]
     fn spans_are_cut_to_the_text_and_to_whole_characters() {
         let file = SourceFile::new("t", "aä");
-        let range = |start, end| file.range(Span { file: FileId(0), start, end });
+        let range = |start, end| file.range(Span { file: FileId::new(0), start, end });
         assert_eq!(range(2, 2), 1..3);
         assert_eq!(range(1, 2), 1..3);
         assert_eq!(range(90, 91), 3..3);

@@ -24,6 +24,8 @@ use grafc_diagnostics::Diagnostics;
 use grafc_formula::Type;
 use grafc_model::reaction::{Evolution, Profile};
 use grafc_net::Net;
+use index_vec::IndexVec;
+use std::sync::Arc;
 
 /// The scan program of a flat net under one encoding, and a warning where that encoding does not do exactly what the
 /// rules say. What is proved is used up; keep a copy to compile again.
@@ -104,7 +106,7 @@ fn assemble(
         }
     }
 
-    let (net, arcs, mut conditions, components, cover) = analysis.into_parts();
+    let (mut net, arcs, mut conditions, components, cover) = analysis.into_parts();
     let mut followers = None;
     if options.encoding == Encoding::Switch {
         // Now that it is known which steps share a state, once more with these.
@@ -155,6 +157,7 @@ fn assemble(
         micro_step.extend(watch.before(&mut lowering, &task, conditions, &mut input_event));
     }
     encode::micro_step(&mut lowering, &mut cx, &task, &mut input_event, &mut micro_step);
+    drop((arcs, components));
     // Timers of durations are known only now that every moment that reads them has been lowered.
     let mut after = outputs::statements(&mut lowering, followers.as_ref());
     let overriding = repeat.map(|r| r.again).filter(|_| livelock::may_override(options.profile, evolution.ends));
@@ -197,10 +200,6 @@ fn assemble(
         restoring(&mut lowering, started, calls, cover, seen, overriding.restored.take())
     });
 
-    let mut elements = Elements::of(&net);
-    if options.encoding == Encoding::Switch {
-        elements.find_setters(&net);
-    }
     let most = match repeat {
         None => 1,
         Some(Repeat { limit: Some(limit), .. }) => limit.bound,
@@ -209,15 +208,27 @@ fn assemble(
     };
     let observing = watch.map(|watch| watch.finish(&lowering));
     let assertion = net.controls.assertion.map(|assertion| lowering.symbols.declared(assertion));
+    // From here on the program takes the place of what it was made of: a chart with many steps has no room for both.
+    drop((cover, cx, of_transition, of_event, of_pulse));
+    let (symbols, situation, timers, pool) = lowering.into_parts();
+    if let Some(net) = Arc::get_mut(&mut net) {
+        (net.variables, net.exprs) = (IndexVec::new(), IndexVec::new());
+    }
+    let (steps, states) = (situation.of_chart(&net), situation.states());
+    drop(situation);
+    let mut elements = Elements::of(&net);
+    if options.encoding == Encoding::Switch {
+        elements.find_setters(&net);
+    }
     let program = Program {
         name: net.name.to_string(),
         comment: net.comment.clone(),
-        steps: lowering.situation.of_chart(&net),
-        states: lowering.situation.states(),
+        steps,
+        states,
         elements,
-        variables: lowering.symbols.table,
-        timers: lowering.timers,
-        pool: lowering.pool,
+        variables: symbols.table,
+        timers,
+        pool,
         first,
         started,
         before,

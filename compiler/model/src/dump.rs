@@ -8,6 +8,7 @@ use crate::chart::{
     Node, Note, Situation, StepId, Stored, TransitionId, Type, Value, Variable, VariableId, VariableKind,
 };
 pub use crate::resolve::types::name as type_name;
+use crate::resolve::types::zero;
 pub use grafc_syntax::dump::plain_or_quoted as name;
 use index_vec::IndexVec;
 
@@ -164,7 +165,8 @@ pub fn variable(variable: &Variable) -> String {
         VariableKind::Internal => "var",
         VariableKind::Constant => "const",
     };
-    let initial = variable.initial_given.then(|| format!(" := {}", value(variable.initial)));
+    let is_shown = variable.kind == VariableKind::Constant || variable.initial != zero(variable.ty);
+    let initial = is_shown.then(|| format!(" := {}", value(variable.initial)));
     let address = variable.address.as_ref().map(|address| format!(" at {address:?}"));
     let mode = match variable.mode {
         Mode::Given => "",

@@ -5,7 +5,7 @@ use grafc_model::chart::{Chart, MacroId, Node, StepId};
 
 /// A chart about which nothing is to be said but these warnings.
 fn chart_with(warnings: &[&str], text: &str) -> Chart {
-    let (tree, diagnostics) = grafc_syntax::parse(FileId(0), text);
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::new(0), text);
     assert!(diagnostics.is_empty(), "{diagnostics:#?}");
     let (chart, diagnostics) = grafc_model::check(&tree, "file_name");
     let codes: Vec<&str> = diagnostics.iter().map(|d| d.code.as_str()).collect();

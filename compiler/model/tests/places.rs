@@ -7,7 +7,7 @@ use support::{annotated, placed};
 
 /// The messages on a chart, each at its first place, are those that it is annotated with.
 fn check(text: &str) {
-    let (tree, diagnostics) = grafc_syntax::parse(FileId(0), text);
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::new(0), text);
     let checked = grafc_model::examine(&tree, "chart");
     let all = diagnostics.iter().chain(&checked.diagnostics);
     let found = all.map(|d| (d.primary.span, d.code.as_str().to_owned()));

@@ -9,7 +9,7 @@ use grafc_model::{Checked, examine};
 use support::{annotated, placed};
 
 fn examined(text: &str) -> Checked {
-    examine(&grafc_syntax::parse(FileId(0), text).0, "chart")
+    examine(&grafc_syntax::parse(FileId::new(0), text).0, "chart")
 }
 
 /// What an entity is called, by its kind and the text that declares it.

@@ -10,7 +10,7 @@ const BOUND: Duration = Duration::from_secs(60);
 
 /// The codes of a chart, each once, if the check stayed within the bound.
 fn codes(text: &str) -> Vec<&'static str> {
-    let (tree, diagnostics) = grafc_syntax::parse(FileId(0), text);
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::new(0), text);
     assert!(diagnostics.is_empty(), "{:?}", diagnostics.iter().next());
     let start = Instant::now();
     let (_, diagnostics) = grafc_model::check(&tree, "large");

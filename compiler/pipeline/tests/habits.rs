@@ -4,7 +4,7 @@
 use grafc_diagnostics::{Diagnostic, FileId, Severity, apply};
 use std::path::Path;
 
-const FILE: FileId = FileId(0);
+const FILE: FileId = FileId::new(0);
 
 /// What the lines of the page refer to.
 const AROUND: &str = "input a, b, start, `1B1`, `-S4` : bool var n : int output K, fill : bool\ngrafcet G2 { initial step 20 }\n\

@@ -16,7 +16,7 @@ mod sources;
 use grafc_diagnostics::{Diagnostic, FileId, apply};
 use std::path::Path;
 
-const FILE: FileId = FileId(0);
+const FILE: FileId = FileId::new(0);
 
 /// How many mistakes there are at least.
 const LEAST: usize = 200;

@@ -287,7 +287,7 @@ mod tests {
     use grafc_diagnostics::FileId;
 
     fn messages(text: &str) -> usize {
-        crate::parse(FileId(0), text).1.iter().count()
+        crate::parse(FileId::new(0), text).1.iter().count()
     }
 
     #[test]

@@ -75,7 +75,7 @@ fn read(text: &str) -> Vec<String> {
 
 /// What is left of a chart with mistakes.
 fn left(text: &str) -> Vec<String> {
-    outline(&grafc_syntax::parse(FileId(0), text).0)
+    outline(&grafc_syntax::parse(FileId::new(0), text).0)
 }
 
 #[test]

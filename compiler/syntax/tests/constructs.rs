@@ -322,7 +322,7 @@ fn an_assignment_of_a_step_says_when() {
         ]
     );
     // Within one step it is one mistake, and every place of it is shown.
-    let (_, said) = grafc_syntax::parse(grafc_diagnostics::FileId(0), text);
+    let (_, said) = grafc_syntax::parse(grafc_diagnostics::FileId::new(0), text);
     let others: Vec<&str> = said.iter().flat_map(|d| &d.secondary).map(|label| &text[label.span.range()]).collect();
     assert_eq!(others, ["D := 2"]);
 }

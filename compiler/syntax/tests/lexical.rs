@@ -177,7 +177,7 @@ fn wrong_characters_in_a_run_are_one_fault() {
     // Semicolons are one habit, and its cure takes out all of them.
     let text = "step 1 ;\nstep 2 ; ;";
     assert_eq!(faults(text), ["E0101 1:8 unexpected character `;`"]);
-    let said = grafc_syntax::parse(FileId(0), text).1;
+    let said = grafc_syntax::parse(FileId::new(0), text).1;
     let places: Vec<u32> = said.iter().flat_map(|d| &d.secondary).map(|label| label.span.start).collect();
     let edits = said.iter().flat_map(|d| &d.fixes[0].edits).map(|edit| edit.span.start);
     assert_eq!((places, edits.collect()), (vec![16, 18], vec![7, 16, 18]));

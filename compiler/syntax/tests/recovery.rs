@@ -30,7 +30,7 @@ fn outline(text: &str) -> String {
 }
 
 fn parse(text: &str) -> Chart {
-    grafc_syntax::parse(FileId(0), text).0
+    grafc_syntax::parse(FileId::new(0), text).0
 }
 
 #[test]
@@ -162,7 +162,7 @@ fn reserved_words_as_names_are_one_error() {
         faults(text),
         ["E0107 1:7-10 expected a name, found `step`", "E0107 2:7-8 expected a name, found `on`",]
     );
-    let (_, diagnostics) = grafc_syntax::parse(FileId(0), text);
+    let (_, diagnostics) = grafc_syntax::parse(FileId::new(0), text);
     for diagnostic in &diagnostics {
         assert!(diagnostic.help.as_ref().is_some_and(|h| h.contains("backquotes")), "{diagnostic:?}");
     }
@@ -234,7 +234,7 @@ fn a_lexical_fault_is_not_reported_twice() {
 #[test]
 fn the_number_of_messages_is_bounded() {
     let text = "step step\n".repeat(5_000) + &"$ 3x ".repeat(5_000);
-    let (_, diagnostics) = grafc_syntax::parse(FileId(0), &text);
+    let (_, diagnostics) = grafc_syntax::parse(FileId::new(0), &text);
     assert_eq!(diagnostics.iter().count(), 400);
     assert!(diagnostics.iter().any(|d| d.notes.iter().any(|n| n.ends_with("more syntax errors"))));
 }

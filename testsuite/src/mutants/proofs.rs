@@ -205,8 +205,8 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "transient-never",
         at: COMPILER,
         breaks: "every chart is taken to be done after one micro-step (R8)",
-        text: "times.of(*c).is_none_or(|time| time <= 1)",
-        instead: "times.of(*c).is_none_or(|time| time <= u32::MAX)",
+        text: "!(is_later && (matters.needed || matters.delays))",
+        instead: "!(is_later && (matters.needed || matters.delays) && time > u32::MAX)",
     },
     Fault {
         name: "transient-in-the-same-micro-step",

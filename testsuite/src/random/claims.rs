@@ -19,7 +19,7 @@ pub fn with_claims(drawn: &Drawn) -> (String, Chart) {
     for number in 0..rng.usize(3..=7) {
         let claim = claim(&mut rng, &inputs, &all, number);
         let with_it = format!("{text}\n{claim}\n");
-        let (tree, faults) = grafc_syntax::parse(FileId(0), &with_it);
+        let (tree, faults) = grafc_syntax::parse(FileId::new(0), &with_it);
         if let (false, Some(with_claim)) = (faults.has_errors(), grafc_model::check(&tree, "random").0) {
             (text, chart) = (with_it, with_claim);
         }

@@ -73,7 +73,7 @@ fn write(folder: &Path, runtime: Runtime, charts: &[(String, String)], extra: &s
                 Options { encoding, ..Options::default() },
                 grafc::Product::Code(Target::Rust(product)),
             );
-            let (code, diagnostics) = grafc::compile(FileId(0), text, name, &options);
+            let (code, diagnostics) = grafc::compile(FileId::new(0), text, name, &options);
             library.push_str(&code.unwrap_or_else(|| panic!("{name}: {diagnostics:#?}")).text);
         }
     }

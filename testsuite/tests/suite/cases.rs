@@ -35,7 +35,7 @@ fn mistakes_are_warned_of() {
     for (name, codes) in DESERVED {
         let cases = field_cases();
         let case = cases.iter().find(|case| case.name == *name).expect("the case is there");
-        let (_, said) = grafc::check(FileId(0), &case.text, name);
+        let (_, said) = grafc::check(FileId::new(0), &case.text, name);
         let found: BTreeSet<Code> = said.iter().map(|message| message.code).collect();
         let missing: Vec<&Code> = codes.iter().filter(|code| !found.contains(code)).collect();
         assert!(missing.is_empty(), "{name}: {missing:?} missing among {found:?}");
@@ -47,7 +47,7 @@ fn a_ring_names_the_row_and_a_dead_end_the_way() {
     let told = |name: &str, code: Code| {
         let cases = field_cases();
         let case = cases.iter().find(|case| case.name == name).expect("the case is there");
-        let (_, said) = grafc::check(FileId(0), &case.text, name);
+        let (_, said) = grafc::check(FileId::new(0), &case.text, name);
         let message = said.iter().find(|message| message.code == code).expect("the warning").clone();
         format!("{}\n{}", message.message, message.notes.join("\n"))
     };
@@ -70,7 +70,7 @@ fn an_encoding_that_ends_elsewhere_says_so() {
         for encoding in Encoding::ALL {
             let lowering = Lowering { encoding, ..Lowering::default() };
             let product = Product::Code(Target::St(st::Options::default()));
-            let (_, said) = grafc::compile(FileId(0), &case.text, name, &Options::new(lowering, product));
+            let (_, said) = grafc::compile(FileId::new(0), &case.text, name, &Options::new(lowering, product));
             let found = said.iter().find(|message| message.code == Code::W0413);
             assert_eq!(found.is_some(), encoding.overlaps(), "{name}, {}", encoding.name());
             if let Some(message) = found {
@@ -84,7 +84,7 @@ fn an_encoding_that_ends_elsewhere_says_so() {
 fn the_charts_of_the_standard_and_of_textbooks_get_none_of_them() {
     let new = Code::W0414..=Code::W0425;
     for case in cases(&charts_folder()) {
-        let (_, said) = grafc::check(FileId(0), &case.text, &case.name);
+        let (_, said) = grafc::check(FileId::new(0), &case.text, &case.name);
         let found: Vec<Code> = said.iter().map(|message| message.code).filter(|code| new.contains(code)).collect();
         assert!(found.is_empty(), "{}: {found:?}", case.name);
     }

@@ -69,7 +69,7 @@ fn each_transition_that_can_be_cleared_is() {
     for (Followed { name, chart, profile, .. }, made) in of_transitions() {
         let mut coverage = Coverage::new(chart);
         for test in &made.tests {
-            let said = table(chart, *profile, (FileId(0), &test.text), Some(&mut coverage));
+            let said = table(chart, *profile, (FileId::new(0), &test.text), Some(&mut coverage));
             assert!(said.is_empty(), "{name}: {said:?}\n{}", test.text);
         }
         let cleared = chart.transitions.indices().filter(|t| coverage.cleared(*t) > 0).count();
@@ -100,7 +100,7 @@ fn situations_and_edges_are_covered_too() {
         for of in followed() {
             let (Followed { name, chart, profile, .. }, made) = (of, of.certified(cover));
             for test in &made.tests {
-                let said = table(chart, *profile, (FileId(0), &test.text), None);
+                let said = table(chart, *profile, (FileId::new(0), &test.text), None);
                 assert!(said.is_empty(), "{name}: {said:?}\n{}", test.text);
             }
             covered += usize::from(made.complete && made.open.is_empty());

@@ -25,7 +25,7 @@ fn charts_are_correct() {
     for (path, page) in book().iter().filter(|(path, _)| !is_error_page(path)) {
         for block in blocks(page).iter().filter(|b| b.language == "gct") {
             charts += 1;
-            let (_, diagnostics) = grafc::check(FileId(0), &block.text, "example");
+            let (_, diagnostics) = grafc::check(FileId::new(0), &block.text, "example");
             if diagnostics.has_errors() != block.has("wrong") || (!diagnostics.is_empty() && !block.has("wrong")) {
                 let diagnostics: Vec<_> = diagnostics.iter().map(|d| format!("{:?} {}", d.code, d.message)).collect();
                 faults.push(format!("{}:{}: {diagnostics:?}", path.display(), block.line));
@@ -48,7 +48,7 @@ fn charts_to_copy_are_in_the_canonical_format() {
         }
         for block in blocks(&page).iter().filter(|block| block.language == "gct" && !block.has("wrong")) {
             charts += 1;
-            let (formatted, _) = grafc::format(FileId(0), &block.text);
+            let (formatted, _) = grafc::format(FileId::new(0), &block.text);
             assert_eq!(formatted.as_deref(), Some(block.text.as_str()), "{}:{}", path.display(), block.line);
         }
     }

@@ -204,7 +204,7 @@ fn what_leaves_its_type_is_an_error_of_check() {
         assert!(outside.len() >= 10, "{name}: {} expressions", outside.len());
         for expression in outside {
             let text = format!("input x : {name} output o : bool initial step 1 {{ o if [x < {}] }}", expression.text);
-            let (tree, diagnostics) = grafc_syntax::parse(FileId(0), &text);
+            let (tree, diagnostics) = grafc_syntax::parse(FileId::new(0), &text);
             assert!(!diagnostics.has_errors(), "{text}");
             let (chart, diagnostics) = grafc_model::check(&tree, "edges");
             let codes: Vec<Code> = diagnostics.iter().map(|one| one.code).collect();
@@ -265,7 +265,7 @@ fn no_text_holds_what_is_not_finite(text: &str) {
             let lowering = Lowering { encoding, ..Lowering::default() };
             let options = Options::new(lowering, Product::Code(target));
             // A target may refuse a type that its controllers lack.
-            let (Some(output), _) = grafc::compile(FileId(0), text, "edges", &options) else { continue };
+            let (Some(output), _) = grafc::compile(FileId::new(0), text, "edges", &options) else { continue };
             for word in output.text.split(|c: char| !c.is_alphanumeric()) {
                 assert!(!["inf", "nan", "infinity"].contains(&word.to_lowercase().as_str()), "{}: {word}", about.name);
             }

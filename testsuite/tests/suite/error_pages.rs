@@ -54,9 +54,9 @@ fn is_of_another_tool(block: &FencedBlock) -> bool {
 /// What is said about a recording of a chart without inputs: its times are the trace.
 fn compared(chart: &Chart, recording: &str) -> Diagnostics {
     let times: Vec<&str> = recording.lines().filter_map(|line| line.split(',').next()).collect();
-    let (stimuli, mut diagnostics) = grafc_model::trace::parse_trace(FileId(1), &times.join("\n"), chart);
+    let (stimuli, mut diagnostics) = grafc_model::trace::parse_trace(FileId::new(1), &times.join("\n"), chart);
     let responses = simulate(chart, Profile::default(), &stimuli);
-    diagnostics.append(grafc_model::trace::compare_trace(FileId(1), recording, chart, &stimuli, &responses).1);
+    diagnostics.append(grafc_model::trace::compare_trace(FileId::new(1), recording, chart, &stimuli, &responses).1);
     diagnostics
 }
 
@@ -64,21 +64,21 @@ fn compared(chart: &Chart, recording: &str) -> Diagnostics {
 fn diagnose(code: Code, chart: &FencedBlock, trace: Option<&FencedBlock>) -> BTreeSet<Code> {
     if is_of_another_tool(chart) {
         let options = grafc_import::Options::default();
-        return codes(&grafc_import::import(FileId(0), &chart.text, &options).1);
+        return codes(&grafc_import::import(FileId::new(0), &chart.text, &options).1);
     }
-    let (checked, mut diagnostics) = grafc::check(FileId(0), &chart.text, "example");
+    let (checked, mut diagnostics) = grafc::check(FileId::new(0), &chart.text, "example");
     match trace {
         Some(trace) => {
             let checked =
                 checked.unwrap_or_else(|| panic!("{code:?}: the chart of the trace has errors: {diagnostics:?}"));
             diagnostics.append(match code {
-                Code::E0607 => grafc_testing::table(&checked, Profile::default(), (FileId(1), &trace.text), None),
+                Code::E0607 => grafc_testing::table(&checked, Profile::default(), (FileId::new(1), &trace.text), None),
                 Code::E0605 => compared(&checked, &trace.text),
                 Code::W0601 | Code::W0602 | Code::E0609 => {
-                    let (chart, trace) = ((FileId(0), chart.text.as_str()), (FileId(1), trace.text.as_str()));
+                    let (chart, trace) = ((FileId::new(0), chart.text.as_str()), (FileId::new(1), trace.text.as_str()));
                     grafc::simulate(chart, "example", trace, None, grafc::Run::default()).1
                 }
-                _ => grafc_model::trace::parse_trace(FileId(1), &trace.text, &checked).1,
+                _ => grafc_model::trace::parse_trace(FileId::new(1), &trace.text, &checked).1,
             });
         }
         None => {
@@ -184,14 +184,14 @@ fn fixes_of_wrong_examples_cure_them() {
     for code in Code::ALL {
         let wrong = examples(*code, "Wrong");
         let Some(chart) = only(&wrong, "gct") else { continue };
-        let diagnostics = grafc::check(FileId(0), &chart.text, "example").1;
+        let diagnostics = grafc::check(FileId::new(0), &chart.text, "example").1;
         for diagnostic in &diagnostics {
             let errors =
                 |diagnostics: &Diagnostics| diagnostics.iter().filter(|d| d.code.severity() == Severity::Error).count();
             let is_error = usize::from(diagnostic.code.severity() == Severity::Error);
             for fix in &diagnostic.fixes {
-                let fixed = apply(FileId(0), &chart.text, &fix.edits).unwrap_or_else(|e| panic!("{code:?}: {e}"));
-                let now = grafc::check(FileId(0), &fixed, "example").1;
+                let fixed = apply(FileId::new(0), &chart.text, &fix.edits).unwrap_or_else(|e| panic!("{code:?}: {e}"));
+                let now = grafc::check(FileId::new(0), &fixed, "example").1;
                 assert!(errors(&now) <= errors(&diagnostics) - is_error, "{code:?}: {fix:?} gives {now:#?}\n{fixed}");
                 let is_left = now.iter().any(|d| d.code == *code && d.message == diagnostic.message);
                 assert!(!is_left, "{code:?}: {fix:?} does not help\n{fixed}");

@@ -65,7 +65,7 @@ fn charts_and_reports_are_as_written_by_hand() {
         assert_eq!(chart, read(format!("{name}.gct")), "{name}");
         assert_eq!(lines(&text, &diagnostics), read(format!("{name}.report")).lines().collect::<Vec<_>>(), "{name}");
         is_canonical(&chart);
-        assert!(grafc::check(FileId(0), &chart, name).0.is_some(), "{name}");
+        assert!(grafc::check(FileId::new(0), &chart, name).0.is_some(), "{name}");
     }
 }
 
@@ -358,7 +358,7 @@ fn damage(runs: u64) {
             Ok((chart, _)) => {
                 charts += 1;
                 is_canonical(&chart);
-                checked += usize::from(grafc::check(FileId(0), &chart, "damaged").0.is_some());
+                checked += usize::from(grafc::check(FileId::new(0), &chart, "damaged").0.is_some());
             }
             Err(diagnostics) => {
                 errors += 1;
@@ -438,7 +438,7 @@ fn run_collection(rows: usize) {
 
 /// The chart is sound, and each exact encoding is written as Structured Text and does what the simulator does.
 fn runs(name: &str, text: &str, rows: usize) {
-    let (chart, diagnostics) = grafc::check(FileId(0), text, name);
+    let (chart, diagnostics) = grafc::check(FileId::new(0), text, name);
     let chart: Chart = chart.unwrap_or_else(|| panic!("{name}: {diagnostics:?}"));
     let profile = Profile::default();
     let stimuli = random::trace(7, &chart, rows);

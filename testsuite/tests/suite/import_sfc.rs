@@ -73,7 +73,7 @@ fn charts_and_reports_are_as_written_by_hand() {
         assert_eq!(chart, read(&format!("{stem}.gct")), "{name}");
         let report = read(&format!("{stem}.report"));
         assert_eq!(lines(&text, &diagnostics), report.lines().collect::<Vec<_>>(), "{name}: {diagnostics:?}");
-        assert!(grafc::check(FileId(0), &chart, name).0.is_some(), "{name}");
+        assert!(grafc::check(FileId::new(0), &chart, name).0.is_some(), "{name}");
     }
 }
 
@@ -290,7 +290,7 @@ fn orders_to_child_programs_become_pulse_orders() {
             assert!(chart.contains(word), "{word} in\n{chart}");
         }
         assert_eq!(lines(&text, &diagnostics), report, "{diagnostics:?}\n{text}");
-        assert!(grafc::check(FileId(0), &chart, "chart").0.is_some(), "{chart}");
+        assert!(grafc::check(FileId::new(0), &chart, "chart").0.is_some(), "{chart}");
     }
 }
 

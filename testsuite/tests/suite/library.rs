@@ -31,13 +31,13 @@ fn a_document_makes_what_a_compile_makes() {
     let (mut made, mut refused) = (0, 0);
     for case in &cases {
         let mut document = Document::new(format!("{}.gct", case.name), case.text.as_str());
-        assert_eq!(all(&document), list(&check(FileId(0), &case.text, &case.name).1), "{}", case.name);
+        assert_eq!(all(&document), list(&check(FileId::new(0), &case.text, &case.name).1), "{}", case.name);
         for encoding in Encoding::ALL {
             let lowering = Lowering { profile: case.profile, encoding, simplify: true };
             document.set_options(lowering);
             for target in &targets {
                 let options = Options::new(lowering, Product::Code(target.clone()));
-                let (expected, diagnostics) = compile(FileId(0), &case.text, &case.name, &options);
+                let (expected, diagnostics) = compile(FileId::new(0), &case.text, &case.name, &options);
                 let mut found = document.diagnostics().clone();
                 found.append(document.warnings().clone());
                 match document.emit(target) {

@@ -159,7 +159,7 @@ impl RustStatements<'_> {
                 Code::Loop(micro_step) => self.repeat(out, *micro_step),
                 Code::Again(again) => {
                     out.blank();
-                    out.line(self.places.read(*again));
+                    out.line(&self.places.read(*again));
                 }
                 Code::Call(function) => out.line(&format!("{};", self.call(*function))),
                 Code::If(choice) => {

@@ -59,7 +59,7 @@ impl RustStatements<'_> {
     /// The left side of an assignment, with its `let`.
     fn target(&self, declares: Option<bool>, target: VarId, typed: bool) -> EcoString {
         let name = self.places.read(target);
-        let Some(written_again) = declares else { return name.clone() };
+        let Some(written_again) = declares else { return name };
         let name = if self.locals.is_unread(target) { "_" } else { name.as_str() };
         let mutable = if written_again { "mut " } else { "" };
         let ty = self.program.variables[target].ty;

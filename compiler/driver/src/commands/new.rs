@@ -84,7 +84,7 @@ fn wrong(what: String) -> Failure {
 fn chart_name(name: &str) -> String {
     let name = name.replace('-', "_");
     let text = CHART.replace("{chart}", &name);
-    let (chart, _) = grafc::check(FileId(0), &text, &name);
+    let (chart, _) = grafc::check(FileId::new(0), &text, &name);
     if chart.is_some() { name } else { format!("`{name}`") }
 }
 

@@ -9,7 +9,7 @@ mod rewrite;
 use crate::number;
 pub use grafc_model::chart::{Arithmetic, Comparison, Type, Value};
 use hashbrown::HashTable;
-use index_vec::define_index_type;
+use index_vec::{IndexVec, define_index_type};
 use rustc_hash::{FxBuildHasher, FxHashSet, FxHasher};
 use std::hash::{Hash, Hasher};
 use std::{iter, slice};
@@ -85,11 +85,18 @@ pub struct Pool {
     depths: Vec<u32>,
     /// The operands of all conjunctions and disjunctions.
     lists: Vec<FormulaId>,
-    /// All formulas by what they are; empty from [`Pool::shrink_to_fit`] on, until one is added.
+    /// All formulas by what they are but those that read a variable.
     known: HashTable<FormulaId>,
+    /// The formula that reads a variable, or [`NONE`]: a table of these needs no hashing, and they are half of all formulas.
+    reads: IndexVec<VarId, FormulaId>,
+    /// How many formulas are in both: all, but none from [`Pool::shrink_to_fit`] on, until one is added.
+    listed: usize,
     /// The operands of the junction that is being made: a list of its own is needed for a new one only.
     operands: Vec<FormulaId>,
 }
+
+/// No formula.
+const NONE: FormulaId = FormulaId::from_raw_unchecked(u32::MAX);
 
 /// A formula to be found or made. If it is a junction these are its operands, which need not lie in the pool.
 struct Candidate<'l> {
@@ -137,7 +144,9 @@ impl Pool {
             types: Vec::with_capacity(formulas),
             depths: Vec::with_capacity(formulas),
             lists: Vec::with_capacity(operands),
-            known: HashTable::with_capacity(formulas),
+            known: HashTable::with_capacity(formulas / 2),
+            reads: IndexVec::new(),
+            listed: 0,
             operands: Vec::new(),
         }
     }
@@ -148,7 +157,7 @@ impl Pool {
         self.types.shrink_to_fit();
         self.depths.shrink_to_fit();
         self.lists.shrink_to_fit();
-        self.known = HashTable::new();
+        (self.known, self.reads, self.listed) = (HashTable::new(), IndexVec::new(), 0);
     }
 
     /// The formula of an id.
@@ -208,11 +217,19 @@ impl Pool {
     }
 
     fn add_candidate(&mut self, candidate: &Candidate) -> FormulaId {
-        self.know_all();
+        self.list_all();
         let hash = candidate.hash();
         if let Some(known) = self.find(candidate, hash) {
             return known;
         }
+        let id = self.push(candidate);
+        let Pool { formulas, types, lists, known, .. } = self;
+        known.insert_unique(hash, id, |id| as_candidate(formulas, types, lists, *id).hash());
+        id
+    }
+
+    /// Adds a formula that is not there yet to the pool, though not to a table.
+    fn push(&mut self, candidate: &Candidate) -> FormulaId {
         let id = FormulaId::from_usize(self.formulas.len());
         let list = List { begin: self.lists.len() as u32, length: candidate.list.len() as u32 };
         self.lists.extend_from_slice(candidate.list);
@@ -224,26 +241,36 @@ impl Pool {
         self.types.push(candidate.ty);
         let below = self.operands(id).map(|o| self.depths[o.index()] + 1).max();
         self.depths.push(below.unwrap_or(0));
-        let Pool { formulas, types, lists, known, .. } = self;
-        known.insert_unique(hash, id, |id| as_candidate(formulas, types, lists, *id).hash());
+        self.listed += 1;
         id
     }
 
-    /// Makes the table of all formulas, if it is not there.
-    fn know_all(&mut self) {
-        let Pool { formulas, types, lists, known, .. } = self;
-        if !known.is_empty() {
+    /// Makes the tables of all formulas, if they are not there.
+    fn list_all(&mut self) {
+        if self.listed == self.formulas.len() {
             return;
         }
-        let hash = |id: &FormulaId| as_candidate(formulas, types, lists, *id).hash();
-        known.reserve(formulas.len(), hash);
-        for id in (0..formulas.len()).map(FormulaId::from_usize) {
+        for id in self.ids() {
+            if let Formula::Variable(v) = self.formulas[id.index()] {
+                self.list_read(v, id);
+                continue;
+            }
+            let Pool { formulas, types, lists, known, .. } = self;
+            let hash = |id: &FormulaId| as_candidate(formulas, types, lists, *id).hash();
             known.insert_unique(hash(&id), id, hash);
         }
+        self.listed = self.formulas.len();
+    }
+
+    fn list_read(&mut self, variable: VarId, id: FormulaId) {
+        if self.reads.len() <= variable.index() {
+            self.reads.resize(variable.index() + 1, NONE);
+        }
+        self.reads[variable] = id;
     }
 
     fn find(&self, candidate: &Candidate, hash: u64) -> Option<FormulaId> {
-        debug_assert_eq!(self.known.len(), self.formulas.len(), "the table is asked before a formula is added to it");
+        debug_assert_eq!(self.listed, self.formulas.len(), "the table is asked before a formula is added to it");
         let Pool { formulas, types, lists, .. } = self;
         self.known.find(hash, |id| candidate.is(&as_candidate(formulas, types, lists, *id))).copied()
     }
@@ -279,9 +306,16 @@ impl Pool {
         }
     }
 
-    /// The value of a variable.
+    /// The value of a variable, which has one type.
     pub fn variable(&mut self, variable: VarId, ty: Type) -> FormulaId {
-        self.add(Formula::Variable(variable), ty)
+        self.list_all();
+        if let Some(known) = self.reads.get(variable).copied().filter(|known| *known != NONE) {
+            debug_assert_eq!(self.ty(known), ty, "a variable has one type");
+            return known;
+        }
+        let id = self.push(&Candidate { formula: Formula::Variable(variable), ty, list: &[] });
+        self.list_read(variable, id);
+        id
     }
 
     /// Whether a timer has run out.

@@ -45,11 +45,11 @@ impl Lowering {
     ) -> FormulaId {
         match cx.moment {
             Moment::First if on.ms > 0 => self.pool.truth(false),
-            Moment::First => cx.exprs[&operand],
-            Moment::Restored if on.ms == 0 && off.ms == 0 => cx.exprs[&operand],
+            Moment::First => cx.exprs[operand],
+            Moment::Restored if on.ms == 0 && off.ms == 0 => cx.exprs[operand],
             Moment::After | Moment::Restored => self.delay_values[&e],
             Moment::MicroStep => {
-                let input = cx.exprs[&operand];
+                let input = cx.exprs[operand];
                 let value = match self.delay_of.get(&(input, on, off)) {
                     Some(known) => *known,
                     None => {

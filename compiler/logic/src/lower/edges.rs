@@ -17,7 +17,7 @@ impl Lowering {
             Moment::First | Moment::After | Moment::Restored => return self.pool.truth(false),
             Moment::MicroStep => {}
         }
-        let formula = cx.exprs[&operand];
+        let formula = cx.exprs[operand];
         let index = match self.edge_of.get(&formula) {
             Some(known) => *known,
             None => self.remember(cx, operand, formula),

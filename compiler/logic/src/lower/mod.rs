@@ -11,6 +11,7 @@ mod delays;
 mod edges;
 mod factored;
 pub(crate) mod frozen;
+mod lowered;
 mod setters;
 pub(crate) mod situation;
 pub(crate) mod symbols;
@@ -28,6 +29,7 @@ use grafc_model::chart::{Continuous, DelayTime, ExprId, ExprKind, GrafcetId, Mac
 use grafc_net::Net;
 use grafc_net::net::Grafcet;
 use index_vec::IndexVec;
+use lowered::LoweredExprs;
 use rustc_hash::{FxHashMap, FxHashSet};
 use setters::Setters;
 use situation::Situation;
@@ -56,7 +58,7 @@ pub(crate) struct Context {
     pub(crate) origin: Origin,
     /// The definitions, in the order in which they must be done.
     pub(crate) statements: Vec<Statement>,
-    exprs: FxHashMap<ExprId, FormulaId>,
+    exprs: LoweredExprs,
     wires: FxHashSet<VariableId>,
     macros: FxHashMap<MacroId, FormulaId>,
     grafcets: FxHashMap<GrafcetId, FormulaId>,
@@ -108,7 +110,7 @@ impl Context {
             | ExprKind::Widen(_) => false,
         };
         let mut after = Context::new(self.moment);
-        after.exprs.extend(self.exprs.iter().filter(|(e, _)| stays(e)).map(|(e, formula)| (*e, *formula)));
+        self.exprs.iter().filter(|(e, _)| stays(e)).for_each(|(e, formula)| after.exprs.insert(e, formula));
         after.macros.clone_from(&self.macros);
         after.grafcets.clone_from(&self.grafcets);
         after
@@ -119,7 +121,7 @@ impl Context {
             moment,
             origin: Origin::Chart,
             statements: Vec::new(),
-            exprs: FxHashMap::default(),
+            exprs: LoweredExprs::default(),
             wires: FxHashSet::default(),
             macros: FxHashMap::default(),
             grafcets: FxHashMap::default(),
@@ -226,10 +228,15 @@ impl Lowering {
         }
     }
 
+    /// What a program keeps of it.
+    pub(crate) fn into_parts(self) -> (Symbols, Situation, IndexVec<TimerId, Timer>, Pool) {
+        (self.symbols, self.situation, self.timers, self.pool)
+    }
+
     /// The formula of a condition or value at a moment.
     pub(crate) fn expr(&mut self, cx: &mut Context, root: ExprId) -> FormulaId {
         self.satisfy(cx, Need::Expr(root));
-        cx.exprs[&root]
+        cx.exprs[root]
     }
 
     /// Emits the assignment of a wire at a moment, after those of the wires that it reads.
@@ -270,7 +277,7 @@ impl Lowering {
 
     fn is_done(&self, cx: &Context, need: Need) -> bool {
         match need {
-            Need::Expr(e) => cx.exprs.contains_key(&e),
+            Need::Expr(e) => cx.exprs.get(e).is_some(),
             Need::Wire(v) => cx.wires.contains(&v) || self.kept_wires.contains(&v),
             Need::Macro(m) => cx.macros.contains_key(&m),
             Need::Grafcet(g) => cx.grafcets.contains_key(&g),
@@ -391,7 +398,7 @@ impl Lowering {
     fn build_wire(&mut self, cx: &mut Context, wire: VariableId) {
         let net = &*self.net.clone();
         let actions = || self.setters.on(wire).map(|index| &net.continuous[index]);
-        let term = |action: &Continuous| (self.active(action.step), action.condition.map(|c| cx.exprs[&c]));
+        let term = |action: &Continuous| (self.active(action.step), action.condition.map(|c| cx.exprs[c]));
         let terms = actions().map(term).collect();
         let of_states = actions().any(|action| self.situation.bit(action.step).is_none());
         let value = factored(&mut self.pool, terms);
@@ -429,30 +436,30 @@ impl Lowering {
             ExprKind::MacroActive(m) => cx.macros[m],
             ExprKind::GrafcetActive(g) => cx.grafcets[g],
             ExprKind::GrafcetFrozen(g) => self.is_frozen(*g),
-            ExprKind::Not(a) => self.pool.not(cx.exprs[a]),
+            ExprKind::Not(a) => self.pool.not(cx.exprs[*a]),
             ExprKind::And(..) => {
-                let operands: Vec<FormulaId> = self.chain(e).iter().map(|o| cx.exprs[o]).collect();
+                let operands: Vec<FormulaId> = self.chain(e).iter().map(|o| cx.exprs[*o]).collect();
                 self.pool.and(operands)
             }
             ExprKind::Or(..) => {
-                let operands: Vec<FormulaId> = self.chain(e).iter().map(|o| cx.exprs[o]).collect();
+                let operands: Vec<FormulaId> = self.chain(e).iter().map(|o| cx.exprs[*o]).collect();
                 self.pool.or(operands)
             }
-            ExprKind::Xor(a, b) => self.pool.xor(cx.exprs[a], cx.exprs[b]),
+            ExprKind::Xor(a, b) => self.pool.xor(cx.exprs[*a], cx.exprs[*b]),
             ExprKind::Rise(a) => self.edge(cx, *a, true),
             ExprKind::Fall(a) => self.edge(cx, *a, false),
             ExprKind::Delay { on, operand, off } => self.delay(cx, e, *on, *operand, *off),
             ExprKind::Compare(op, a, b) => {
-                let (a, b) = (self.latch(cx, cx.exprs[a]), self.latch(cx, cx.exprs[b]));
+                let (a, b) = (self.latch(cx, cx.exprs[*a]), self.latch(cx, cx.exprs[*b]));
                 self.pool.compare(*op, a, b)
             }
-            ExprKind::Arithmetic(op, a, b) => self.arithmetic(cx, *op, expr.ty, cx.exprs[a], cx.exprs[b]),
+            ExprKind::Arithmetic(op, a, b) => self.arithmetic(cx, *op, expr.ty, cx.exprs[*a], cx.exprs[*b]),
             ExprKind::Negate(a) => {
-                let a = self.latch(cx, cx.exprs[a]);
+                let a = self.latch(cx, cx.exprs[*a]);
                 self.pool.negate(a)
             }
             ExprKind::Widen(a) => {
-                let a = self.latch(cx, cx.exprs[a]);
+                let a = self.latch(cx, cx.exprs[*a]);
                 self.pool.widen(expr.ty, a)
             }
         }

@@ -187,7 +187,7 @@ mod tests {
 
     /// The codes of what is warned of that inputs decide.
     fn codes(text: &str) -> Vec<&'static str> {
-        let (tree, faults) = grafc_syntax::parse(FileId(0), text);
+        let (tree, faults) = grafc_syntax::parse(FileId::new(0), text);
         let (chart, said) = grafc_model::check(&tree, "test");
         let chart = chart.unwrap_or_else(|| panic!("{text} has errors: {faults:?} {said:?}"));
         let mut net = grafc_net::build(&chart);

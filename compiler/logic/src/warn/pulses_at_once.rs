@@ -102,7 +102,7 @@ mod tests {
              transition 1 -> 2 : a {{ {transition} }} transition 2 -> 1 : not a }}
              child grafcet P of MAIN {{ initial step 10 step 11 transition 10 -> 11 : b transition 11 -> 10 : not b }}"
         );
-        let (tree, faults) = grafc_syntax::parse(FileId(0), &text);
+        let (tree, faults) = grafc_syntax::parse(FileId::new(0), &text);
         let (chart, said) = grafc_model::check(&tree, "test");
         let chart = chart.unwrap_or_else(|| panic!("{text} has errors: {faults:?} {said:?}"));
         let mut net = grafc_net::build(&chart);

@@ -187,8 +187,6 @@ pub struct Variable {
     pub ty: Type,
     /// `:= value`, or the zero of the type; the value of a constant.
     pub initial: Value,
-    /// Whether `:= value` was written.
-    pub initial_given: bool,
     /// Whether its value is kept over a restart of the controller (`retain`).
     pub retain: bool,
     /// Whether it is false again before the first micro-step of each reaction: an output on arcs of automata in a chart that

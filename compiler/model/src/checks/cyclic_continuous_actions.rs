@@ -10,6 +10,7 @@ use crate::chart::{ExprKind, Mode, Tables, VariableId, below};
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use index_vec::{IndexVec, index_vec};
+use rustc_hash::FxHashMap;
 
 /// More of a circle is not shown.
 const SHOWN: usize = 8;
@@ -20,16 +21,17 @@ type Read = (VariableId, Span);
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     let reads = reads(chart);
+    let reads_of = |wire: VariableId| reads.get(&wire).map_or(&[][..], Vec::as_slice);
     let mut states: IndexVec<VariableId, State> = index_vec![State::Untouched; chart.variables.len()];
     for root in chart.variables.indices() {
-        if states[root] != State::Untouched || reads[root].is_empty() {
+        if states[root] != State::Untouched || reads_of(root).is_empty() {
             continue;
         }
         states[root] = State::Open;
         // Each wire under way, and which of its reads comes next.
         let mut way = vec![(root, 0)];
         while let Some((wire, next)) = way.last_mut() {
-            let Some(&(read, span)) = reads[*wire].get(*next) else {
+            let Some(&(read, span)) = reads_of(*wire).get(*next) else {
                 states[*wire] = State::Done;
                 way.pop();
                 continue;
@@ -42,7 +44,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
                 }
                 State::Open => {
                     let start = way.iter().rposition(|&(wire, _)| wire == read).unwrap_or(0);
-                    let circle: Vec<Read> = way[start..].iter().map(|&(wire, next)| reads[wire][next - 1]).collect();
+                    let circle: Vec<Read> = way[start..].iter().map(|&(wire, next)| reads_of(wire)[next - 1]).collect();
                     diagnostics.push(report(chart, read, span, &circle));
                 }
                 State::Done => {}
@@ -58,9 +60,9 @@ enum State {
     Done,
 }
 
-/// The wires that the conditions of each wire read, each once.
-fn reads(chart: &Tables) -> IndexVec<VariableId, Vec<Read>> {
-    let mut reads: IndexVec<VariableId, Vec<Read>> = index_vec![Vec::new(); chart.variables.len()];
+/// The wires that the conditions of each wire read, each once; most wires read none.
+fn reads(chart: &Tables) -> FxHashMap<VariableId, Vec<Read>> {
+    let mut reads: FxHashMap<VariableId, Vec<Read>> = FxHashMap::default();
     for action in chart.continuous.iter() {
         let Some(condition) = action.condition else { continue };
         for id in below(&chart.exprs, condition) {
@@ -68,11 +70,11 @@ fn reads(chart: &Tables) -> IndexVec<VariableId, Vec<Read>> {
             if let ExprKind::Variable(variable) = expr.kind
                 && chart.variables[variable].mode == Mode::Wire
             {
-                reads[action.target].push((variable, expr.span));
+                reads.entry(action.target).or_default().push((variable, expr.span));
             }
         }
     }
-    for reads in &mut reads {
+    for reads in reads.values_mut() {
         reads.sort_by_key(|&(variable, span)| (variable, span));
         reads.dedup_by_key(|&mut (variable, _)| variable);
     }

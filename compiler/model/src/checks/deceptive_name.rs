@@ -26,22 +26,21 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
 }
 
 /// The names of one kind.
-fn names<'n>(names: impl Iterator<Item = (&'n str, Span)>, diagnostics: &mut Diagnostics) {
-    let all: Vec<(&str, Span)> = names.collect();
-    if all.iter().all(|(name, _)| name.is_ascii()) {
+fn names<'n>(all: impl Iterator<Item = (&'n str, Span)> + Clone, diagnostics: &mut Diagnostics) {
+    if all.clone().all(|(name, _)| name.is_ascii()) {
         return;
     }
     // Of names that look alike the first; one of ASCII, if there is one.
     let mut first: FxHashMap<String, (&str, Span)> = FxHashMap::default();
-    for (name, span) in &all {
-        let entry = first.entry(looks(name)).or_insert((name, *span));
+    for (name, span) in all.clone() {
+        let entry = first.entry(looks(name)).or_insert((name, span));
         if name.is_ascii() && !entry.0.is_ascii() {
-            *entry = (name, *span);
+            *entry = (name, span);
         }
     }
-    for (name, span) in all.iter().filter(|(name, _)| !name.is_ascii()) {
-        let say = |message: String| Diagnostic::new(Code::W0426, *span, message);
-        let like = first.get(&looks(name)).filter(|(other, _)| other != name);
+    for (name, span) in all.filter(|(name, _)| !name.is_ascii()) {
+        let say = |message: String| Diagnostic::new(Code::W0426, span, message);
+        let like = first.get(&looks(name)).filter(|(other, _)| *other != name);
         let found = if let Some(c) = name.chars().find(|c| is_invisible(*c)) {
             Some(say(format!("a name holds U+{:04X}, which cannot be seen", u32::from(c))).help("write it without"))
         } else if let Some((other, place)) = like {

@@ -12,7 +12,7 @@ pub fn codes(text: &str) -> Vec<&'static str> {
 
 /// The codes of all messages on a chart.
 pub fn all_codes(text: &str) -> Vec<&'static str> {
-    let (tree, mut diagnostics) = grafc_syntax::parse(FileId(0), text);
+    let (tree, mut diagnostics) = grafc_syntax::parse(FileId::new(0), text);
     let (chart, more) = crate::check(&tree, "test");
     diagnostics.append(more);
     assert_eq!(
@@ -28,10 +28,11 @@ pub fn all_codes(text: &str) -> Vec<&'static str> {
 fn try_fixes(text: &str, found: &Diagnostics) {
     for diagnostic in found {
         for fix in &diagnostic.fixes {
-            let fixed = apply(FileId(0), text, &fix.edits).unwrap_or_else(|misfit| panic!("{misfit}: {fix:?}\n{text}"));
+            let fixed =
+                apply(FileId::new(0), text, &fix.edits).unwrap_or_else(|misfit| panic!("{misfit}: {fix:?}\n{text}"));
             let mut left: Vec<&str> = found.iter().map(|other| other.message.as_str()).collect();
             left.remove(left.iter().position(|message| *message == diagnostic.message).expect("it is among them"));
-            let (tree, mut now) = grafc_syntax::parse(FileId(0), &fixed);
+            let (tree, mut now) = grafc_syntax::parse(FileId::new(0), &fixed);
             now.append(crate::check(&tree, "test").1);
             for new in now.iter().filter(|new| new.code.severity() == Severity::Error) {
                 match left.iter().position(|message| *message == new.message) {
@@ -67,7 +68,7 @@ pub fn passes_with(warnings: &[&str], text: &str) {
 
 /// The only help that is given on a chart.
 pub fn help(text: &str) -> Option<String> {
-    let (tree, _) = grafc_syntax::parse(FileId(0), text);
+    let (tree, _) = grafc_syntax::parse(FileId::new(0), text);
     let (_, diagnostics) = crate::check(&tree, "test");
     try_fixes(text, &diagnostics);
     let told = diagnostics.iter().filter(|d| !matches!(d.code.as_str(), "W0419" | "W0420"));
@@ -78,7 +79,7 @@ pub fn help(text: &str) -> Option<String> {
 
 /// The other places of the only message on a chart, each with what is said there.
 pub fn labels(text: &str) -> Vec<String> {
-    let (tree, _) = grafc_syntax::parse(FileId(0), text);
+    let (tree, _) = grafc_syntax::parse(FileId::new(0), text);
     let (_, mut diagnostics) = crate::check(&tree, "test");
     diagnostics.retain(|d| !matches!(d.code.as_str(), "W0419" | "W0420"));
     labels_in(text, &diagnostics)
@@ -86,7 +87,7 @@ pub fn labels(text: &str) -> Vec<String> {
 
 /// The other places of the only message on a chart, whatever it is about.
 pub fn labels_of(text: &str) -> Vec<String> {
-    let (tree, _) = grafc_syntax::parse(FileId(0), text);
+    let (tree, _) = grafc_syntax::parse(FileId::new(0), text);
     labels_in(text, &crate::check(&tree, "test").1)
 }
 
@@ -100,7 +101,7 @@ fn labels_in(text: &str, diagnostics: &Diagnostics) -> Vec<String> {
 
 /// A chart in which nothing is wrong.
 pub fn chart(text: &str) -> crate::chart::Chart {
-    let (tree, diagnostics) = grafc_syntax::parse(FileId(0), text);
+    let (tree, diagnostics) = grafc_syntax::parse(FileId::new(0), text);
     assert!(!diagnostics.has_errors(), "{diagnostics:#?}");
     let (chart, diagnostics) = crate::check(&tree, "test");
     chart.unwrap_or_else(|| panic!("{diagnostics:#?}"))

@@ -1,6 +1,7 @@
 //! The interpretation: transition-conditions, actions and forcing orders, in source order.
 
 use super::expressions::{self, Context, Need, Scratch};
+use super::fold::Constants;
 use super::habits::{self, Stray};
 use super::parts::{Holder, Parts};
 use super::scope::{Label, Reference, Scope, kind};
@@ -12,14 +13,13 @@ use crate::chart::{
 use crate::symbols::{Form, Role, Symbols, Wanted};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix, Span};
 use grafc_syntax::ast;
-use index_vec::IndexVec;
 
 /// Fills in conditions, actions and orders; gives back whether none had to be left out.
 pub fn interpret<'a>(
     tree: &'a ast::Exprs,
     parts: &Parts<'a>,
     scope: &Scope<'a>,
-    constants: &IndexVec<VariableId, Option<Value>>,
+    constants: &Constants,
     chart: &mut Tables,
     symbols: &mut Symbols,
     diagnostics: &mut Diagnostics,
@@ -66,7 +66,7 @@ pub fn interpret<'a>(
 struct Interpretation<'i, 'a> {
     tree: &'a ast::Exprs,
     scope: &'i Scope<'a>,
-    constants: &'i IndexVec<VariableId, Option<Value>>,
+    constants: &'i Constants,
     chart: &'i mut Tables,
     symbols: &'i mut Symbols,
     diagnostics: &'i mut Diagnostics,

@@ -6,11 +6,11 @@
 use super::addresses;
 use super::comment;
 use super::expressions::{Context, Need, Scratch, note_names};
-use super::fold::fold;
+use super::fold::{Constants, fold};
 use super::parts::Parts;
 use super::scope::{Reference, Scope};
 use super::types;
-use crate::chart::{Mode, Type, Value, Variable, VariableId, VariableKind};
+use crate::chart::{Mode, Type, Variable, VariableId, VariableKind};
 use crate::symbols::Symbols;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
 use grafc_syntax::ast;
@@ -31,7 +31,6 @@ pub fn variables(parts: &Parts) -> IndexVec<VariableId, Variable> {
                 kind: addresses::kind(declaration.kind),
                 ty: declaration.ty.unwrap_or(STAND_IN),
                 initial: types::zero(declaration.ty.unwrap_or(STAND_IN)),
-                initial_given: declaration.initial.is_some(),
                 retain: declaration.retain.is_some(),
                 momentary: false,
                 address: None,
@@ -63,11 +62,10 @@ pub fn evaluate(
         variables,
         owners,
         states: vec![State::Untouched; parts.declarations.len()],
-        values: Values { constants: index_vec::index_vec![None; 0], complete: true },
+        values: Values { constants: Constants::default(), complete: true },
         symbols,
         diagnostics,
     };
-    evaluation.values.constants.resize(evaluation.variables.len(), None);
     for index in 0..parts.declarations.len() {
         evaluation.declaration(index);
     }
@@ -76,8 +74,8 @@ pub fn evaluate(
 
 /// What the declarations came to.
 pub struct Values {
-    /// The values of the constants; none where it is faulty, and of variables.
-    pub constants: IndexVec<VariableId, Option<Value>>,
+    /// The values of the constants; none where it is faulty.
+    pub constants: Constants,
     /// Whether no value is missing.
     pub complete: bool,
 }
@@ -250,7 +248,7 @@ impl Evaluation<'_, '_> {
         for id in ids {
             self.variables[id].initial = value;
             if is_constant {
-                self.values.constants[id] = Some(value);
+                self.values.constants.insert(id, value);
             }
         }
     }

@@ -6,19 +6,23 @@ use super::types;
 use crate::chart::{Arithmetic, Comparison, Expr, ExprId, ExprKind, Type, Value, VariableId};
 use grafc_diagnostics::{Code, Diagnostic};
 use index_vec::IndexVec;
+use rustc_hash::FxHashMap;
 use std::cmp::Ordering;
+
+/// The values of constants: few variables are.
+pub type Constants = FxHashMap<VariableId, Value>;
 
 /// The value of `root`; an error at the first part that has none. `Ok(None)` if a constant in it is faulty itself.
 pub fn fold(
     pool: &IndexVec<ExprId, Expr>,
     root: ExprId,
-    constants: &IndexVec<VariableId, Option<Value>>,
+    constants: &Constants,
     is_constant: impl Fn(VariableId) -> bool,
 ) -> Result<Option<Value>, Box<Diagnostic>> {
     let mut values: IndexVec<ExprId, Option<Value>> = IndexVec::with_capacity(pool.len());
     for expr in pool {
         let value = match expr.kind {
-            ExprKind::Variable(id) if is_constant(id) => constants[id],
+            ExprKind::Variable(id) if is_constant(id) => constants.get(&id).copied(),
             ExprKind::Variable(_)
             | ExprKind::StepActive(_)
             | ExprKind::StepTime(_)

@@ -1,7 +1,7 @@
 //! Scenarios: names and values of the chart that they test, which knows nothing of them.
 
 use super::expressions::{Context, Need, Scratch};
-use super::fold::fold;
+use super::fold::{Constants, fold};
 use super::scope::{Label, Reference, Scope};
 use crate::chart::{
     Condition, ExprKind, Scenario, ScenarioExpectation, ScenarioInput, ScenarioLine, ScenarioTime, Type, Value,
@@ -24,7 +24,7 @@ pub struct Against<'c, 'a> {
     /// Its variables.
     pub variables: &'c IndexVec<VariableId, Variable>,
     /// The values of its constants.
-    pub constants: &'c IndexVec<VariableId, Option<Value>>,
+    pub constants: &'c Constants,
 }
 
 /// Resolves scenarios; what makes no sense in one is reported, and the rest of it is there.

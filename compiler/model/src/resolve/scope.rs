@@ -4,7 +4,7 @@
 //! two equal ones the first keeps the name (E0202), and what an implicit variable is called nobody may declare (E0204).
 
 use super::habits;
-use super::names::Names;
+use super::names::{Firsts, Names};
 use super::parts::Parts;
 use super::suggest::Suggestions;
 use crate::chart::{GrafcetId, MacroId, Node, StepId, VariableId};
@@ -13,9 +13,7 @@ use crate::symbols::{Entity, Form};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix, Span};
 use grafc_syntax::ast;
 use grafc_syntax::spelling::written;
-use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
-use std::borrow::Cow;
-use std::collections::hash_map::Entry;
+use rustc_hash::FxHashSet;
 
 /// What a label stands for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -116,7 +114,7 @@ impl<'a> Scope<'a> {
     /// Enters the variables; returns those that may be called as an implicit variable is.
     fn declare_variables(&mut self, parts: &Parts<'a>, diagnostics: &mut Diagnostics) -> Vec<&'a ast::Name> {
         let count = parts.declarations.iter().map(|declaration| declaration.names.len()).sum();
-        let mut first_of: FxHashMap<Cow<str>, &'a ast::Name> = hash_map(count);
+        let mut first_of: Firsts<'a, Span> = Firsts::with_capacity(count);
         self.variables = Names::with_capacity(count);
         let mut suspects = Vec::new();
         let names = parts.declarations.iter().flat_map(|item| item.names.iter().map(|name| (item.ty, name)));
@@ -125,19 +123,15 @@ impl<'a> Scope<'a> {
             if ty.is_none() {
                 self.untyped.insert(VariableId::new(index));
             }
-            match first_of.entry(folded(&name.text)) {
-                Entry::Occupied(first) if first.get().text == name.text => diagnostics.push(
+            match first_of.enter(&name.text, name.span) {
+                Some((first, span)) if *first == name.text => diagnostics.push(
                     Diagnostic::new(Code::E0202, name.span, format!("`{}` is declared twice", name.text))
-                        .also(first.get().span, "first declared here")
+                        .also(*span, "first declared here")
                         .help("leave one of them out, or give it another name"),
                 ),
-                Entry::Occupied(first) => diagnostics.push(differ_by_case(name, &first.get().text, first.get().span)),
-                Entry::Vacant(place) => {
-                    place.insert(name);
-                    if name.text.starts_with(['X', 'x', 'T', 't']) {
-                        suspects.push(name);
-                    }
-                }
+                Some((first, span)) => diagnostics.push(differ_by_case(name, first, *span)),
+                None if name.text.starts_with(['X', 'x', 'T', 't']) => suspects.push(name),
+                None => {}
             }
             self.variables.enter(&name.text, VariableId::new(index));
         }
@@ -147,29 +141,28 @@ impl<'a> Scope<'a> {
     /// Enters the labels; `suspects` are variables that may be called as their implicit variables are.
     fn declare_labels(&mut self, parts: &Parts<'a>, suspects: &[&ast::Name], diagnostics: &mut Diagnostics) {
         let count = parts.grafcets.len() + parts.steps.len();
-        let mut first_of: FxHashMap<Cow<str>, (&'a str, Label, Span)> = hash_map(count);
+        let mut first_of: Firsts<'a, (Label, Span)> = Firsts::with_capacity(count);
         self.labels = Names::with_capacity(count);
         for (text, label, span) in labels(parts) {
-            match first_of.entry(folded(text)) {
-                Entry::Occupied(first) if first.get().0 == text => {
+            match first_of.enter(text, (label, span)) {
+                Some((first, (earlier, first_span))) if *first == text => {
                     self.ambiguous.insert(text);
-                    let &(_, earlier, first_span) = first.get();
-                    if let Some(diagnostic) = declared_twice(parts, text, label, span, earlier, first_span) {
+                    if let Some(diagnostic) = declared_twice(parts, text, label, span, *earlier, *first_span) {
                         diagnostics.push(diagnostic);
                     }
                     continue;
                 }
-                Entry::Occupied(first) => {
+                Some((first, (_, first_span))) => {
                     let name = ast::Name { text: text.into(), quoted: false, span };
-                    diagnostics.push(differ_by_case(&name, first.get().0, first.get().2));
+                    diagnostics.push(differ_by_case(&name, first, *first_span));
                 }
-                Entry::Vacant(place) => _ = place.insert((text, label, span)),
+                None => {}
             }
             self.labels.enter(text, label);
         }
         for name in suspects {
             let (letter, rest) = name.text.split_at(1);
-            let Some(&(text, label, span)) = first_of.get(&folded(rest)) else { continue };
+            let Some(&(text, (label, span))) = first_of.get(rest) else { continue };
             let (prefix, what) = match (letter, label) {
                 ("X" | "x", _) => ("X", "activity"),
                 (_, Label::Step(_)) => ("T", "duration"),
@@ -392,16 +385,6 @@ fn labels<'a>(parts: &Parts<'a>) -> impl Iterator<Item = (&'a str, Label, Span)>
         (part.ast.label.text.as_str(), label, part.ast.label.span)
     });
     grafcets.chain(steps)
-}
-
-/// A name without regard to case; most names are so already.
-fn folded(name: &str) -> Cow<'_, str> {
-    let is_folded = name.bytes().all(|byte| byte.is_ascii() && !byte.is_ascii_uppercase());
-    if is_folded { Cow::Borrowed(name) } else { Cow::Owned(name.to_lowercase()) }
-}
-
-fn hash_map<K, V>(count: usize) -> FxHashMap<K, V> {
-    FxHashMap::with_capacity_and_hasher(count, FxBuildHasher)
 }
 
 fn differ_by_case(name: &ast::Name, first: &str, first_span: Span) -> Diagnostic {

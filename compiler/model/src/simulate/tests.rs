@@ -49,7 +49,6 @@ fn declare(chart: &mut Tables, kind: VariableKind, mode: Mode) -> VariableId {
         kind,
         ty: Type::Bool,
         initial: Value::Bool(false),
-        initial_given: false,
         retain: false,
         momentary: false,
         address: None,

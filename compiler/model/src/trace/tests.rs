@@ -13,7 +13,6 @@ fn variable(name: &str, kind: VariableKind, ty: Type, initial: Value) -> Variabl
         kind,
         ty,
         initial,
-        initial_given: false,
         retain: false,
         momentary: false,
         address: None,

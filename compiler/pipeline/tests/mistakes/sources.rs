@@ -2,7 +2,7 @@
 //! a row among the mistakes, a row in the table of habits, or a page that shows it.
 
 use super::{FILE, mistakes, said};
-use grafc_diagnostics::Code;
+use grafc_diagnostics::{Code, FileId};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -186,5 +186,5 @@ fn words_are_matched() {
     assert!(!is_made_of("write `a`", "write `{}` or"));
     assert!(!is_made_of("write `a` now", "write `a`"));
     // A chart with a mistake gets its help, or nothing here would mean anything.
-    assert!(!said("step 1\ntransition 1 -> 1 : a b\n").is_empty() && FILE.0 == 0);
+    assert!(!said("step 1\ntransition 1 -> 1 : a b\n").is_empty() && FILE == FileId::default());
 }

@@ -4,7 +4,7 @@ use super::table::TABLE;
 use grafc_diagnostics::{Diagnostic, FileId, apply};
 
 fn faults(text: &str) -> Vec<Diagnostic> {
-    crate::parse(FileId(0), text).1.iter().cloned().collect()
+    crate::parse(FileId::new(0), text).1.iter().cloned().collect()
 }
 
 #[test]
@@ -19,7 +19,8 @@ fn each_row_cures_its_chart() {
         if fault.help.is_none() {
             wrong.push(format!("{row} {:?}: no help: {}", habit.wrong, fault.message));
         }
-        let cured = fault.fixes.first().map(|fix| apply(FileId(0), habit.wrong, &fix.edits).expect("the edits fit"));
+        let cured =
+            fault.fixes.first().map(|fix| apply(FileId::new(0), habit.wrong, &fix.edits).expect("the edits fit"));
         if cured.as_deref().is_some_and(|cured| cured != habit.right) {
             wrong.push(format!("{row} {:?}: cured to {:?} ({:?})", habit.wrong, cured, fault.help));
         }

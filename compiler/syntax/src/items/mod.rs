@@ -129,9 +129,9 @@ mod tests {
 
     #[test]
     fn a_text_beyond_the_limit_is_not_read() {
-        let (chart, diagnostics) = parse_up_to(FileId(0), "step 1", 5);
+        let (chart, diagnostics) = parse_up_to(FileId::new(0), "step 1", 5);
         assert!(chart.items.is_empty());
         assert_eq!(diagnostics.iter().map(|d| d.code).collect::<Vec<_>>(), [Code::E0109]);
-        assert!(!parse_up_to(FileId(0), "step 1", 6).1.has_errors());
+        assert!(!parse_up_to(FileId::new(0), "step 1", 6).1.has_errors());
     }
 }

@@ -7,14 +7,14 @@ use grafc_syntax::ast::{BinaryOp, Chart, ExprId, ExprKind, Item};
 
 /// The chart of a text that has no faults.
 pub fn chart(text: &str) -> Chart {
-    let (chart, diagnostics) = grafc_syntax::parse(FileId(0), text);
+    let (chart, diagnostics) = grafc_syntax::parse(FileId::new(0), text);
     assert!(diagnostics.is_empty(), "{:#?}\n{text}", faults_of(text, &diagnostics));
     chart
 }
 
 /// The faults of a text, as `E0107 3:7-10 expected …`: line, first column and, if it is another, last column.
 pub fn faults(text: &str) -> Vec<String> {
-    let found = grafc_syntax::parse(FileId(0), text).1;
+    let found = grafc_syntax::parse(FileId::new(0), text).1;
     try_fixes(text, &found);
     faults_of(text, &found)
 }
@@ -25,11 +25,12 @@ fn try_fixes(text: &str, found: &Diagnostics) {
         |diagnostics: &Diagnostics| -> Vec<String> { diagnostics.iter().map(|d| d.message.clone()).collect() };
     for diagnostic in found {
         for fix in &diagnostic.fixes {
-            let fixed = apply(FileId(0), text, &fix.edits).unwrap_or_else(|misfit| panic!("{misfit}: {fix:?}\n{text}"));
+            let fixed =
+                apply(FileId::new(0), text, &fix.edits).unwrap_or_else(|misfit| panic!("{misfit}: {fix:?}\n{text}"));
             let mut expected = messages(found);
             let of_it = expected.iter().position(|message| *message == diagnostic.message);
             expected.remove(of_it.expect("the message is among them"));
-            for new in &grafc_syntax::parse(FileId(0), &fixed).1 {
+            for new in &grafc_syntax::parse(FileId::new(0), &fixed).1 {
                 match expected.iter().position(|other| *other == new.message) {
                     Some(place) => _ = expected.remove(place),
                     // A wrong character that has become a word may stand where no word belongs.
@@ -122,7 +123,7 @@ pub fn value(text: &str) -> String {
 /// What holds for any text: spans lie in it; if it has no faults, formatting keeps its meaning and its comments, and
 /// formatting again changes nothing. Returns whether the text had no faults.
 pub fn check(text: &str) -> bool {
-    let (chart, diagnostics) = grafc_syntax::parse(FileId(0), text);
+    let (chart, diagnostics) = grafc_syntax::parse(FileId::new(0), text);
     for diagnostic in &diagnostics {
         let places = std::iter::once(&diagnostic.primary).chain(&diagnostic.secondary);
         for label in places {
@@ -160,7 +161,7 @@ pub fn check(text: &str) -> bool {
     }
     assert!(!chart.exprs.iter().any(|e| e.kind == ExprKind::Error), "an unreadable expression was not reported");
     let formatted = grafc_syntax::format(text, &chart);
-    let (again, faults) = grafc_syntax::parse(FileId(0), &formatted);
+    let (again, faults) = grafc_syntax::parse(FileId::new(0), &formatted);
     assert!(faults.is_empty(), "formatting made faults:\n{:#?}\n{text}\n{formatted}", faults_of(&formatted, &faults));
     assert!(grafc_syntax::same(&chart, &again), "formatting changed the meaning:\n{text}\n{formatted}");
     assert_eq!(

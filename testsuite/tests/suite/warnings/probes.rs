@@ -106,7 +106,6 @@ pub fn variable(chart: &mut Tables, ty: Type, initial: Value) -> VariableId {
         kind: VariableKind::Output,
         ty,
         initial,
-        initial_given: false,
         retain: false,
         momentary: false,
         address: None,

@@ -1,6 +1,6 @@
 //! The graph of causes: what can happen in a micro-step, and what can have brought it about.
 
-use grafc_model::chart::{Event, ExprId, GrafcetId, MacroId, StepId, TransitionId, VariableId};
+use grafc_model::chart::{Event, ExprId, GrafcetId, MacroId, Mode, StepId, TransitionId, VariableId};
 use grafc_net::Net;
 use grafc_net::net::Grafcet;
 use index_vec::IndexVec;
@@ -192,7 +192,7 @@ impl Effects {
 }
 
 /// Where the numbers of the changes of each kind begin. Whatever can be thought of has a number, whether or not anything
-/// causes it.
+/// causes it; but variables that nothing assigns, as inputs, have none.
 struct Numbers {
     clears: u32,
     stops: u32,
@@ -215,6 +215,8 @@ struct Numbers {
     all: u32,
     /// How many orders there are on the grafcets before each.
     orders_before: IndexVec<GrafcetId, u32>,
+    /// How many of the variables before each are assigned.
+    assigned_before: IndexVec<VariableId, u32>,
 }
 
 impl Numbers {
@@ -229,6 +231,12 @@ impl Numbers {
         let before = |sum: &mut u32, g: &Grafcet| Some(std::mem::replace(sum, *sum + g.orders.len() as u32));
         let orders_before = net.grafcets.iter().scan(0, before).collect();
         let orders: usize = net.grafcets.iter().map(|g| g.orders.len()).sum();
+        let mut assigned = 0;
+        let mut assigned_before = IndexVec::with_capacity(net.variables.len());
+        for variable in &net.variables {
+            assigned_before.push(assigned as u32);
+            assigned += usize::from(variable.mode != Mode::Given);
+        }
         let mut numbers = Numbers {
             clears: some(transitions),
             stops: some(transitions),
@@ -243,14 +251,15 @@ impl Numbers {
             released: some(grafcets),
             thawed: some(grafcets),
             expr: some(2 * net.exprs.len()),
-            variable: some(2 * net.variables.len()),
+            variable: some(2 * assigned),
             macro_step: some(2 * net.macro_steps.len()),
             grafcet: some(2 * grafcets),
             occurs: some(net.stored.len()),
             differs: some(net.stored.len()),
-            subsides: some(net.variables.len()),
+            subsides: some(assigned),
             all: 0,
             orders_before,
+            assigned_before,
         };
         numbers.all = all;
         numbers
@@ -271,12 +280,12 @@ impl Numbers {
             Change::Released(g) => (self.released, g.index()),
             Change::Thawed(g) => (self.thawed, g.index()),
             Change::Expr(e, way) => (self.expr, both(e.index(), way)),
-            Change::Variable(v, way) => (self.variable, both(v.index(), way)),
+            Change::Variable(v, way) => (self.variable, both(self.assigned_before[v] as usize, way)),
             Change::Macro(m, way) => (self.macro_step, both(m.index(), way)),
             Change::Grafcet(g, way) => (self.grafcet, both(g.index(), way)),
             Change::Occurs(action) => (self.occurs, action),
             Change::Differs(action) => (self.differs, action),
-            Change::Subsides(v) => (self.subsides, v.index()),
+            Change::Subsides(v) => (self.subsides, self.assigned_before[v] as usize),
         };
         begin + place as u32
     }

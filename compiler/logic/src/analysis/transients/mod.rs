@@ -91,12 +91,12 @@ pub(super) fn find(analysis: &Analysis) -> Transients {
     stored::add(net, &ways, &occasions, &mut causes);
     drop(ways);
     let effects = causes.take_effects();
-    let watched = Watched::new(net, &causes);
+    let watched = Watched::new(net);
     let mut result =
         Transients { longest: Some(1), chain: Vec::new(), cycle: Vec::new(), single: true, single_but_delays: true };
     for case in cases::times(net, &causes, &effects, &stable) {
         match case {
-            Ok(times) => watched.add(&times, net, &causes, &mut result),
+            Ok(times) => watched.add(&times, &causes, &mut result),
             Err(cycle) => {
                 return Transients { longest: None, chain: Vec::new(), cycle, single: false, single_but_delays: false };
             }
@@ -105,26 +105,34 @@ pub(super) fn find(analysis: &Analysis) -> Transients {
     result
 }
 
-/// The changes that matter, by number.
-struct Watched {
-    /// Those after which R8 asks for another micro-step.
-    repeat: Vec<u32>,
-    /// Those that a call of one micro-step must not leave out.
-    needed: Vec<u32>,
-    /// Those that let a delay begin.
-    delays: Vec<u32>,
+/// Which changes matter, and how.
+struct Watched<'n> {
+    net: &'n Net,
+    operand_of_edge: IndexVec<ExprId, bool>,
+    operand_of_delay: IndexVec<ExprId, bool>,
+    divisor: IndexVec<ExprId, bool>,
 }
 
-impl Watched {
-    fn new(net: &Net, causes: &Causes) -> Self {
-        let mut operand_of_edge: IndexVec<ExprId, bool> = net.exprs.iter().map(|_| false).collect();
-        let mut operand_of_delay = operand_of_edge.clone();
-        let mut divisor = operand_of_edge.clone();
+/// Why a change matters.
+#[derive(Clone, Copy, Default)]
+struct Matters {
+    /// After it R8 asks for another micro-step.
+    repeat: bool,
+    /// A call of one micro-step must not leave it out.
+    needed: bool,
+    /// It lets a delay begin.
+    delays: bool,
+}
+
+impl<'n> Watched<'n> {
+    fn new(net: &'n Net) -> Self {
+        let none: IndexVec<ExprId, bool> = net.exprs.iter().map(|_| false).collect();
+        let mut watched = Watched { net, operand_of_edge: none.clone(), operand_of_delay: none.clone(), divisor: none };
         for expr in &net.exprs {
             match expr.kind {
-                ExprKind::Rise(a) | ExprKind::Fall(a) => operand_of_edge[a] = true,
-                ExprKind::Delay { operand, .. } => operand_of_delay[operand] = true,
-                ExprKind::Arithmetic(Arithmetic::Divide | Arithmetic::Modulo, _, by) => divisor[by] = true,
+                ExprKind::Rise(a) | ExprKind::Fall(a) => watched.operand_of_edge[a] = true,
+                ExprKind::Delay { operand, .. } => watched.operand_of_delay[operand] = true,
+                ExprKind::Arithmetic(Arithmetic::Divide | Arithmetic::Modulo, _, by) => watched.divisor[by] = true,
                 ExprKind::Arithmetic(Arithmetic::Add | Arithmetic::Subtract | Arithmetic::Multiply, ..)
                 | ExprKind::Literal(_)
                 | ExprKind::Variable(_)
@@ -142,51 +150,51 @@ impl Watched {
                 | ExprKind::Widen(_) => {}
             }
         }
-        let mut watched = Watched { repeat: Vec::new(), needed: Vec::new(), delays: Vec::new() };
-        let mut watch = |change: Change, repeat: bool, needed: bool, delays: bool| {
-            let number = causes.number(change);
-            watched.repeat.extend(repeat.then_some(number));
-            watched.needed.extend(needed.then_some(number));
-            watched.delays.extend(delays.then_some(number));
-        };
-        for s in net.places.indices() {
-            watch(Change::Activated(s), true, true, false);
-            watch(Change::Deactivated(s), true, true, false);
-        }
-        // Without a change of the situation or of a variable a clearing or an event may still tell a conflict.
-        net.transitions.indices().for_each(|t| watch(Change::Clears(t), false, true, false));
-        for action in 0..net.stored.len() {
-            watch(Change::Occurs(action), false, true, false);
-            watch(Change::Differs(action), false, true, false);
-        }
-        for way in Way::BOTH {
-            for (v, _) in net.variables.iter_enumerated().filter(|(_, variable)| variable.mode == Mode::Stored) {
-                watch(Change::Variable(v, way), true, true, false);
-            }
-            // A divisor because of DIV0.
-            for e in net.exprs.indices() {
-                let of_edge = operand_of_edge[e];
-                watch(Change::Expr(e, way), of_edge, of_edge || divisor[e], operand_of_delay[e]);
-            }
-        }
         watched
     }
 
+    /// All of them.
+    fn all(&self) -> impl Iterator<Item = (Change, Matters)> + '_ {
+        let net = self.net;
+        let state = Matters { repeat: true, needed: true, delays: false };
+        // Without a change of the situation or of a variable a clearing or an event may still tell a conflict.
+        let happens = Matters { needed: true, ..Matters::default() };
+        let steps = net.places.indices().flat_map(|s| [Change::Activated(s), Change::Deactivated(s)]);
+        let stored = net.variables.iter_enumerated().filter(|(_, variable)| variable.mode == Mode::Stored);
+        let variables = stored.flat_map(|(v, _)| Way::BOTH.map(|way| Change::Variable(v, way)));
+        let clearings = net.transitions.indices().map(Change::Clears);
+        let actions = (0..net.stored.len()).flat_map(|action| [Change::Occurs(action), Change::Differs(action)]);
+        let values = net.exprs.indices().flat_map(|e| {
+            let of_edge = self.operand_of_edge[e];
+            // A divisor because of DIV0.
+            let needed = of_edge || self.divisor[e];
+            let matters = Matters { repeat: of_edge, needed, delays: self.operand_of_delay[e] };
+            Way::BOTH.map(|way| (Change::Expr(e, way), matters))
+        });
+        let of_state = steps.chain(variables).map(move |change| (change, state));
+        of_state.chain(clearings.chain(actions).map(move |change| (change, happens))).chain(values)
+    }
+
     /// Takes the times of one case into the result.
-    fn add(&self, times: &Times, net: &Net, causes: &Causes, result: &mut Transients) {
-        let over = |list: &[u32]| list.iter().all(|c| times.of(*c).is_none_or(|time| time <= 1));
-        result.single_but_delays &= over(&self.needed);
-        result.single &= over(&self.needed) && over(&self.delays);
-        let last = self
-            .repeat
-            .iter()
-            .filter_map(|c| Some((times.of(*c)?, *c)))
-            .max_by_key(|(time, c)| (*time, std::cmp::Reverse(*c)));
+    fn add(&self, times: &Times, causes: &Causes, result: &mut Transients) {
+        let mut last: Option<(u32, u32)> = None;
+        for (change, matters) in self.all() {
+            let number = causes.number(change);
+            let Some(time) = times.of(number) else { continue };
+            let is_later = time > 1;
+            result.single_but_delays &= !(is_later && matters.needed);
+            result.single &= !(is_later && (matters.needed || matters.delays));
+            // Of several that come last the first by number.
+            let is_last = last.is_none_or(|(latest, first)| latest < time || latest == time && number < first);
+            if matters.repeat && is_last {
+                last = Some((time, number));
+            }
+        }
         if let Some((time, change)) = last
             && result.longest.is_some_and(|longest| longest < time + 1)
         {
             result.longest = Some(time + 1);
-            result.chain = times.back_from(change).filter_map(|c| causes.transition(net, c)).collect();
+            result.chain = times.back_from(change).filter_map(|c| causes.transition(self.net, c)).collect();
             result.chain.dedup();
             result.chain.reverse();
         }

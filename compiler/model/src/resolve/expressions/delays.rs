@@ -101,8 +101,8 @@ impl Work<'_, '_, '_> {
         if variable.ty != Type::Time {
             return Part::Other;
         }
-        match (variable.kind, self.context.constants[id]) {
-            (VariableKind::Constant, Some(Value::Time(ms))) => Part::Time(DelayTime { ms, constant: Some(id) }),
+        match (variable.kind, self.context.constants.get(&id)) {
+            (VariableKind::Constant, Some(Value::Time(ms))) => Part::Time(DelayTime { ms: *ms, constant: Some(id) }),
             (VariableKind::Constant, _) => Part::Faulty,
             (VariableKind::Input | VariableKind::Output | VariableKind::Internal, _) => Part::Variable(id),
         }

@@ -14,8 +14,9 @@ mod names;
 #[cfg(test)]
 mod tests;
 
+use super::fold::Constants;
 use super::scope::{Reference, Scope};
-use crate::chart::{DelayTime, Expr, ExprId, Type, Value, Variable, VariableId};
+use crate::chart::{DelayTime, Expr, ExprId, Type, Variable, VariableId};
 use crate::symbols::{Role, Symbols};
 use flatten::FlatExpr;
 use grafc_diagnostics::{Diagnostic, Diagnostics, Span};
@@ -33,7 +34,7 @@ pub struct Context<'c, 'a> {
     /// Kinds and types of the variables.
     pub variables: &'c IndexVec<VariableId, Variable>,
     /// The values of the constants that are known so far.
-    pub constants: &'c IndexVec<VariableId, Option<Value>>,
+    pub constants: &'c Constants,
     /// The label of the step whose activity a time in the expression would be counted from, for messages.
     pub step: Option<&'c str>,
 }
