@@ -204,7 +204,7 @@ impl Expander<'_> {
             let may_be_out_of_force = !automaton.path.is_empty() || self.forced.contains(&automaton.name.text);
             if self.is_scan == Some(true) && may_be_out_of_force {
                 let message = "an output on an arc, and the automaton is enclosed, forced or commanded";
-                let help = "while it is not in force nothing would make the output false: write it into a state, or `evolution stable` into the heading";
+                let help = "while it is not in force nothing would make the output false: write it into a state, or let the chart evolve to stability";
                 self.fault(first.span, message, help);
             }
         }
