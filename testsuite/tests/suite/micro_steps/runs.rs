@@ -91,17 +91,23 @@ pub fn evaluated(
 ) -> Run {
     // The chart's variables come first in a program, in order.
     let stored: Vec<VarId> = stored(chart).into_iter().map(|v| VarId::new(v.index())).collect();
+    // A reaction begins with outputs on arcs false (R9), which the simulator shows after its first micro-step.
+    let has_outputs_on_arcs = chart.variables.iter().any(|variable| variable.momentary);
     let mut run = Run::default();
     let mut evaluator = Evaluator::new(program);
     for (reaction, stimulus) in stimuli.iter().enumerate() {
         let mut start = true;
         let response = evaluator.react_observed(stimulus, |e| {
+            let is_start = std::mem::take(&mut start);
+            if is_start && has_outputs_on_arcs && reaction > 0 && !stimulus.restart {
+                return;
+            }
             let sight = Sight {
                 active: settled(e.situation()),
                 stored: stored.iter().map(|v| e.value_of(*v)).collect(),
                 flags: without_moment(e.flags()),
             };
-            run.see(reaction, std::mem::take(&mut start), sight);
+            run.see(reaction, is_start, sight);
         });
         run.responses.push(response);
     }
