@@ -36,6 +36,7 @@
 
 mod atom;
 mod beyond;
+mod budget;
 pub mod circuit;
 mod claim;
 mod claimed;

@@ -1,9 +1,9 @@
 //! Bounded search: clock by clock from the start, so what is found first is found after the fewest micro-steps.
 
-use super::budget::Budget;
 use super::frames::{Begin, Frames};
 use super::run::Run;
 use crate::beyond::Beyond;
+use crate::budget::Budget;
 use crate::circuit::{Literal, Watched};
 use crate::facts::Fact;
 use crate::goal::{Answers, Way};

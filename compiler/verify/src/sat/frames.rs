@@ -1,7 +1,7 @@
 //! Clocks of a circuit one after the other, as clauses: a conjunction becomes a variable with three of them, where it is
 //! first asked for.
 
-use super::budget::{Asked, Budget};
+use crate::budget::{Asked, Budget};
 use crate::circuit::{Literal, Node, Watched};
 use batsat::{Lit, Solver, SolverInterface, SolverOpts, lbool};
 

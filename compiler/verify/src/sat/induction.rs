@@ -1,8 +1,8 @@
 //! Induction over clocks: what holds at k clocks in a row holds at the next one, too. All that is not known yet is taken
 //! together: what does not follow from the rest is taken out, until all that is left follows (Houdini).
 
-use super::budget::Budget;
 use super::frames::{Begin, Frames};
+use crate::budget::Budget;
 use crate::circuit::{Literal, Watched};
 use batsat::Lit;
 

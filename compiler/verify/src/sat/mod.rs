@@ -11,7 +11,6 @@
 //!
 //! | file | what |
 //! | --- | --- |
-//! | `budget` | how much may be done |
 //! | `frames` | clocks as clauses |
 //! | `run` | clocks with truth values, 64 cases at once |
 //! | `walk` | what happens, in real times |
@@ -22,7 +21,6 @@
 //! | `by_hand` | small circuits for tests |
 
 mod bounded;
-mod budget;
 #[cfg(test)]
 mod by_hand;
 mod candidates;
@@ -33,12 +31,12 @@ mod walk;
 mod ways_out;
 
 use crate::beyond::Beyond;
+use crate::budget::Budget;
 use crate::circuit::{self, Literal, Watched, watched};
 use crate::facts::Fact;
 use crate::goal::{Engine, Finding, Goal, Reason, Searched, Stop, Way};
 use crate::limit::Limit;
 use bounded::Bounded;
-use budget::Budget;
 use candidates::{Samples, of_tokens};
 use grafc_logic::scan::Program;
 use induction::Induction;

@@ -1,11 +1,11 @@
 //! A walk in real times that a solver leads: from a state that was reached it is asked for inputs that show something not
 //! seen before. What is seen has been done by the machine, at times that a clock can show.
 
-use super::budget::Budget;
 use super::frames::{Begin, Frames};
 use super::run::Run;
 use crate::atom::Atom;
 use crate::beyond::Beyond;
+use crate::budget::Budget;
 use crate::circuit::{Literal, Watched};
 use crate::facts::Fact;
 use crate::goal::{Answers, Way};

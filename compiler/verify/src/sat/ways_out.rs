@@ -5,9 +5,9 @@
 //! On a way out all delays that run are over, which they are after long enough a time. Cubes that lead into cubes make long
 //! ways of short ones.
 
-use super::budget::Budget;
 use super::frames::{Begin, Frames};
 use crate::atom::Atom;
+use crate::budget::Budget;
 use crate::circuit::{Literal, Watched};
 use batsat::Lit;
 

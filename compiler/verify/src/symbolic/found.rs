@@ -106,7 +106,7 @@ impl Found {
             }
         };
         loop {
-            sets.depth = self.layers.rings.len();
+            sets.at_depth(self.layers.rings.len());
             let (reactions, ended) = self.reactions(enter, sets)?;
             self.is_endless |= reactions.is_endless;
             self.layers.reactions.push(reactions);

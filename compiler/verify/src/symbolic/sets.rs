@@ -1,11 +1,11 @@
 //! Operations on decision diagrams that end when there is no more room or time.
 
 use crate::beyond::Beyond;
+use crate::budget::Budget;
 use crate::goal::Stop;
 use crate::limit::Limit;
 use biodivine_lib_bdd::{Bdd, BddVariable, op_function};
 use rustc_hash::{FxHashMap, FxHashSet};
-use std::cell::{Cell, RefCell};
 
 /// Why a diagram was not made.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -23,19 +23,17 @@ impl From<Beyond> for Halt {
 }
 
 /// So many pairs of nodes may be looked at for each node that a diagram may have: they are remembered, too.
-const PAIRS_PER_NODE: usize = 10;
+const PAIRS_PER_NODE: u64 = 10;
 
-/// Between two questions whether to go on, so many of them are looked at.
-const AT_ONCE: usize = 1 << 14;
+/// Between two questions whether to go on, so many of them are looked at; a small operation looks at a few.
+const AT_ONCE: u64 = 1 << 14;
 
 /// What a pair of nodes comes to, if that is known: what an operation does.
 type Operation = fn(Option<bool>, Option<bool>) -> Option<bool>;
 
 /// Makes diagrams.
 pub(crate) struct Sets<'s> {
-    stop: Stop<'s>,
-    /// How many reactions deep the search is, to be told.
-    pub(crate) depth: usize,
+    budget: Budget<'s>,
     most: usize,
     /// The nodes of all that was made.
     pub(crate) work: usize,
@@ -44,27 +42,27 @@ pub(crate) struct Sets<'s> {
 impl<'s> Sets<'s> {
     /// Diagrams of at most so many nodes.
     pub(crate) fn new(stop: Stop<'s>, most: usize) -> Self {
-        Sets { stop, depth: 0, most, work: 0 }
+        Sets { budget: Budget::new(stop).asked_every(AT_ONCE), most, work: 0 }
     }
 
     /// Whether to go on, for somebody else to ask.
     pub(crate) fn stop(&mut self) -> Stop<'_> {
-        self.stop
+        self.budget.stop()
+    }
+
+    /// How many reactions deep the search is, to be told.
+    pub(crate) fn at_depth(&mut self, depth: usize) {
+        self.budget.depth.set(depth);
     }
 
     /// Does what looks at pairs of nodes, until there is no more room or time.
-    fn watched<T>(&mut self, does: impl FnOnce(&Watch) -> T) -> Result<T, Halt> {
-        let watch = Watch {
-            stop: RefCell::new(self.stop),
-            depth: self.depth,
-            most: self.most.saturating_mul(PAIRS_PER_NODE),
-            seen: Cell::new(0),
-            next: Cell::new(AT_ONCE),
-            hit: Cell::new(None),
-        };
-        let done = does(&watch);
-        match watch.hit.get() {
+    fn watched<T>(&self, does: impl FnOnce(&Budget) -> T) -> Result<T, Halt> {
+        // An operation asks twice for each pair.
+        self.budget.allow((self.most as u64).saturating_mul(2 * PAIRS_PER_NODE), u64::MAX);
+        let done = does(&self.budget);
+        match self.budget.limit() {
             Some(limit) => Err(Halt::Limit(limit)),
+            None if self.budget.is_over() => Err(Halt::Limit(Limit::Nodes)),
             None => Ok(done),
         }
     }
@@ -72,15 +70,14 @@ impl<'s> Sets<'s> {
     fn kept(&mut self, made: Option<Bdd>) -> Result<Bdd, Halt> {
         let made = made.filter(|made| made.size() <= self.most).ok_or(Halt::Limit(Limit::Nodes))?;
         self.work = self.work.saturating_add(made.size());
-        match (self.stop)(made.size(), self.depth) {
-            Some(limit) => Err(Halt::Limit(limit)),
-            None => Ok(made),
-        }
+        self.budget.met.set(made.size());
+        self.budget.spend(made.size() as u64);
+        self.budget.limit().map_or(Ok(made), |limit| Err(Halt::Limit(limit)))
     }
 
     fn made(&mut self, a: &Bdd, b: &Bdd, operation: Operation) -> Result<Bdd, Halt> {
         let most = self.most;
-        let made = self.watched(|watch| Bdd::binary_op_with_limit(most, a, b, watch.of(operation)))?;
+        let made = self.watched(|budget| Bdd::binary_op_with_limit(most, a, b, within(budget, operation)))?;
         self.kept(made)
     }
 
@@ -124,8 +121,8 @@ impl<'s> Sets<'s> {
         }
         let variables: FxHashSet<BddVariable> = variables.iter().copied().collect();
         let is_left_out = |v| variables.contains(&v);
-        let made = self.watched(|watch| {
-            Bdd::binary_op_nested(a, b, is_left_out, watch.of(op_function::and), watch.of(op_function::or))
+        let made = self.watched(|budget| {
+            Bdd::binary_op_nested(a, b, is_left_out, within(budget, op_function::and), within(budget, op_function::or))
         })?;
         self.kept(Some(made))
     }
@@ -137,13 +134,13 @@ impl<'s> Sets<'s> {
 
     /// Both, if that takes no more than so many nodes.
     pub(crate) fn small_and(&mut self, a: &Bdd, b: &Bdd, most: usize) -> Result<Option<Bdd>, Halt> {
-        let made = self.watched(|watch| Bdd::binary_op_with_limit(most, a, b, watch.of(op_function::and)))?;
+        let made = self.watched(|budget| Bdd::binary_op_with_limit(most, a, b, within(budget, op_function::and)))?;
         made.map(|made| self.kept(Some(made))).transpose()
     }
 
     /// Whether they have nothing in common.
     pub(crate) fn are_apart(&mut self, a: &Bdd, b: &Bdd) -> Result<bool, Halt> {
-        let made = self.watched(|watch| Bdd::check_binary_op(usize::MAX, a, b, watch.of(op_function::and)))?;
+        let made = self.watched(|budget| Bdd::check_binary_op(usize::MAX, a, b, within(budget, op_function::and)))?;
         Ok(made.is_some_and(|(is_not_empty, _)| !is_not_empty))
     }
 
@@ -163,33 +160,12 @@ impl<'s> Sets<'s> {
     }
 }
 
-/// Counts the pairs of nodes that one operation looks at.
-struct Watch<'s> {
-    stop: RefCell<Stop<'s>>,
-    depth: usize,
-    most: usize,
-    seen: Cell<usize>,
-    next: Cell<usize>,
-    hit: Cell<Option<Limit>>,
-}
-
-impl Watch<'_> {
-    /// The operation, which comes to its end at once when it is not to go on: what it makes then is worth nothing. There is no
-    /// other way to end one.
-    fn of(&self, operation: Operation) -> impl Fn(Option<bool>, Option<bool>) -> Option<bool> {
-        move |a, b| if self.goes_on() { operation(a, b) } else { Some(false) }
-    }
-
-    fn goes_on(&self) -> bool {
-        self.seen.set(self.seen.get() + 1);
-        if self.seen.get() >= self.next.get() {
-            self.next.set(self.seen.get() + AT_ONCE);
-            let limit = (self.stop.borrow_mut())(self.seen.get(), self.depth);
-            // An operation asks twice for each.
-            let is_full = self.seen.get() / 2 > self.most;
-            self.hit.set(self.hit.get().or(limit).or(is_full.then_some(Limit::Nodes)));
-        }
-        self.hit.get().is_none()
+/// The operation, which comes to its end at once when no more may be done: what it makes then is worth nothing. There is no
+/// other way to end one.
+fn within(budget: &Budget, operation: Operation) -> impl Fn(Option<bool>, Option<bool>) -> Option<bool> {
+    move |a, b| {
+        budget.spend(1);
+        if budget.is_over() { Some(false) } else { operation(a, b) }
     }
 }
 
@@ -197,6 +173,7 @@ impl Watch<'_> {
 mod tests {
     use super::*;
     use biodivine_lib_bdd::BddVariableSet;
+    use std::cell::Cell;
 
     /// So many pairs of variables, all the first ones before all the others, that are the same in each pair: each more takes
     /// twice as many nodes.
@@ -216,7 +193,7 @@ mod tests {
     fn an_operation_asks_whether_to_go_on_while_it_runs() {
         let mut go_on = |_, _| None;
         let large = same(14, &mut Sets::new(&mut go_on, usize::MAX));
-        assert!(large.size() > AT_ONCE, "{}", large.size());
+        assert!(large.size() as u64 > AT_ONCE, "{}", large.size());
         let other = large.not();
         let rest = [BddVariable::from_index(3)];
         let asked = Cell::new(0);
@@ -238,8 +215,8 @@ mod tests {
             assert!(asked.get() > 1, "{place}: {}", asked.get());
         }
         let mut stop = |_, _| Some(Limit::Time);
-        let mut sets = Sets::new(&mut stop, usize::MAX);
-        let ended = sets.watched(|watch| Bdd::binary_op(&large, &large, watch.of(op_function::and)));
+        let sets = Sets::new(&mut stop, usize::MAX);
+        let ended = sets.watched(|budget| Bdd::binary_op(&large, &large, within(budget, op_function::and)));
         assert_eq!(ended, Err(Halt::Limit(Limit::Time)));
     }
 
@@ -247,9 +224,13 @@ mod tests {
     fn an_operation_ends_where_it_takes_too_much_room() {
         let mut go_on = |_, _| None;
         let large = same(14, &mut Sets::new(&mut go_on, usize::MAX));
-        let mut sets = Sets::new(&mut go_on, large.size() / PAIRS_PER_NODE);
+        let mut sets = Sets::new(&mut go_on, large.size() / 2 / PAIRS_PER_NODE as usize);
         let rest = [BddVariable::from_index(3)];
         assert_eq!(sets.and_exists(&large, &large, &rest), Err(Halt::Limit(Limit::Nodes)));
         assert_eq!(sets.exists(&large, &rest), Err(Halt::Limit(Limit::Nodes)));
+        // Of this nothing is left but the pairs that were looked at; and it is no end of all that is done.
+        let (other, none) = (large.not(), large.and_not(&large));
+        assert_eq!(sets.are_apart(&large, &other), Err(Halt::Limit(Limit::Nodes)));
+        assert_eq!(sets.are_apart(&none, &none), Ok(true));
     }
 }

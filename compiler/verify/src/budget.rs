@@ -1,4 +1,5 @@
-//! How much may be done: a solver asks at each of its decisions whether to go on.
+//! How much may be done: a solver asks at each of its decisions whether to go on, an operation on decision diagrams at each
+//! pair of nodes.
 
 use crate::goal::Stop;
 use crate::limit::Limit;
@@ -9,8 +10,10 @@ use std::cell::{Cell, RefCell};
 const AT_ONCE: u64 = 256;
 
 /// What was done, and what may be.
-pub(super) struct Budget<'s> {
+pub(crate) struct Budget<'s> {
     stop: RefCell<Stop<'s>>,
+    /// So much is done between two questions whether to go on.
+    at_once: u64,
     done: Cell<u64>,
     most: Cell<u64>,
     /// So much may be done until the question at hand is given up.
@@ -18,14 +21,15 @@ pub(super) struct Budget<'s> {
     next: Cell<u64>,
     hit: Cell<Option<Limit>>,
     /// What is told: states that were met, and how deep the search is.
-    pub(super) met: Cell<usize>,
-    pub(super) depth: Cell<usize>,
+    pub(crate) met: Cell<usize>,
+    pub(crate) depth: Cell<usize>,
 }
 
 impl<'s> Budget<'s> {
-    pub(super) fn new(stop: Stop<'s>) -> Self {
+    pub(crate) fn new(stop: Stop<'s>) -> Self {
         Budget {
             stop: RefCell::new(stop),
+            at_once: AT_ONCE,
             done: Cell::new(0),
             most: Cell::new(u64::MAX),
             most_of_question: Cell::new(u64::MAX),
@@ -36,40 +40,50 @@ impl<'s> Budget<'s> {
         }
     }
 
+    /// With so much done between two questions whether to go on.
+    pub(crate) fn asked_every(self, at_once: u64) -> Self {
+        Budget { at_once, ..self }
+    }
+
     /// From here on so much may be done, and so much for one question.
-    pub(super) fn allow(&self, most: u64, question: u64) {
+    pub(crate) fn allow(&self, most: u64, question: u64) {
         self.most.set(self.done.get().saturating_add(most));
         self.most_of_question.set(question);
     }
 
     /// Something of this size was done.
-    pub(super) fn spend(&self, amount: u64) {
+    pub(crate) fn spend(&self, amount: u64) {
         self.done.set(self.done.get() + amount);
         if self.done.get() >= self.next.get() {
-            self.next.set(self.done.get() + AT_ONCE);
+            self.next.set(self.done.get() + self.at_once);
             let limit = (self.stop.borrow_mut())(self.met.get(), self.depth.get());
             self.hit.set(self.hit.get().or(limit));
         }
     }
 
+    /// Whether to go on, for somebody else to ask.
+    pub(crate) fn stop(&mut self) -> Stop<'_> {
+        &mut **self.stop.get_mut()
+    }
+
     /// What ends all of the search.
-    pub(super) fn limit(&self) -> Option<Limit> {
+    pub(crate) fn limit(&self) -> Option<Limit> {
         self.hit.get()
     }
 
     /// Whether no more may be done of what is at hand.
-    pub(super) fn is_over(&self) -> bool {
+    pub(crate) fn is_over(&self) -> bool {
         self.hit.get().is_some() || self.done.get() >= self.most.get()
     }
 
     /// A question begins.
-    pub(super) fn asked(&self) -> Asked<'_, 's> {
+    pub(crate) fn asked(&self) -> Asked<'_, 's> {
         Asked { budget: self, until: Cell::new(0) }
     }
 }
 
 /// The budget of one solver.
-pub(super) struct Asked<'b, 's> {
+pub(crate) struct Asked<'b, 's> {
     budget: &'b Budget<'s>,
     until: Cell<u64>,
 }
