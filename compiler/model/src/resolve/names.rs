@@ -8,31 +8,37 @@ use rustc_hash::FxBuildHasher;
 use std::borrow::Cow;
 use std::hash::BuildHasher;
 
-/// Names, each of which stands for something.
-pub struct Names<'a, T> {
+/// Names, each of which stands for something; with `FOLDED` those that nothing but case tells apart are one.
+pub struct Names<'a, T, const FOLDED: bool = false> {
     list: Vec<(&'a str, T)>,
     places: HashTable<u32>,
 }
 
-impl<'a, T: Copy> Names<'a, T> {
+impl<'a, T, const FOLDED: bool> Names<'a, T, FOLDED> {
     /// Room for so many.
     pub fn with_capacity(count: usize) -> Self {
         Names { list: Vec::with_capacity(count), places: HashTable::with_capacity(count) }
     }
 
-    /// What a name stands for.
-    pub fn get(&self, name: &str) -> Option<T> {
-        let place = self.places.find(hash(name), |place| self.list[*place as usize].0 == name)?;
-        Some(self.list[*place as usize].1)
+    /// The name that was entered, and what it stands for.
+    pub fn get(&self, name: &str) -> Option<&(&'a str, T)> {
+        let name = key::<FOLDED>(name);
+        let place = self.places.find(hash(&name), |place| key::<FOLDED>(self.list[*place as usize].0) == name)?;
+        Some(&self.list[*place as usize])
     }
 
-    /// Enters a name, unless it is there.
-    pub fn enter(&mut self, name: &'a str, meaning: T) {
+    /// Enters a name, unless it is there; then the first is given back.
+    pub fn enter(&mut self, name: &'a str, meaning: T) -> Option<&(&'a str, T)> {
         let Names { list, places } = self;
-        let of = |place: &u32| list[*place as usize].0;
-        if let Entry::Vacant(entry) = places.entry(hash(name), |place| of(place) == name, |place| hash(of(place))) {
-            entry.insert(list.len() as u32);
-            list.push((name, meaning));
+        let wanted = key::<FOLDED>(name);
+        let of = |place: &u32| key::<FOLDED>(list[*place as usize].0);
+        match places.entry(hash(&wanted), |place| of(place) == wanted, |place| hash(&of(place))) {
+            Entry::Occupied(first) => Some(&list[*first.get() as usize]),
+            Entry::Vacant(entry) => {
+                entry.insert(list.len() as u32);
+                list.push((name, meaning));
+                None
+            }
         }
     }
 
@@ -42,44 +48,9 @@ impl<'a, T: Copy> Names<'a, T> {
     }
 }
 
-/// The first of the names that nothing but case tells apart, each with what is known of it.
-pub struct Firsts<'a, T> {
-    list: Vec<(&'a str, T)>,
-    places: HashTable<u32>,
-}
-
-impl<'a, T> Firsts<'a, T> {
-    /// Room for so many.
-    pub fn with_capacity(count: usize) -> Self {
-        Firsts { list: Vec::with_capacity(count), places: HashTable::with_capacity(count) }
-    }
-
-    /// The first of those that are like a name.
-    pub fn get(&self, name: &str) -> Option<&(&'a str, T)> {
-        let name = folded(name);
-        let place = self.places.find(hash(&name), |place| folded(self.list[*place as usize].0) == name)?;
-        Some(&self.list[*place as usize])
-    }
-
-    /// Enters a name, unless one like it is there, which is given back.
-    pub fn enter(&mut self, name: &'a str, known: T) -> Option<&(&'a str, T)> {
-        let Firsts { list, places } = self;
-        let key = folded(name);
-        let of = |place: &u32| folded(list[*place as usize].0);
-        match places.entry(hash(&key), |place| of(place) == key, |place| hash(&of(place))) {
-            Entry::Occupied(first) => Some(&list[*first.get() as usize]),
-            Entry::Vacant(entry) => {
-                entry.insert(list.len() as u32);
-                list.push((name, known));
-                None
-            }
-        }
-    }
-}
-
-/// A name without regard to case; most names are so already.
-fn folded(name: &str) -> Cow<'_, str> {
-    let is_folded = name.bytes().all(|byte| byte.is_ascii() && !byte.is_ascii_uppercase());
+/// What a name is found by. Most names are as they are without regard to case.
+fn key<const FOLDED: bool>(name: &str) -> Cow<'_, str> {
+    let is_folded = !FOLDED || name.bytes().all(|byte| byte.is_ascii() && !byte.is_ascii_uppercase());
     if is_folded { Cow::Borrowed(name) } else { Cow::Owned(name.to_lowercase()) }
 }
 

@@ -4,7 +4,7 @@
 //! two equal ones the first keeps the name (E0202), and what an implicit variable is called nobody may declare (E0204).
 
 use super::habits;
-use super::names::{Firsts, Names};
+use super::names::Names;
 use super::parts::Parts;
 use super::suggest::Suggestions;
 use crate::chart::{GrafcetId, MacroId, Node, StepId, VariableId};
@@ -114,7 +114,7 @@ impl<'a> Scope<'a> {
     /// Enters the variables; returns those that may be called as an implicit variable is.
     fn declare_variables(&mut self, parts: &Parts<'a>, diagnostics: &mut Diagnostics) -> Vec<&'a ast::Name> {
         let count = parts.declarations.iter().map(|declaration| declaration.names.len()).sum();
-        let mut first_of: Firsts<'a, Span> = Firsts::with_capacity(count);
+        let mut first_of: Names<'a, Span, true> = Names::with_capacity(count);
         self.variables = Names::with_capacity(count);
         let mut suspects = Vec::new();
         let names = parts.declarations.iter().flat_map(|item| item.names.iter().map(|name| (item.ty, name)));
@@ -141,7 +141,7 @@ impl<'a> Scope<'a> {
     /// Enters the labels; `suspects` are variables that may be called as their implicit variables are.
     fn declare_labels(&mut self, parts: &Parts<'a>, suspects: &[&ast::Name], diagnostics: &mut Diagnostics) {
         let count = parts.grafcets.len() + parts.steps.len();
-        let mut first_of: Firsts<'a, (Label, Span)> = Firsts::with_capacity(count);
+        let mut first_of: Names<'a, (Label, Span), true> = Names::with_capacity(count);
         self.labels = Names::with_capacity(count);
         for (text, label, span) in labels(parts) {
             match first_of.enter(text, (label, span)) {
@@ -175,7 +175,7 @@ impl<'a> Scope<'a> {
 
     /// What a label stands for.
     pub fn label(&self, text: &str) -> Option<Label> {
-        self.labels.get(text)
+        self.labels.get(text).map(|&(_, label)| label)
     }
 
     /// The step or macro-step of a label.
@@ -200,7 +200,7 @@ impl<'a> Scope<'a> {
 
     /// What a name in an expression stands for.
     pub fn reference(&self, text: &str) -> Option<Reference> {
-        if let Some(variable) = self.variables.get(text) {
+        if let Some(&(_, variable)) = self.variables.get(text) {
             return Some(Reference::Variable(variable));
         }
         if let Some(label) = text.strip_prefix('X').and_then(|rest| self.label(rest)) {
