@@ -355,6 +355,7 @@ impl Program {
             Heading::Of(_, g) => format!("{words} in {}", self.elements.grafcets[g].title()).into(),
             Heading::FlagsAreLowered
             | Heading::StartsAnew
+            | Heading::OutputsOnArcs
             | Heading::Conditions
             | Heading::MemoryOfEdges
             | Heading::TransitionsThatClear

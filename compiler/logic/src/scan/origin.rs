@@ -78,6 +78,8 @@ pub enum Heading {
     FlagsAreLowered,
     /// An input starts the chart anew.
     StartsAnew,
+    /// Outputs on arcs of automata are over with the call.
+    OutputsOnArcs,
     /// Edges, delays and intermediate results of transition-conditions.
     Conditions,
     /// What edges were, for the next micro-step.
@@ -155,6 +157,7 @@ impl Heading {
             Heading::Of(part, _) => part.of_all().text(),
             Heading::FlagsAreLowered => "flags are lowered",
             Heading::StartsAnew => "the chart starts anew: all as before the first call",
+            Heading::OutputsOnArcs => "outputs on arcs of the call before are over",
             Heading::FrozenGrafcets => "grafcets that orders freeze",
             Heading::Conditions => "conditions",
             Heading::MemoryOfEdges => "memory of edges",
