@@ -83,7 +83,6 @@ impl<'a> Run<'a> {
 impl<'a> Maker<'a> {
     /// What bodies do, one after the other.
     pub fn effects(&mut self, bodies: Vec<Done<'a>>) -> Effects {
-        self.delays_called.clear();
         let effects = self.one_after_the_other(bodies);
         self.delays_called.clear();
         effects

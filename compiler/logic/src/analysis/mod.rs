@@ -75,9 +75,9 @@ impl Analysis {
         let arcs = Arcs::of(&net, |_| true);
         let conditions = Conditions::new(Lowering::new(net.clone(), None, false));
         let facts = EdgeFacts::new(&conditions.lowering.edges);
-        let found = components::find(&net, &arcs, &facts, &conditions);
-        let FoundComponents { components, cover, reasons, reachable, rivals, one_token } = found;
         let commanded = net.commanded();
+        let found = components::find(&net, &arcs, &facts, &conditions, &commanded);
+        let FoundComponents { components, cover, reasons, reachable, rivals, one_token } = found;
         let (transients, together, liveness) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Analysis {
             net,

@@ -8,6 +8,7 @@
 //!
 //! What is made here has an empty place, behind what it is made of: nothing is said of it.
 
+use crate::reaction::Evolution;
 use ecow::EcoString;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use grafc_syntax::ast::{
@@ -37,14 +38,14 @@ pub fn expand(tree: &Chart) -> Option<Expanded> {
     }
     let mut made = tree.clone();
     let chosen = tree.heading.iter().flat_map(|heading| &heading.options);
-    let is_scan = chosen.map(|option| option.kind).find_map(|kind| match kind {
-        ChartOptionKind::Evolution { scan } => Some(scan),
+    let evolution = chosen.map(|option| option.kind).find_map(|kind| match kind {
+        ChartOptionKind::Evolution { scan } => Some(if scan { Evolution::Scan } else { Evolution::Stable }),
         _ => None,
     });
     let mut expander = Expander {
         exprs: &mut made.exprs,
         diagnostics: Diagnostics::new(),
-        is_scan,
+        evolution,
         declared: declared(tree),
         forced: forced(tree),
         momentary: FxHashSet::default(),
@@ -113,8 +114,8 @@ fn forced(tree: &Chart) -> FxHashSet<EcoString> {
 struct Expander<'t> {
     exprs: &'t mut Exprs,
     diagnostics: Diagnostics,
-    /// Whether the heading asks for one micro-step a call; none if it does not choose.
-    is_scan: Option<bool>,
+    /// How the chart evolves; none if the heading does not choose.
+    evolution: Option<Evolution>,
     declared: FxHashSet<EcoString>,
     forced: FxHashSet<EcoString>,
     momentary: FxHashSet<EcoString>,
@@ -129,6 +130,11 @@ struct Before {
 }
 
 impl Expander<'_> {
+    /// Whether a call is one micro-step.
+    fn is_scan(&self) -> bool {
+        self.evolution == Some(Evolution::Scan)
+    }
+
     fn automaton(&mut self, automaton: &mut Grafcet) {
         let outputs = self.outputs(automaton);
         self.initial(automaton);
@@ -170,7 +176,7 @@ impl Expander<'_> {
                 }
             }
         }
-        if self.is_scan == Some(true) && !outputs.is_empty() {
+        if self.is_scan() && !outputs.is_empty() {
             for state in &states {
                 let taken = before.get(&state.text).and_then(|before| before.taken);
                 items.push(Item::Transition(self.rest(state, taken, &outputs)));
@@ -189,7 +195,7 @@ impl Expander<'_> {
             }
         }
         if let Some(first) = outputs.first() {
-            match self.is_scan {
+            match self.evolution {
                 None => {
                     let message = "an output on an arc, and the heading does not say how the chart evolves";
                     self.diagnostics.push(
@@ -198,11 +204,11 @@ impl Expander<'_> {
                             .help("write one of the two into the heading, as in `chart Main evolution scan`, or the output into a state"),
                     );
                 }
-                Some(true) => {}
-                Some(false) => self.momentary.extend(outputs.iter().map(|output| output.text.clone())),
+                Some(Evolution::Scan) => {}
+                Some(Evolution::Stable) => self.momentary.extend(outputs.iter().map(|output| output.text.clone())),
             }
             let may_be_out_of_force = !automaton.path.is_empty() || self.forced.contains(&automaton.name.text);
-            if self.is_scan == Some(true) && may_be_out_of_force {
+            if self.is_scan() && may_be_out_of_force {
                 let message = "an output on an arc, and the automaton is enclosed, forced or commanded";
                 let help = "while it is not in force nothing would make the output false: write it into a state, or let the chart evolve to stability";
                 self.fault(first.span, message, help);
@@ -265,7 +271,7 @@ impl Expander<'_> {
         for output in outputs {
             let at = listed.get(&output.text).copied();
             // What is declared nowhere is said once.
-            let is_told = self.is_scan == Some(true) && self.declared.contains(&output.text);
+            let is_told = self.is_scan() && self.declared.contains(&output.text);
             if at.is_some() || is_told {
                 actions.push(self.publish(output, at.is_some(), at.unwrap_or(arc.span.behind())));
             }

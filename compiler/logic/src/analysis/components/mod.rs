@@ -125,14 +125,19 @@ struct Written {
 }
 
 /// Finds components that cover as many steps as possible.
-pub(crate) fn find(net: &Net, arcs: &Arcs, facts: &EdgeFacts, conditions: &Conditions) -> FoundComponents {
+pub(crate) fn find(
+    net: &Net,
+    arcs: &Arcs,
+    facts: &EdgeFacts,
+    conditions: &Conditions,
+    commanded: &IndexVec<GrafcetId, bool>,
+) -> FoundComponents {
     let canonical = Canonical::new(net, arcs);
     let rivals = Rivals::new(net, arcs, conditions, facts);
     let parts = parts::parts(&canonical);
-    let commanded = net.commanded();
     let to_write = WRITTEN * net.places.len();
     let mut apart = FxHashSet::default();
-    let mut arranged = search(&canonical, &rivals, &commanded, &apart);
+    let mut arranged = search(&canonical, &rivals, commanded, &apart);
     let one_token = |part: &Part, arranged: &Arranged| {
         let set = part.steps.first().and_then(|s| arranged.cover.of_step[*s]);
         set.is_some_and(|set| arranged.cover.sets[set].steps.len() == part.steps.len())
@@ -153,7 +158,7 @@ pub(crate) fn find(net: &Net, arcs: &Arcs, facts: &EdgeFacts, conditions: &Condi
             break;
         }
         apart.extend(found);
-        arranged = search(&canonical, &rivals, &commanded, &apart);
+        arranged = search(&canonical, &rivals, commanded, &apart);
     }
     let whole = parts.iter().filter(|part| one_token(part, &arranged)).flat_map(|part| &part.steps);
     let one_token = whole.map(|s| canonical.step[*s]).collect();
