@@ -22,7 +22,7 @@ pub(crate) fn check(program: &Program) -> Result<(), Diagnostics> {
         check.fault(None, "the stability loop is empty");
     }
     for (id, variable) in program.variables.iter_enumerated() {
-        if matches!(variable.initial, Value::Real(x) if !x.is_finite()) {
+        if matches!(variable.initial(), Value::Real(x) if !x.is_finite()) {
             check.fault(Some(id), "an initial value is not a number");
         }
     }

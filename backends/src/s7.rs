@@ -11,7 +11,7 @@ const LONGEST_MS: i64 = i32::MAX as i64;
 pub(crate) fn long_times(program: &Program, controllers: &str) -> Diagnostics {
     let mut diagnostics = Diagnostics::new();
     for variable in program.variables.iter().filter(|v| v.role == Role::Constant || v.role == Role::Input) {
-        if let Value::Time(ms) = variable.initial
+        if let Value::Time(ms) = variable.initial()
             && too_long(ms)
         {
             diagnostics.push(long_time(variable.span.unwrap_or_else(|| whole(program)), ms, controllers));

@@ -24,7 +24,7 @@ impl NamedTrace {
         let inputs: Vec<_> = chart.variables.iter().filter(|v| v.kind == VariableKind::Input).collect();
         let column = |name: &str| self.names.iter().position(|n| n == name);
         let value = |row: &Stimulus, name: &str, initial: Value| column(name).map_or(initial, |i| row.inputs[i]);
-        let inputs_of = |row: &Stimulus| inputs.iter().map(|v| value(row, &v.name, v.initial)).collect();
+        let inputs_of = |row: &Stimulus| inputs.iter().map(|v| value(row, &v.name, v.initial())).collect();
         self.rows.iter().map(|row| Stimulus { t_ms: row.t_ms, restart: row.restart, inputs: inputs_of(row) }).collect()
     }
 

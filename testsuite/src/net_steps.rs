@@ -59,7 +59,7 @@ impl<'a> NetSteps<'a> {
             post,
             orders: net.grafcets.indices().map(|g| orders(net, g)).collect(),
             active: net.places.iter().map(|_| false).collect(),
-            variables: net.variables.iter().map(|v| v.initial).collect(),
+            variables: net.variables.iter().map(|v| v.initial()).collect(),
             memory: Memory::new(net),
             previous: None,
             flags: Flags::default(),
@@ -142,7 +142,7 @@ impl<'a> NetSteps<'a> {
             return;
         }
         for (v, variable) in self.net.variables.iter_enumerated().filter(|(_, variable)| variable.retain) {
-            self.variables[v] = if variable.mode == Mode::Stored { kept[v] } else { variable.initial };
+            self.variables[v] = if variable.mode == Mode::Stored { kept[v] } else { variable.initial() };
         }
     }
 

@@ -53,7 +53,7 @@ pub fn outline(chart: &Chart) -> String {
             VariableKind::Constant => "constant",
             VariableKind::Output | VariableKind::Internal => "set",
         };
-        lines.insert(format!("{kind} {} : {:?} := {:?}", variable.name, variable.ty, variable.initial));
+        lines.insert(format!("{kind} {} : {:?} := {:?}", variable.name, variable.ty, variable.initial()));
     }
     lines.into_iter().fold(String::new(), |mut all, line| {
         _ = writeln!(all, "{line}");

@@ -55,8 +55,8 @@ pub(super) fn write(out: &mut Writer, program: &Program, options: &Options, name
     out.open("BEGIN");
     // STEP 7 takes them from the declarations, awlsim from here alone.
     for (id, variable) in program.variables.iter_enumerated().filter(|(_, v)| v.role != Role::Input) {
-        if !is_zero(variable.initial) {
-            out.line(&format!("{} := {};", names.variables[id], initial_value(variable.initial, variable.ty)));
+        if !is_zero(variable.initial()) {
+            out.line(&format!("{} := {};", names.variables[id], initial_value(variable.initial(), variable.ty)));
         }
     }
     out.close("END_DATA_BLOCK");
@@ -111,7 +111,7 @@ fn interface(out: &mut Writer, program: &Program, names: &AwlNames, parts: &[Loc
                 let comment = entry.comment.as_deref();
                 match &entry.ty {
                     EntryType::Elementary(ty) => {
-                        let value = initial.get(entry.name.as_str()).map(|v| v.initial).filter(|v| !is_zero(*v));
+                        let value = initial.get(entry.name.as_str()).map(|v| v.initial()).filter(|v| !is_zero(*v));
                         declaration(out, &entry.name, *ty, value.filter(|_| block.kind != VarKind::Input), comment);
                     }
                     EntryType::Timer => {

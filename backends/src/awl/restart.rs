@@ -19,7 +19,7 @@ pub(super) fn write(code: &mut Code, program: &Program, names: &AwlNames) {
         let zero = if kept.ty == Type::Bool { Value::Bool(false) } else { Value::Time(0) };
         (local(&kept.name), kept.ty, zero)
     });
-    let all = kept.map(|(id, v)| (names.variable(id), v.ty, v.initial)).chain(ours);
+    let all = kept.map(|(id, v)| (names.variable(id), v.ty, v.initial())).chain(ours);
     let (bits, mut numbers): (Vec<_>, Vec<_>) = all.partition(|(_, ty, _)| *ty == Type::Bool);
     if bits.is_empty() && numbers.is_empty() {
         return;

@@ -45,7 +45,7 @@ impl Chart<'_> {
     fn initial(&self, out: &mut Writer, role: Role) {
         for (id, variable) in self.program.of_role(role) {
             let outer = out.origin(Origin::declaration(id));
-            let value = self.places.value(id, variable.initial);
+            let value = self.places.value(id, variable.initial());
             out.line(&format!("{} = {value};", self.places.read(id)));
             out.origin(outer);
         }
@@ -61,7 +61,7 @@ impl Chart<'_> {
         self.initial(out, Role::Output);
         self.initial(out, Role::Internal);
         for id in self.kept {
-            let value = self.places.value(*id, self.program.variables[*id].initial);
+            let value = self.places.value(*id, self.program.variables[*id].initial());
             out.line(&format!("chart->kept.{} = {value};", self.places.names.variables[*id]));
         }
         for (flag, _) in FLAGS {
@@ -69,7 +69,7 @@ impl Chart<'_> {
         }
         for (id, variable) in self.program.variables.iter_enumerated() {
             if matches!(variable.role, Role::Step | Role::State | Role::Memory) {
-                let value = self.places.value(id, variable.initial);
+                let value = self.places.value(id, variable.initial());
                 out.line(&format!("{} = {value};", self.places.read(id)));
             }
         }

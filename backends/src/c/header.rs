@@ -136,7 +136,7 @@ impl Header<'_, '_> {
             return;
         }
         let row = |(id, variable): (VarId, &Variable)| {
-            let value = literal(variable.initial, variable.ty);
+            let value = literal(variable.initial(), variable.ty);
             let value = match variable.ty {
                 Type::Bool | Type::Real | Type::Lreal => value.to_string(),
                 Type::Int | Type::Dint | Type::Uint | Type::Udint | Type::Time => {

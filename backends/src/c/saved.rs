@@ -162,7 +162,7 @@ impl Saved<'_> {
         if let Some(state) = self.places.state(id) {
             // What it was before the first scan may be no value of it.
             let mut values: Vec<i64> = state.constants.iter().map(|(value, _)| *value).collect();
-            values.extend(match self.program.variables[id].initial {
+            values.extend(match self.program.variables[id].initial() {
                 Value::Int(n) => Some(n),
                 Value::Bool(_) | Value::Real(_) | Value::Time(_) => None,
             });

@@ -287,12 +287,12 @@ pub(super) fn entry(id: VarId, variable: &Variable, names: &Names) -> Entry {
             remark(name, name, variable.comment.as_deref())
         }
     };
-    let shown = !is_zero(variable.initial) || variable.role == Role::Constant;
+    let shown = !is_zero(variable.initial()) || variable.role == Role::Constant;
     Entry {
         name: name.clone(),
         address: None,
         ty: EntryType::Elementary(variable.ty),
-        initial: shown.then(|| literals::initial(variable.initial, variable.ty).into()),
+        initial: shown.then(|| literals::initial(variable.initial(), variable.ty).into()),
         retain: variable.retain,
         comment: comment.map(Note::from),
         origin: Origin::Chart,

@@ -77,7 +77,8 @@ impl Memory<'_> {
         for id in ids {
             let variable = &self.program.variables[id];
             let outer = out.origin(self.origin(|origins| origins.variables[id]));
-            let line = format!("{}: {},", key(&self.places.names.variables[id]), stored(variable.initial, variable.ty));
+            let line =
+                format!("{}: {},", key(&self.places.names.variables[id]), stored(variable.initial(), variable.ty));
             property(out, &line, &about(self.program, id));
             out.origin(outer);
         }

@@ -62,7 +62,7 @@ fn constants(out: &mut Writer, program: &Program, shown: bool) {
     out.open("const constants = {");
     for (id, variable) in program.of_role(Role::Constant) {
         let outer = out.origin(Origin::declaration(id));
-        let line = format!("{}: {},", key(&variable.name), literal(variable.initial, variable.ty));
+        let line = format!("{}: {},", key(&variable.name), literal(variable.initial(), variable.ty));
         property(out, &line, &about(program, id));
         out.origin(outer);
     }

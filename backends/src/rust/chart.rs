@@ -106,7 +106,7 @@ impl Chart<'_> {
     fn initial(&self, id: VarId) -> EcoString {
         match self.places.state(id) {
             Some(state) => eco_format!("{}::{}", state.ty, state.variants.first().map_or("", |(_, name)| name)),
-            None => literal(self.program.variables[id].initial, self.program.variables[id].ty),
+            None => literal(self.program.variables[id].initial(), self.program.variables[id].ty),
         }
     }
 

@@ -15,7 +15,7 @@ pub(super) fn constants(out: &mut Writer, program: &Program, names: &RustNames) 
         out.blank();
         let outer = out.origin(Origin::declaration(id));
         document(out, &names.variables[id], variable);
-        let value = literal(variable.initial, variable.ty);
+        let value = literal(variable.initial(), variable.ty);
         out.line(&format!("pub const {}: {} = {value};", names.variables[id], type_name(variable.ty)));
         out.origin(outer);
     }
@@ -29,7 +29,7 @@ pub(super) fn structs(out: &mut Writer, program: &Program, names: &RustNames) {
         format!("#[derive(Clone, Copy, Debug{default}{equal})]")
     };
     // Inputs may have values of their own before they are first read.
-    let plain = program.of_role(Role::Input).all(|(_, v)| literal(v.initial, v.ty) == zero(v.ty));
+    let plain = program.of_role(Role::Input).all(|(_, v)| literal(v.initial(), v.ty) == zero(v.ty));
     let of_inputs = derived(plain, Role::Input);
     structure(out, program, names, Role::Input, "Inputs", "What is read from the plant for a scan.", &of_inputs);
     if !plain {
@@ -62,7 +62,7 @@ pub(super) fn has_variables(program: &Program) -> bool {
 
 /// Each variable of a role with its value before the first scan.
 pub(super) fn values(program: &Program, names: &RustNames, role: Role) -> Vec<(EcoString, EcoString)> {
-    program.of_role(role).map(|(id, v)| (names.variables[id].clone(), literal(v.initial, v.ty))).collect()
+    program.of_role(role).map(|(id, v)| (names.variables[id].clone(), literal(v.initial(), v.ty))).collect()
 }
 
 fn structure(

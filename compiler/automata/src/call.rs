@@ -73,7 +73,7 @@ impl<'p> Caller<'p> {
     pub(crate) fn call(&mut self, kept: &[VarId], state: &[bool]) -> Result<(), Beyond> {
         let program = self.program;
         for (id, variable) in program.variables.iter_enumerated() {
-            let is_true = variable.initial == Value::Bool(true);
+            let is_true = variable.initial() == Value::Bool(true);
             self.values[id] = if is_true { self.alphabet.all.clone() } else { self.alphabet.none.clone() };
         }
         for (place, input) in of_role(program, Role::Input).into_iter().enumerate() {

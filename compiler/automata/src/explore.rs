@@ -20,7 +20,7 @@ pub fn explore(program: &Program, most: usize) -> Result<Machine, Beyond> {
     let kept: Vec<VarId> =
         program.variables.iter_enumerated().filter(|(_, variable)| variable.role.is_kept()).map(|(id, _)| id).collect();
     let outputs = of_role(program, Role::Output);
-    let is_true = |variable: &VarId| program.variables[*variable].initial == Value::Bool(true);
+    let is_true = |variable: &VarId| program.variables[*variable].initial() == Value::Bool(true);
     let mut found: IndexSet<Vec<bool>, FxBuildHasher> = IndexSet::default();
     found.insert(kept.iter().map(is_true).collect());
     let (mut states, mut at): (Vec<State>, usize) = (Vec::new(), 0);

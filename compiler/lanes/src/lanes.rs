@@ -33,7 +33,7 @@ impl<'p> Lanes<'p> {
             now: [0; LANES],
         };
         let constants = room.constants.iter().copied();
-        let initial = program.variables.iter_enumerated().map(|(v, variable)| (code.variables[v], variable.initial));
+        let initial = program.variables.iter_enumerated().map(|(v, variable)| (code.variables[v], variable.initial()));
         constants.chain(initial).for_each(|(at, value)| values.set(at, value, Word::MAX));
         let of = |role: Role| program.of_role(role).map(|(id, _)| id).collect();
         Lanes { program, code, values, inputs: of(Role::Input), outputs: of(Role::Output) }
@@ -63,7 +63,7 @@ impl<'p> Lanes<'p> {
     pub fn restart(&mut self, mask: Word) {
         let goes = |variable: &Variable| !variable.retain && variable.role != Role::Observed;
         for (id, variable) in self.program.variables.iter_enumerated().filter(|(_, variable)| goes(variable)) {
-            self.values.set(self.code.variables[id], variable.initial, mask);
+            self.values.set(self.code.variables[id], variable.initial(), mask);
         }
         for timer in &mut self.values.timers {
             timer.runs &= !mask;

@@ -165,8 +165,8 @@ pub fn variable(variable: &Variable) -> String {
         VariableKind::Internal => "var",
         VariableKind::Constant => "const",
     };
-    let is_shown = variable.kind == VariableKind::Constant || variable.initial != zero(variable.ty);
-    let initial = is_shown.then(|| format!(" := {}", value(variable.initial)));
+    let is_shown = variable.kind == VariableKind::Constant || variable.initial() != zero(variable.ty);
+    let initial = is_shown.then(|| format!(" := {}", value(variable.initial())));
     let address = variable.address.as_ref().map(|address| format!(" at {address:?}"));
     let mode = match variable.mode {
         Mode::Given => "",

@@ -120,7 +120,7 @@ pub(crate) fn json(chart: &Tables) -> Result<String, serde_json::Error> {
                 comment: variable.comment.as_deref(),
                 kind: kind(variable.kind),
                 ty: type_name(variable.ty),
-                initial: variable.initial.into(),
+                initial: variable.initial().into(),
                 marks: marks.get(&id).cloned().unwrap_or_default(),
             })
             .collect(),

@@ -137,7 +137,7 @@ struct Ran {
 
 fn ran(chart: &Chart, profile: Profile, period: i64, plan: &Plan, trip: &[Leg]) -> Ran {
     let inputs = chart.variables.iter().filter(|variable| variable.kind == VariableKind::Input);
-    let mut values: Vec<Value> = inputs.map(|input| input.initial).collect();
+    let mut values: Vec<Value> = inputs.map(|input| input.initial()).collect();
     let mut t_ms = 0;
     let (mut stimuli, mut leg_of): (Vec<Stimulus>, Vec<usize>) = (Vec::new(), Vec::new());
     let mut simulator = Simulator::new(chart, profile);

@@ -58,7 +58,7 @@ type Fault = Box<Diagnostic>;
 impl<'a, 'c, 'r> Run<'a, 'c, 'r> {
     fn new(chart: &'a Chart, profile: Profile, scan: i64, mut coverage: Option<&'r mut Coverage<'c>>) -> Self {
         let inputs = chart.variables.iter_enumerated().filter(|(_, variable)| variable.kind == VariableKind::Input);
-        let (inputs, values) = inputs.map(|(id, variable)| (id, variable.initial)).unzip();
+        let (inputs, values) = inputs.map(|(id, variable)| (id, variable.initial())).unzip();
         let mut simulator = Simulator::new(chart, profile);
         if let Some(coverage) = &mut coverage {
             coverage.begin();

@@ -71,7 +71,7 @@ pub(crate) fn constant(program: &Program, formula: FormulaId) -> Option<Value> {
     let known = program.pool.as_constant(formula);
     if let Formula::Variable(v) = program.pool.get(formula) {
         let variable = &program.variables[*v];
-        return known.or((variable.role == Role::Constant).then_some(variable.initial));
+        return known.or((variable.role == Role::Constant).then_some(variable.initial()));
     }
     known
 }

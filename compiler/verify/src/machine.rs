@@ -190,7 +190,7 @@ impl<'p> Machine<'p> {
 
     fn load(&mut self, from: Option<&State>) {
         self.facts.iter_mut().for_each(Facts::forget);
-        self.values = self.program.variables.iter().map(|v| v.initial).collect();
+        self.values = self.program.variables.iter().map(|v| v.initial()).collect();
         self.timers = self.program.timers.iter().map(|_| Phase::default()).collect();
         if let Some(wanted) = self.program.observing.as_ref().and_then(|observing| observing.wanted) {
             self.values[wanted] = Value::Bool(true);

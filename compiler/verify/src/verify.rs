@@ -344,7 +344,7 @@ impl Shown<'_> {
         let walked = walk(&mut self.machine, way)?;
         let Some(times) = walked.times else { return Ok(Found::Open(Reason::Delays)) };
         let mut rows = Vec::with_capacity(way.len());
-        let mut before: Vec<Value> = inputs(program).map(|(_, variable)| variable.initial).collect();
+        let mut before: Vec<Value> = inputs(program).map(|(_, variable)| variable.initial()).collect();
         for (answers, t_ms) in way.iter().zip(times) {
             let Some(values) = agreeing(program, answers, &before) else { return Ok(Found::Open(Reason::NotReplayed)) };
             before.clone_from(&values);

@@ -30,7 +30,7 @@ impl<'b> Memory<'b> {
     fn new(block: &'b FunctionBlock) -> Self {
         let all = block.program.variables.iter_enumerated();
         let variables =
-            all.map(|(id, variable)| (block.names[id].to_string(), (variable.ty, variable.initial))).collect();
+            all.map(|(id, variable)| (block.names[id].to_string(), (variable.ty, variable.initial()))).collect();
         Memory { block, variables, risen: BTreeMap::new(), now: 0 }
     }
 

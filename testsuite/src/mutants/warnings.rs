@@ -58,7 +58,7 @@ pub(super) const FAULTS: &[Fault] = &[
         name: "restart-keeps-everything",
         at: COMPILER.within("restart"),
         breaks: "a restart leaves variables as they are that are not retained",
-        text: "self.values[id] = variable.initial;",
+        text: "self.values[id] = variable.initial();",
         instead: "",
     },
 ];

@@ -15,7 +15,7 @@ pub fn trace(seed: u64, chart: &Chart, rows: usize) -> Vec<Stimulus> {
     let mut rng = Rng::with_seed(seed ^ 0x7472_6163_6500);
     let inputs: Vec<_> = chart.variables.iter().filter(|v| v.kind == VariableKind::Input).collect();
     let delays = delays(chart);
-    let mut values: Vec<Value> = inputs.iter().map(|v| v.initial).collect();
+    let mut values: Vec<Value> = inputs.iter().map(|v| v.initial()).collect();
     let mut stimuli: Vec<Stimulus> = Vec::with_capacity(rows);
     let mut t_ms = if rng.bool() { 0 } else { rng.i64(0..10_000) };
     let start = rng.f32() < 0.3;

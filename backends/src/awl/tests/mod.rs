@@ -193,11 +193,11 @@ fn the_loop_has_a_bound() {
 fn restart() {
     let mut b = Build::new("Again");
     let (x1, x2) = (b.bit(Role::Step, "X1"), b.bit(Role::Step, "X2"));
-    b.program.variables[x1].initial = Value::Bool(true);
+    b.program.variables[x1].set_initial(Value::Bool(true));
     let (n, k) = (b.var(Role::Internal, "n", Type::Int), b.var(Role::Output, "k2", Type::Real));
     let (t, c) = (b.var(Role::Temporary, "tmp", Type::Int), b.var(Role::Constant, "limit", Type::Int));
-    b.program.variables[k].initial = Value::Real(2.5);
-    b.program.variables[c].initial = Value::Int(7);
+    b.program.variables[k].set_initial(Value::Real(2.5));
+    b.program.variables[c].set_initial(Value::Int(7));
     let (_, _, limit) = (x2, t, b.read(c));
     b.program.after = vec![assign(n, limit)];
     let text = text(&b.program);

@@ -200,7 +200,7 @@ fn all_forms() {
     ] {
         for role in [Role::Constant, Role::Internal, Role::Output] {
             let id = b.var(role, "limit_of_type", ty);
-            b.program.variables[id].initial = value;
+            b.program.variables[id].set_initial(value);
         }
         let result = b.var(Role::Temporary, "limit_of_type", ty);
         let value = b.pool().constant(value, ty);
@@ -269,7 +269,7 @@ fn all_forms() {
         out.push(assign(truth, compared));
     }
     let eight = b.var(Role::Constant, "eight", Type::Time);
-    b.program.variables[eight].initial = Value::Time(8000);
+    b.program.variables[eight].set_initial(Value::Time(8000));
     let presets = [None, Some(Preset { ms: 8000, constant: Some(eight) }), Some(Preset { ms: 1500, constant: None })];
     for preset in presets {
         let timer = b.timer("timer", preset, "");

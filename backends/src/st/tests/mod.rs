@@ -164,11 +164,11 @@ pub(crate) fn four_steps() -> Program {
     let batches = b.var(Role::Internal, "batches", Type::Int);
     b.about(batches, "how often the tank was filled");
     let stir_time = b.var(Role::Constant, "stir_time", Type::Time);
-    b.program.variables[stir_time].initial = Value::Time(8000);
+    b.program.variables[stir_time].set_initial(Value::Time(8000));
     let steps: Vec<VarId> = (1..=4).map(|n| b.bit(Role::Step, &format!("X{n}"))).collect();
     b.about(steps[0], "ready");
     b.about(steps[1], "fill");
-    b.program.variables[steps[0]].initial = Value::Bool(true);
+    b.program.variables[steps[0]].set_initial(Value::Bool(true));
     let livelock = b.bit(Role::Flag(Flag::Livelock), "LIVELOCK");
     b.about(livelock, "the situation did not become stable");
     let started = b.bit(Role::Memory, "started");

@@ -82,7 +82,8 @@ pub struct List {
 pub struct Pool {
     formulas: Vec<Formula>,
     types: Vec<Type>,
-    depths: Vec<u32>,
+    /// How deep each is, as [`Pool::depth`] tells it.
+    depths: Vec<u8>,
     /// The operands of all conjunctions and disjunctions.
     lists: Vec<FormulaId>,
     /// All formulas by what they are but those that read a variable.
@@ -239,7 +240,7 @@ impl Pool {
             other => other,
         });
         self.types.push(candidate.ty);
-        let below = self.operands(id).map(|o| self.depths[o.index()] + 1).max();
+        let below = self.operands(id).map(|o| self.depths[o.index()].saturating_add(1)).max();
         self.depths.push(below.unwrap_or(0));
         self.listed += 1;
         id
@@ -275,8 +276,8 @@ impl Pool {
         self.known.find(hash, |id| candidate.is(&as_candidate(formulas, types, lists, *id))).copied()
     }
 
-    /// How many operators stand above one another in a formula: 0 for a variable or constant.
-    pub fn depth(&self, id: FormulaId) -> u32 {
+    /// How many operators stand above one another in a formula: 0 for a variable or constant. More than 255 are not counted.
+    pub fn depth(&self, id: FormulaId) -> u8 {
         self.depths[id.index()]
     }
 

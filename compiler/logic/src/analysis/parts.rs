@@ -10,8 +10,8 @@ const DONE: u32 = u32::MAX - 1;
 pub(super) struct Parts {
     /// The nodes, part by part, a part behind those that it leads to.
     nodes: Vec<u32>,
-    /// Where each part ends.
-    ends: Vec<u32>,
+    /// Which of them is the last one of its part.
+    last: Vec<bool>,
 }
 
 /// A node whose successors are being followed. There may be as many as nodes.
@@ -32,7 +32,7 @@ impl Parts {
         successor: impl Fn(u32, usize) -> Option<u32>,
         wanted: impl Fn(u32) -> bool,
     ) -> Parts {
-        let mut ends = Vec::with_capacity(count);
+        let mut last = Vec::with_capacity(count);
         // The parts that are complete from the front, and what is in none yet from the back: a node is in one of them at most.
         let mut nodes = vec![0; count];
         let (mut complete, mut open) = (0, count);
@@ -67,7 +67,7 @@ impl Parts {
                             low[next as usize] = DONE;
                             nodes[complete] = next;
                             complete += 1;
-                            ends.push(complete as u32);
+                            last.push(true);
                         } else {
                             way.push(meet(next, &mut low, &mut nodes, &mut open));
                         }
@@ -83,8 +83,8 @@ impl Parts {
                         low[member as usize] = DONE;
                         nodes[complete] = member;
                         complete += 1;
+                        last.push(low[at] == DONE);
                     }
-                    ends.push(complete as u32);
                 }
                 way.pop();
                 if let Some(before) = way.last() {
@@ -94,14 +94,16 @@ impl Parts {
             }
         }
         nodes.truncate(complete);
-        Parts { nodes, ends }
+        Parts { nodes, last }
     }
 
     /// The parts, each before those that it leads to.
     pub(super) fn in_order(&self) -> impl Iterator<Item = &[u32]> {
-        (0..self.ends.len()).rev().map(|part| {
-            let begin = part.checked_sub(1).map_or(0, |before| self.ends[before]);
-            &self.nodes[begin as usize..self.ends[part] as usize]
+        let mut end = self.nodes.len();
+        std::iter::from_fn(move || {
+            let before = end.checked_sub(1)?;
+            let begin = self.last[..before].iter().rposition(|last| *last).map_or(0, |place| place + 1);
+            Some(&self.nodes[begin..std::mem::replace(&mut end, begin)])
         })
     }
 }

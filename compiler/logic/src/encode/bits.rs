@@ -80,6 +80,7 @@ pub(super) fn micro_step(
         let moves = sequent::moves(lowering, task, &clearings, |lowering, s| lowering.situation.bit(s));
         heading(out, Heading::Situation, moves);
     } else {
+        drop(clearings);
         sorted(out, lowering, Part::Situation, situation);
     }
     out.extend(pulses.into_iter().flat_map(|pulses| pulses.remembered));

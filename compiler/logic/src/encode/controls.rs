@@ -64,12 +64,12 @@ fn anew(program: &mut Program, keeps_retained: bool) -> Vec<Statement> {
             continue;
         }
         // A state that 0 is no value of gets another in the initial reaction, before anything reads it.
-        if let (Some(state), Value::Int(n)) = (states.get(&id), variable.initial)
+        if let (Some(state), Value::Int(n)) = (states.get(&id), variable.initial())
             && !values.contains(&(*state, n))
         {
             continue;
         }
-        let (initial, ty) = (variable.initial, variable.ty);
+        let (initial, ty) = (variable.initial(), variable.ty);
         let value = program.pool.constant(initial, ty);
         body.push(Statement::assign(Origin::Chart, id, value));
     }

@@ -45,8 +45,8 @@ pub(crate) fn first_call(
     }
     for (v, variable) in net.variables.iter_enumerated() {
         let kept = matches!(variable.kind, VariableKind::Output | VariableKind::Internal);
-        if kept && variable.mode != Mode::Wire && variable.initial != grafc_formula::number::zero(variable.ty) {
-            let value = lowering.pool.constant(variable.initial, variable.ty);
+        if kept && variable.mode != Mode::Wire && variable.initial() != grafc_formula::number::zero(variable.ty) {
+            let value = lowering.pool.constant(variable.initial(), variable.ty);
             let statement = Statement::assign(Origin::Declaration(v), lowering.symbols.declared(v), value);
             if variable.retain { retained.push(statement) } else { body.push(statement) }
         }

@@ -177,7 +177,7 @@ pub(crate) struct Lowering {
 }
 
 /// Compilers of PLCs take at most 150 nested parentheses; a reader takes fewer.
-const DEEPEST: u32 = 40;
+const DEEPEST: u8 = 40;
 
 /// What a formula may depend on.
 #[derive(Clone, Copy)]

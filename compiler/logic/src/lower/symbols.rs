@@ -33,13 +33,14 @@ impl Symbols {
             .variables
             .iter()
             .map(|v| {
-                let declared = Variable::declared(v);
+                let mut declared = Variable::declared(v);
                 // What the chart assigns gets its initial value in `first`: not every compiler keeps the initial
                 // values of a function block's variables. What is retained has it in both places: a controller that
                 // gets a new version of the program gives it to what is new.
-                let is_set_in_first = declared.role.is_kept() && !v.retain;
-                let initial = if is_set_in_first { zero(v.ty) } else { v.initial };
-                table.push(Variable { initial, ..declared })
+                if declared.role.is_kept() && !v.retain {
+                    declared.set_initial(zero(v.ty));
+                }
+                table.push(declared)
             })
             .collect();
         Symbols { table, declared, flags: BTreeMap::new() }

@@ -82,10 +82,10 @@ impl<'p> Dump<'p> {
             Role::Observed => "observed",
         };
         let address = variable.address.as_ref().map(|address| format!(" at {address:?}")).unwrap_or_default();
-        let initial = if variable.initial == zero(variable.ty) && variable.role != Role::Constant {
+        let initial = if variable.initial() == zero(variable.ty) && variable.role != Role::Constant {
             String::new()
         } else {
-            format!(" := {}", value(variable.initial))
+            format!(" := {}", value(variable.initial()))
         };
         let (name, ty) = (&self.variables[id], type_name(variable.ty));
         let retain = if variable.retain { "retain " } else { "" };

@@ -37,7 +37,7 @@ impl<'p> Evaluator<'p> {
         let of = |role: Role| program.of_role(role).map(|(id, _)| id).collect();
         Evaluator {
             program,
-            values: program.variables.iter().map(|v| v.initial).collect(),
+            values: program.variables.iter().map(|v| v.initial()).collect(),
             timers: program.timers.iter().map(|_| Timer::default()).collect(),
             inputs: of(Role::Input),
             outputs: of(Role::Output),
@@ -104,7 +104,7 @@ impl<'p> Evaluator<'p> {
     fn restart(&mut self) {
         let goes = |variable: &Variable| !variable.retain && variable.role != Role::Observed;
         for (id, variable) in self.program.variables.iter_enumerated().filter(|(_, variable)| goes(variable)) {
-            self.values[id] = variable.initial;
+            self.values[id] = variable.initial();
         }
         self.timers.iter_mut().for_each(|timer| *timer = Timer::default());
     }

@@ -71,7 +71,7 @@ impl Printing<'_> {
         for variable in &program.variables {
             let (role, flag) = role(variable.role);
             self.list(&[role, flag, variable.ty as u64, u64::from(variable.retain)]);
-            self.value(variable.initial);
+            self.value(variable.initial());
             self.print.text(&variable.name);
             self.print.text(variable.address.as_deref().unwrap_or_default());
         }

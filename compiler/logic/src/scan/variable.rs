@@ -5,7 +5,7 @@ use ecow::{EcoString, eco_format};
 use grafc_diagnostics::Span;
 use grafc_formula::number::zero;
 use grafc_formula::{FormulaId, Type, Value};
-use grafc_model::chart::{self, Note, VariableKind};
+use grafc_model::chart::{self, Bits, Note, VariableKind};
 use grafc_net::net::Place;
 
 /// A step of the chart.
@@ -62,8 +62,8 @@ pub struct Variable {
     pub name: EcoString,
     /// The type.
     pub ty: Type,
-    /// The value before the first call.
-    pub initial: Value,
+    /// The [value before the first call](Variable::initial).
+    pub start: Bits,
     /// Whether a restart of the controller leaves it as it is.
     pub retain: bool,
     /// The attached comment of the chart, or a few words on what a variable of ours is for.
@@ -142,7 +142,7 @@ impl Variable {
             role,
             name: name.into(),
             ty,
-            initial: zero(ty),
+            start: Bits::of(zero(ty), ty),
             retain: false,
             comment: None,
             address: None,
@@ -162,7 +162,7 @@ impl Variable {
             role,
             name: declared.name.clone(),
             ty: declared.ty,
-            initial: declared.initial,
+            start: declared.start,
             retain: declared.retain,
             comment: declared.comment.clone(),
             address: declared.address.clone(),
@@ -177,6 +177,16 @@ impl Variable {
             span: Some(place.span),
             ..Variable::new(Role::Step, eco_format!("X{}", place.label), Type::Bool)
         }
+    }
+
+    /// The value before the first call.
+    pub fn initial(&self) -> Value {
+        self.start.value(self.ty)
+    }
+
+    /// Gives it another initial value of its type.
+    pub fn set_initial(&mut self, initial: Value) {
+        self.start = Bits::of(initial, self.ty);
     }
 
     /// Whether it is shown to the outside after each call: outputs, flags, and what has an address.

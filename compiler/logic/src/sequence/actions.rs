@@ -143,7 +143,8 @@ impl Expressions<'_> {
             _ => return None,
         };
         let declared = &self.net.variables[variable];
-        let is_some = declared.kind == VariableKind::Constant && matches!(declared.initial, Value::Time(ms) if ms > 0);
+        let is_some =
+            declared.kind == VariableKind::Constant && matches!(declared.initial(), Value::Time(ms) if ms > 0);
         is_some.then(|| self.pool.variable(self.declared(variable), Type::Time))
     }
 }

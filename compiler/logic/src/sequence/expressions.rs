@@ -58,7 +58,7 @@ impl<'n> Expressions<'n> {
                 let marker = self.fresh(Role::Memory, format!("at_{}", place.label));
                 let variable = &mut self.more[marker.index() - self.variables];
                 // Conditions of the first scan read it before the step has set it.
-                variable.initial = Value::Bool(place.initial);
+                variable.set_initial(Value::Bool(place.initial));
                 variable.comment = Some(format!("step {} is active", place.label).into());
                 self.markers.insert(step, marker);
                 marker

@@ -21,7 +21,7 @@ use ecow::eco_format;
 use expressions::Expressions;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
 use grafc_formula::{FormulaId, Pool};
-use grafc_model::chart::{Note, StepId, Type, Value};
+use grafc_model::chart::{Bits, Note, StepId, Type, Value};
 use grafc_model::reaction::Profile;
 use grafc_net::Net;
 use index_vec::IndexVec;
@@ -229,7 +229,7 @@ fn step(
         role: Role::Temporary,
         name: eco_format!("T{}", place.label),
         ty: Type::Time,
-        initial: Value::Time(0),
+        start: Bits::of(Value::Time(0), Type::Time),
         ..active.clone()
     };
     SequenceStep {
@@ -279,7 +279,7 @@ impl Reasons {
 /// How large a formula is when it is written out: the nodes of its tree, and its depth.
 fn is_small(pool: &Pool, id: FormulaId) -> bool {
     /// Readers take far fewer parentheses than compilers.
-    const DEEPEST: u32 = 60;
+    const DEEPEST: u8 = 60;
     /// A condition stands on one line beside its transition.
     const LARGEST: u32 = 2_000;
     let mut sizes = std::collections::BTreeMap::new();

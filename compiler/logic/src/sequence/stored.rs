@@ -293,7 +293,7 @@ fn latched(net: &Net, deeds: &[Deed], writers: &FxHashMap<VariableId, Writers>) 
         let declared = &net.variables[**variable];
         declared.ty == Type::Bool
             && declared.mode == Mode::Stored
-            && declared.initial == Value::Bool(false)
+            && declared.initial() == Value::Bool(false)
             && !declared.retain
             && writers.places.iter().all(|place| {
                 let deed = &deeds[*place];

@@ -54,17 +54,10 @@ impl Chart {
                 return None;
             }
             let file = self.grafcets.first().map_or_else(FileId::default, |grafcet| grafcet.span.file);
+            let span = Span::new(file, 0, 0);
             Some(self.edit().variables.push(Variable {
-                name: name.clone(),
                 comment: Some(about.into()),
-                kind: VariableKind::Input,
-                ty: Type::Bool,
-                initial: Value::Bool(false),
-                retain: false,
-                momentary: false,
-                address: None,
-                mode: Mode::Given,
-                span: Span::new(file, 0, 0),
+                ..Variable::new(name.clone(), VariableKind::Input, Type::Bool, Value::Bool(false), span)
             }))
         };
         let reset = add(&names.reset, "while true, the chart starts anew", "--reset-input");
@@ -95,16 +88,9 @@ impl Chart {
         let ty = if names.len() <= i16::MAX as usize { Type::Int } else { Type::Dint };
         let file = self.grafcets.first().map_or_else(FileId::default, |grafcet| grafcet.span.file);
         Ok(Some(self.edit().variables.push(Variable {
-            name: ASSERTION.into(),
             comment: Some(EcoString::from(format!("the first assertion that was false; {}", names.join(", "))).into()),
-            kind: VariableKind::Output,
-            ty,
-            initial: Value::Int(0),
-            retain: false,
-            momentary: false,
-            address: None,
             mode: Mode::Stored,
-            span: Span::new(file, 0, 0),
+            ..Variable::new(ASSERTION, VariableKind::Output, ty, Value::Int(0), Span::new(file, 0, 0))
         })))
     }
 }

@@ -7,6 +7,7 @@
 //! [`check`](crate::check()) makes one of the other, so what runs or lowers a chart asks for a `Chart`, and what draws
 //! or describes one is content with tables.
 
+mod bits;
 mod claims;
 mod controls;
 mod expression;
@@ -14,6 +15,7 @@ mod note;
 mod scenario;
 
 pub use crate::profile::ChartOptions;
+pub use bits::Bits;
 pub use claims::{Claim, ClaimBody, ClaimKind, Claims};
 pub use controls::{ControlNames, Controls};
 use ecow::EcoString;
@@ -96,7 +98,7 @@ impl Tables {
         match kind {
             ExprKind::Literal(value) => Some(*value),
             ExprKind::Variable(id) if self.variables[*id].kind == VariableKind::Constant => {
-                Some(self.variables[*id].initial)
+                Some(self.variables[*id].initial())
             }
             ExprKind::Variable(_)
             | ExprKind::StepActive(_)
@@ -185,8 +187,8 @@ pub struct Variable {
     pub kind: VariableKind,
     /// The type.
     pub ty: Type,
-    /// `:= value`, or the zero of the type; the value of a constant.
-    pub initial: Value,
+    /// The [initial](Variable::initial) value.
+    pub start: Bits,
     /// Whether its value is kept over a restart of the controller (`retain`).
     pub retain: bool,
     /// Whether it is false again before the first micro-step of each reaction: an output on arcs of automata in a chart that
@@ -198,6 +200,34 @@ pub struct Variable {
     pub mode: Mode,
     /// The name in its declaration.
     pub span: Span,
+}
+
+impl Variable {
+    /// A variable that starts with a value of its type, gets others from outside, and has nothing else to be said of it.
+    pub fn new(name: impl Into<EcoString>, kind: VariableKind, ty: Type, initial: Value, span: Span) -> Variable {
+        Variable {
+            name: name.into(),
+            comment: None,
+            kind,
+            ty,
+            start: Bits::of(initial, ty),
+            retain: false,
+            momentary: false,
+            address: None,
+            mode: Mode::Given,
+            span,
+        }
+    }
+
+    /// `:= value`, or the zero of the type; the value of a constant.
+    pub fn initial(&self) -> Value {
+        self.start.value(self.ty)
+    }
+
+    /// Gives it another initial value of its type.
+    pub fn set_initial(&mut self, initial: Value) {
+        self.start = Bits::of(initial, self.ty);
+    }
 }
 
 /// The kinds of variable.

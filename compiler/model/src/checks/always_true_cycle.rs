@@ -29,6 +29,9 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         return;
     }
     let counting = counting(chart);
+    if !counting.contains(&true) {
+        return;
+    }
     // Every step before a counting transition is entered by another: going up ends in a circle.
     let mut entered_by: IndexVec<StepId, Option<TransitionId>> = index_vec![None; chart.steps.len()];
     for (id, transition) in chart.transitions.iter_enumerated().filter(|(id, _)| counting[*id]) {
@@ -63,6 +66,10 @@ fn counting(chart: &Tables) -> IndexVec<TransitionId, bool> {
         .iter()
         .map(|transition| !transition.pre.is_empty() && truths[transition.condition] == Truth::Always)
         .collect();
+    // As in most charts.
+    if !counting.contains(&true) {
+        return counting;
+    }
     let mut entries: IndexVec<StepId, usize> = index_vec![0; chart.steps.len()];
     let mut leaving: IndexVec<StepId, Vec<TransitionId>> = index_vec![Vec::new(); chart.steps.len()];
     for (id, transition) in chart.transitions.iter_enumerated().filter(|(id, _)| counting[*id]) {

@@ -13,6 +13,9 @@ use index_vec::{IndexVec, index_vec};
 
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
+    if chart.stored.is_empty() {
+        return;
+    }
     let mut assigned: IndexVec<VariableId, Option<Span>> = index_vec![None; chart.variables.len()];
     for action in &chart.continuous {
         assigned[action.target].get_or_insert(action.span);

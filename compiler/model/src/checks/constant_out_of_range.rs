@@ -20,7 +20,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     for expr in &chart.exprs {
         let constant = |id: VariableId| Some(&chart.variables[id]).filter(|v| v.kind == VariableKind::Constant);
         let value = if let ExprKind::Variable(id) = expr.kind {
-            constant(id).map(|constant| constant.initial)
+            constant(id).map(|constant| constant.initial())
         } else {
             fold::apply(expr, |operand| values[operand]).unwrap_or_else(|fault| {
                 if fault.code == Code::E0210 && expr.ty != Type::Time {

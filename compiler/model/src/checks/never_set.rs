@@ -38,7 +38,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         };
         let mut diagnostic = Diagnostic::new(Code::W0420, variable.span, what);
         if let Some(place) = usage.read {
-            diagnostic = diagnostic.also(place, format!("always `{}` here", literal(variable.initial, variable.ty)));
+            diagnostic = diagnostic.also(place, format!("always `{}` here", literal(variable.initial(), variable.ty)));
         }
         diagnostics.push(diagnostic.help(help));
     }

@@ -14,6 +14,9 @@ use index_vec::{IndexVec, index_vec};
 
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
+    if resolved.parts.declarations.iter().all(|declaration| declaration.retain.is_none()) {
+        return;
+    }
     let mut assigned: IndexVec<VariableId, Option<Span>> = index_vec![None; chart.variables.len()];
     for action in &chart.continuous {
         assigned[action.target].get_or_insert(action.span);

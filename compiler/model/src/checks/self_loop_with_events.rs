@@ -9,14 +9,13 @@
 use crate::chart::{Event, ExprKind, Node, StepId, Tables};
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Span};
-use index_vec::{IndexVec, index_vec};
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// One warning per transition.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
     let sensitive = sensitive(chart);
-    if sensitive.iter().all(Option::is_none) {
+    if sensitive.is_empty() {
         return;
     }
     let mut after = FxHashSet::default();
@@ -24,7 +23,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         after.clear();
         after.extend(transition.post.iter().copied());
         let found = transition.pre.iter().filter(|node| after.contains(node)).find_map(|node| match *node {
-            Node::Step(step) => Some((step, sensitive[step]?)),
+            Node::Step(step) => Some((step, *sensitive.get(&step)?)),
             Node::Macro(_) => None, // it leaves the exit and enters the entry
         });
         if let Some((step, (what, place))) = found {
@@ -42,13 +41,13 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// For each step what a real activation or deactivation of it would do, and where that is written.
-fn sensitive(chart: &Tables) -> IndexVec<StepId, Option<(&'static str, Span)>> {
-    let mut sensitive: IndexVec<StepId, Option<(&'static str, Span)>> = index_vec![None; chart.steps.len()];
+/// Of each step that does it, what a real activation or deactivation would do, and where that is written.
+fn sensitive(chart: &Tables) -> FxHashMap<StepId, (&'static str, Span)> {
+    let mut sensitive = FxHashMap::default();
     for action in &chart.stored {
         match action.event {
-            Event::Activation(step) => _ = sensitive[step].get_or_insert(("activate it again", action.span)),
-            Event::Deactivation(step) => _ = sensitive[step].get_or_insert(("deactivate it", action.span)),
+            Event::Activation(step) => _ = sensitive.entry(step).or_insert(("activate it again", action.span)),
+            Event::Deactivation(step) => _ = sensitive.entry(step).or_insert(("deactivate it", action.span)),
             Event::Event(..) | Event::Clearing(_) | Event::EachScan(..) => {}
         }
     }
@@ -63,7 +62,7 @@ fn sensitive(chart: &Tables) -> IndexVec<StepId, Option<(&'static str, Span)>> {
             None
         };
         if let Some(step) = timed {
-            sensitive[step].get_or_insert(("restart its time", expr.span));
+            sensitive.entry(step).or_insert(("restart its time", expr.span));
         }
     }
     sensitive

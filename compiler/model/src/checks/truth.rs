@@ -38,7 +38,7 @@ fn truth(chart: &Tables, expr: &Expr, edges: Edges, below: &IndexVec<ExprId, Tru
     match expr.kind {
         ExprKind::Literal(Value::Bool(value)) => certain(value),
         ExprKind::Literal(Value::Int(_) | Value::Real(_) | Value::Time(_)) => Sometimes,
-        ExprKind::Variable(id) => match (chart.variables[id].kind, chart.variables[id].initial) {
+        ExprKind::Variable(id) => match (chart.variables[id].kind, chart.variables[id].initial()) {
             (VariableKind::Constant, Value::Bool(value)) => certain(value),
             (VariableKind::Constant, Value::Int(_) | Value::Real(_) | Value::Time(_)) => Sometimes,
             (VariableKind::Input | VariableKind::Output | VariableKind::Internal, _) => Sometimes,

@@ -10,7 +10,7 @@ use super::fold::{Constants, fold};
 use super::parts::Parts;
 use super::scope::{Reference, Scope};
 use super::types;
-use crate::chart::{Mode, Type, Variable, VariableId, VariableKind};
+use crate::chart::{Type, Variable, VariableId, VariableKind};
 use crate::symbols::Symbols;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
 use grafc_syntax::ast;
@@ -25,17 +25,11 @@ pub fn variables(parts: &Parts) -> IndexVec<VariableId, Variable> {
     let mut variables = IndexVec::with_capacity(parts.declarations.iter().map(|d| d.names.len()).sum());
     for declaration in &parts.declarations {
         for declared in &declaration.names {
+            let (kind, ty) = (addresses::kind(declaration.kind), declaration.ty.unwrap_or(STAND_IN));
             variables.push(Variable {
-                name: declared.name.text.clone(),
                 comment: comment(&declared.comment),
-                kind: addresses::kind(declaration.kind),
-                ty: declaration.ty.unwrap_or(STAND_IN),
-                initial: types::zero(declaration.ty.unwrap_or(STAND_IN)),
                 retain: declaration.retain.is_some(),
-                momentary: false,
-                address: None,
-                mode: Mode::Given,
-                span: declared.name.span,
+                ..Variable::new(declared.name.text.clone(), kind, ty, types::zero(ty), declared.name.span)
             });
         }
     }
@@ -246,7 +240,7 @@ impl Evaluation<'_, '_> {
             return;
         };
         for id in ids {
-            self.variables[id].initial = value;
+            self.variables[id].set_initial(value);
             if is_constant {
                 self.values.constants.insert(id, value);
             }
@@ -267,7 +261,7 @@ mod tests {
 
     fn value(declaration: &str) -> Value {
         let chart = chart(&format!("{declaration} initial step 1"));
-        chart.variables.last().expect("there is a declaration").initial
+        chart.variables.last().expect("there is a declaration").initial()
     }
 
     #[test]

@@ -107,7 +107,7 @@ impl State {
     fn new(chart: &Chart) -> Self {
         State {
             active: chart.steps.iter().map(|_| false).collect(),
-            variables: chart.variables.iter().map(|variable| variable.initial).collect(),
+            variables: chart.variables.iter().map(|variable| variable.initial()).collect(),
             since: chart.steps.iter().map(|_| 0).collect(),
             delays: chart.exprs.iter().map(|_| Delay::default()).collect(),
             edges: chart.exprs.iter().map(|_| false).collect(),

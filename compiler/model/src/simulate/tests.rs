@@ -43,18 +43,9 @@ fn chart() -> Tables {
 }
 
 fn declare(chart: &mut Tables, kind: VariableKind, mode: Mode) -> VariableId {
-    chart.variables.push(Variable {
-        name: format!("v{}", chart.variables.len()).into(),
-        comment: None,
-        kind,
-        ty: Type::Bool,
-        initial: Value::Bool(false),
-        retain: false,
-        momentary: false,
-        address: None,
-        mode,
-        span: Span::default(),
-    })
+    let name = format!("v{}", chart.variables.len());
+    let variable = Variable::new(name, kind, Type::Bool, Value::Bool(false), Span::default());
+    chart.variables.push(Variable { mode, ..variable })
 }
 
 fn expression(chart: &mut Tables, kind: ExprKind) -> ExprId {

@@ -37,7 +37,7 @@ impl<'a> Given<'a> {
     pub fn new(said: &mut Said, header: &Row, chart: &'a Chart, width: usize) -> Self {
         let inputs: Vec<&Variable> = chart.variables.iter().filter(|v| v.kind == VariableKind::Input).collect();
         let columns = if width > 0 { roles(said, header, chart, &inputs, width) } else { Vec::new() };
-        let values = inputs.iter().map(|input| input.initial).collect();
+        let values = inputs.iter().map(|input| input.initial()).collect();
         Given { inputs, columns, values, times: Times::default() }
     }
 

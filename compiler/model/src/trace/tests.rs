@@ -1,25 +1,10 @@
 //! What is read, what is refused and where, what is written.
 
 use super::{parse_trace, write_trace};
-use crate::chart::{Chart, Grafcet, GrafcetId, Mode, Step, StepId, Tables, Type, Value, Variable, VariableKind};
+use crate::chart::{Chart, Grafcet, GrafcetId, Step, StepId, Tables, Type, Value, Variable, VariableKind};
 use crate::reaction::{Flags, Response, Stimulus};
 use grafc_diagnostics::{Diagnostic, FileId, Span};
 use index_vec::index_vec;
-
-fn variable(name: &str, kind: VariableKind, ty: Type, initial: Value) -> Variable {
-    Variable {
-        name: name.into(),
-        comment: None,
-        kind,
-        ty,
-        initial,
-        retain: false,
-        momentary: false,
-        address: None,
-        mode: Mode::Given,
-        span: Span::default(),
-    }
-}
 
 fn chart() -> Chart {
     let step = |label: &str| Step {
@@ -43,6 +28,7 @@ fn chart() -> Chart {
         span: Span::default(),
     };
     use VariableKind::{Input, Output};
+    let variable = |name: &str, kind, ty, initial| Variable::new(name, kind, ty, initial, Span::default());
     Chart::checked(Tables {
         name: "test".into(),
         variables: index_vec![

@@ -178,7 +178,7 @@ impl<'p> Builder<'p> {
     pub(super) fn begin(&mut self) -> Result<Literal, Beyond> {
         let program = self.program;
         let begins = self.latch("rests".to_string(), true, Of::Rest);
-        self.values = program.variables.iter().map(|v| self.initial(v.ty, v.initial)).collect();
+        self.values = program.variables.iter().map(|v| self.initial(v.ty, v.initial())).collect();
         for v in self.variables_kept() {
             self.values[v] = self.held_by_latches(v);
         }
@@ -321,7 +321,7 @@ impl<'p> Builder<'p> {
         // An input of this name is what is given at a clock.
         let held = if variable.role == Role::Input { " held" } else { "" };
         let name = format!("{}{held}", variable.name);
-        match variable.initial {
+        match variable.initial() {
             Value::Bool(initial) => Held::Bool(self.latch(name, initial, Of::Variable(v, 0))),
             Value::Int(n) | Value::Time(n) => {
                 let bits = 0..width(variable.ty).unwrap_or_default();

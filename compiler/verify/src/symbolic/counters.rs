@@ -47,7 +47,7 @@ impl Counters {
             }
         }
         for (v, variable) in program.variables.iter_enumerated() {
-            note(v, Some(variable.initial));
+            note(v, Some(variable.initial()));
         }
         let mut list = Vec::new();
         for (v, of) in &bits.of {

@@ -38,7 +38,7 @@ impl<'p> Run<'p> {
             program,
             bits,
             clocks,
-            values: program.variables.iter().map(|v| number::of_value(&bits.all, v.ty, v.initial)).collect(),
+            values: program.variables.iter().map(|v| number::of_value(&bits.all, v.ty, v.initial())).collect(),
             timers: timers.collect(),
         };
         if let Some(wanted) = program.observing.as_ref().and_then(|observing| observing.wanted) {

@@ -127,7 +127,7 @@ impl<'a> Watch<'a> {
             quiet: false,
             active: chart.steps.iter().map(|_| false).collect(),
             saved: (chart.steps.iter().map(|_| false).collect(), chart.grafcets.iter().map(|_| false).collect()),
-            variables: chart.variables.iter().map(|v| v.initial).collect(),
+            variables: chart.variables.iter().map(|v| v.initial()).collect(),
             since: chart.steps.iter().map(|_| 0).collect(),
         }
     }
@@ -149,7 +149,7 @@ impl<'a> Watch<'a> {
         (self.micro_steps, self.moved, self.quiet) = (0, false, false);
         let Some(before) = before else { return };
         if stimulus.restart {
-            let initial = |v: VariableId| self.chart.variables[v].initial;
+            let initial = |v: VariableId| self.chart.variables[v].initial();
             let changed = |retain: bool| {
                 let of_these = |v: &VariableId| self.chart.variables[*v].retain == retain;
                 self.stored().filter(of_these).any(|v| self.variables[v] != initial(v))
@@ -214,7 +214,7 @@ impl<'a> Watch<'a> {
         };
         self.see(chart.grafcets.indices().any(|g| without_links(&g)), "R10 an enclosure starts without its links");
         let has_action = chart.stored.iter().any(|a| matches!(a.event, Event::Activation(s) if active[s]));
-        let done = self.stored().any(|v| !chart.variables[v].retain && variables[v] != chart.variables[v].initial);
+        let done = self.stored().any(|v| !chart.variables[v].retain && variables[v] != chart.variables[v].initial());
         self.see(done, "R10 actions of initial steps are done");
         self.see(has_action && !self.profile.initial_actions, "R10 actions of initial steps are left out");
     }

@@ -201,7 +201,7 @@ fn text(
         let _ = writeln!(before, "IF {prefix}restart THEN");
         let kept = block.program.variables.iter_enumerated().filter(|(_, v)| v.role.is_kept() && !v.retain);
         for (id, variable) in kept {
-            let _ = writeln!(before, "{} := {};", block.names[id], literal(variable.initial));
+            let _ = writeln!(before, "{} := {};", block.names[id], literal(variable.initial()));
         }
         for timer in timers(&declared, prefix) {
             let _ = writeln!(before, "{timer}(IN := FALSE, PT := T#1ms);");

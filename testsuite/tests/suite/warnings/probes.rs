@@ -44,7 +44,7 @@ pub fn watch(chart: &Chart, profile: Profile, stimuli: &[Stimulus]) -> Watched {
     let mut simulator = Simulator::new(&probed, profile);
     let bound = profile.bound_for(chart.steps.len(), chart.transitions.len());
     let mut active: Activity = chart.steps.iter().map(|_| false).collect();
-    let mut values: IndexVec<VariableId, Value> = probed.variables.iter().map(|v| v.initial).collect();
+    let mut values: IndexVec<VariableId, Value> = probed.variables.iter().map(|v| v.initial()).collect();
     for (reaction, stimulus) in stimuli.iter().enumerate() {
         let mut sights = 0;
         simulator.react_observed(stimulus, &mut |s| {
@@ -79,7 +79,7 @@ fn probed(chart: &Chart) -> (Chart, Probes) {
     let mut actions = Vec::new();
     for action in &chart.stored {
         let counted = count(probed.edit(), action.event);
-        let value = variable(probed.edit(), chart.exprs[action.value].ty, chart.variables[action.target].initial);
+        let value = variable(probed.edit(), chart.exprs[action.value].ty, chart.variables[action.target].initial());
         probed.edit().stored.push(Stored { target: value, ..action.clone() });
         actions.push((counted, value));
     }
@@ -100,16 +100,7 @@ fn count(chart: &mut Tables, event: Event) -> VariableId {
 /// A further variable that stored actions write.
 pub fn variable(chart: &mut Tables, ty: Type, initial: Value) -> VariableId {
     let span = chart.steps.first().map(|s| s.span).expect("a chart has steps");
-    chart.variables.push(Variable {
-        name: format!("more_{}", chart.variables.len()).into(),
-        comment: None,
-        kind: VariableKind::Output,
-        ty,
-        initial,
-        retain: false,
-        momentary: false,
-        address: None,
-        mode: Mode::Stored,
-        span,
-    })
+    let name = format!("more_{}", chart.variables.len());
+    let variable = Variable::new(name, VariableKind::Output, ty, initial, span);
+    chart.variables.push(Variable { mode: Mode::Stored, ..variable })
 }

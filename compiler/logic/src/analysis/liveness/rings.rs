@@ -369,7 +369,7 @@ fn holds(net: &Net, condition: ExprId, inputs: &FxHashMap<VariableId, bool>) -> 
     for e in inside {
         let of = |a: ExprId| values.get(&a).copied().unwrap_or(false);
         let value = match net.exprs[e].kind {
-            ExprKind::Variable(v) => match (inputs.get(&v), net.variables[v].initial) {
+            ExprKind::Variable(v) => match (inputs.get(&v), net.variables[v].initial()) {
                 (Some(value), _) => *value,
                 (None, Value::Bool(value)) => net.variables[v].kind != VariableKind::Input && value,
                 (None, Value::Int(_) | Value::Real(_) | Value::Time(_)) => false,

@@ -38,7 +38,7 @@ impl<'a> Questions<'a> {
         if let ExprKind::Variable(v) = net.exprs[expr].kind
             && net.variables[v].kind == VariableKind::Constant
         {
-            return self.more().lowering.pool.constant(net.variables[v].initial, net.exprs[expr].ty);
+            return self.more().lowering.pool.constant(net.variables[v].initial(), net.exprs[expr].ty);
         }
         self.formula(expr)
     }

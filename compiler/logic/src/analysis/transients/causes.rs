@@ -1,6 +1,6 @@
 //! The graph of causes: what can happen in a micro-step, and what can have brought it about.
 
-use grafc_model::chart::{Event, ExprId, GrafcetId, MacroId, Mode, StepId, TransitionId, VariableId};
+use grafc_model::chart::{Event, ExprId, GrafcetId, MacroId, Mode, StepId, Stored, TransitionId, VariableId};
 use grafc_net::Net;
 use grafc_net::net::Grafcet;
 use index_vec::IndexVec;
@@ -191,8 +191,13 @@ impl Effects {
     }
 }
 
+/// Whether anything but a clearing activates steps: an activation link or an order.
+pub(super) fn places_steps(net: &Net) -> bool {
+    net.places.iter().any(|place| place.activated) || net.grafcets.iter().any(|g| !g.orders.is_empty())
+}
+
 /// Where the numbers of the changes of each kind begin. Whatever can be thought of has a number, whether or not anything
-/// causes it; but variables that nothing assigns, as inputs, have none.
+/// causes it; but variables that nothing assigns, as inputs, have none, and neither has what the whole net lacks.
 struct Numbers {
     clears: u32,
     stops: u32,
@@ -237,11 +242,14 @@ impl Numbers {
             assigned_before.push(assigned as u32);
             assigned += usize::from(variable.mode != Mode::Given);
         }
+        let placing = if places_steps(net) { steps } else { 0 };
+        let clears = |action: &Stored| matches!(action.event, Event::Clearing(_));
+        let subsiding = if net.stored.iter().any(clears) { assigned } else { 0 };
         let mut numbers = Numbers {
             clears: some(transitions),
             stops: some(transitions),
             activated: some(steps),
-            placed: some(steps),
+            placed: some(placing),
             deactivated: some(steps),
             obeyed: some(orders),
             // Ranks up to the one after the last order.
@@ -256,7 +264,7 @@ impl Numbers {
             grafcet: some(2 * grafcets),
             occurs: some(net.stored.len()),
             differs: some(net.stored.len()),
-            subsides: some(assigned),
+            subsides: some(subsiding),
             all: 0,
             orders_before,
             assigned_before,

@@ -234,7 +234,7 @@ impl Stable {
                     (Mode::Given, VariableKind::Input) => self.number(Meaning::Input(v)),
                     // A constant, or a variable that nothing ever assigns.
                     (Mode::Given, VariableKind::Constant | VariableKind::Internal | VariableKind::Output) => {
-                        self.value(variable.ty, variable.initial)
+                        self.value(variable.ty, variable.initial())
                     }
                 }
             }
@@ -411,7 +411,7 @@ fn time_has_passed(net: &Net, op: Comparison, a: ExprId, b: ExprId, asserted: bo
     use Comparison::{Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual};
     let constant = |e: ExprId| match net.exprs[e].kind {
         ExprKind::Literal(Value::Time(ms)) => Some(ms),
-        ExprKind::Variable(v) => match (net.variables[v].kind, net.variables[v].initial) {
+        ExprKind::Variable(v) => match (net.variables[v].kind, net.variables[v].initial()) {
             (VariableKind::Constant, Value::Time(ms)) => Some(ms),
             _ => None,
         },

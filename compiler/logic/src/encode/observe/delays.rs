@@ -70,7 +70,7 @@ fn duration(net: &Net, op: Comparison, a: ExprId, b: ExprId) -> Option<(StepId, 
     };
     let time = |e: ExprId| match net.exprs[e].kind {
         ExprKind::Literal(Value::Time(ms)) => Some(ms),
-        ExprKind::Variable(v) if net.variables[v].kind == VariableKind::Constant => match net.variables[v].initial {
+        ExprKind::Variable(v) if net.variables[v].kind == VariableKind::Constant => match net.variables[v].initial() {
             Value::Time(ms) => Some(ms),
             Value::Bool(_) | Value::Int(_) | Value::Real(_) => None,
         },
