@@ -4,17 +4,19 @@
 //! chart that it becomes, in the simulator. None of them has what MATIEC is known to do wrongly: a pulse of an initial step
 //! or of two steps, times compared at whole seconds, one Boolean as an action of two steps one after the other.
 //!
-//! Programs of others are tried where `SFC_PROGRAMS` names a folder of them, as text:
+//! Programs of others are tried where `SFC_PROGRAMS` names a folder of them, as text; where a project lies beside such a
+//! text as `.xml`, it is the project that is imported:
 //! `cargo test -p grafc-testsuite import_matiec:: -- --ignored --nocapture`.
 
 use grafc_diagnostics::FileId;
 use grafc_import::Options;
-use grafc_model::chart::{Type, VariableKind};
+use grafc_model::chart::{Chart, Type, VariableKind};
 use grafc_model::reaction::{Evolution, Profile};
 use grafc_testsuite::binary;
 use grafc_testsuite::charts::{check, stimuli};
-use grafc_testsuite::executors::matiec::{Tools, play_program};
+use grafc_testsuite::executors::matiec::{Scan, Tools, play_program};
 use grafc_testsuite::runs::simulate;
+use std::ops::Range;
 
 /// Scans of a run.
 const SCANS: usize = 1_000;
@@ -23,16 +25,22 @@ const SCANS: usize = 1_000;
 fn imports_do_what_matiec_makes_of_the_original() {
     let Some(tools) = Tools::find_or_skip() else { return };
     for (name, seeds) in [("sorting", 4), ("qualifiers", 12)] {
-        for seed in 0..seeds {
-            let path = binary::root().join("testsuite/imports/sfc").join(format!("{name}.txt"));
-            let text = std::fs::read_to_string(path).expect("a file of the suite");
-            let changes = compare(&tools, name, &text, (seed, 10));
-            assert!(changes > 20, "{name}, seed {seed}: only {changes} changes");
-        }
+        let path = binary::root().join("testsuite/imports/sfc").join(format!("{name}.txt"));
+        let text = std::fs::read_to_string(path).expect("a file of the suite");
+        let chart = imported(name, &text, None);
+        let changes = compare(&tools, name, (&text, &chart), (0..seeds, 10));
+        assert!(changes.iter().all(|changes| *changes > 20), "{name}: {changes:?} changes");
     }
 }
 
-/// Of each file the programs that are charts, alone: what is external or at an address is a variable of theirs.
+/// The chart that a text or a unit of a project becomes.
+fn imported(name: &str, text: &str, unit: Option<&str>) -> String {
+    let options = Options { unit: unit.map(str::to_owned), ..Options::default() };
+    let (chart, diagnostics) = grafc_import::import(FileId::default(), text, &options);
+    chart.unwrap_or_else(|| panic!("{name}: {diagnostics:?}"))
+}
+
+/// Of each file the units that are charts, alone: what is external or at an address is a variable of theirs.
 #[test]
 #[ignore = "needs files of others"]
 #[allow(clippy::print_stderr, reason = "shown with --nocapture")]
@@ -41,82 +49,100 @@ fn programs_of_others() {
     let mut files: Vec<_> =
         std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("a file").path()).collect();
     files.sort();
-    for path in files {
+    for path in files.into_iter().filter(|path| path.extension().is_none_or(|ending| ending != "xml")) {
+        let project = std::fs::read_to_string(path.with_extension("xml")).ok();
         let text = std::fs::read_to_string(&path).expect("text");
-        for program in text.split("\nEND_PROGRAM").filter(|program| program.contains("INITIAL_STEP")) {
-            let begin = program.rfind("PROGRAM ").expect("its first line");
-            let name = program[begin..].split_whitespace().nth(1).expect("its name");
-            let alone = format!("{}\nEND_PROGRAM\n", program[begin..].replace("VAR_EXTERNAL", "VAR"));
+        let units = ["PROGRAM", "FUNCTION_BLOCK"].into_iter().flat_map(|kind| {
+            let all = text.split_inclusive(&format!("\nEND_{kind}\n")).map(str::to_owned).collect::<Vec<_>>();
+            all.into_iter().filter_map(move |unit| {
+                let end = unit.rfind(&format!("\nEND_{kind}"))?;
+                let begin = unit[..end].rfind(&format!("{kind} "))?;
+                unit.contains("INITIAL_STEP").then(|| unit[begin..].to_owned())
+            })
+        });
+        for unit in units {
+            let name = unit.split_whitespace().nth(1).expect("its name");
+            let alone = unit.replace("VAR_EXTERNAL", "VAR");
             let at = |line: &str| match line.split_once(" AT %") {
                 Some((declared, address)) => format!("{declared} {}", &address[address.find(':').expect("a type")..]),
                 None => line.to_owned(),
             };
             let alone: String = alone.lines().map(|line| at(line) + "\n").collect();
             // What the report tells to come a scan later need not agree.
-            let (_, told) = grafc_import::import(FileId::default(), &alone, &Options::default());
+            let options = Options { unit: project.as_ref().map(|_| name.to_owned()), ..Options::default() };
+            let from = project.as_deref().unwrap_or(&alone);
+            let (_, told) = grafc_import::import(FileId::default(), from, &options);
             if told.iter().any(|one| one.message.contains("as it was in the scan before")) {
                 eprintln!("{}: {name}: it is told that a delay comes a scan later", path.display());
                 continue;
             }
-            let changes: usize = (0..10).map(|seed| compare(&tools, name, &alone, (seed, 130))).sum();
+            let chart = imported(name, from, options.unit.as_deref());
+            let changes: usize = compare(&tools, name, (&alone, &chart), (0..10, 130)).iter().sum();
             eprintln!("{}: {name}: 10 runs of {SCANS} scans, {changes} changes of outputs", path.display());
         }
     }
 }
 
-/// Runs the original and the import, so many milliseconds from scan to scan; how often outputs changed.
-fn compare(tools: &Tools, name: &str, text: &str, (seed, period): (u64, i64)) -> usize {
-    let (chart, diagnostics) = grafc_import::import(FileId::default(), text, &Options::default());
-    let written = chart.unwrap_or_else(|| panic!("{name}: {diagnostics:?}"));
-    let chart = check(name, &written).unwrap_or_else(|fault| panic!("{fault}"));
+/// Runs the original and the chart that it becomes, by these seeds, so many milliseconds from scan to scan; how often outputs
+/// changed in each run.
+fn compare(tools: &Tools, name: &str, (text, written): (&str, &str), (seeds, period): (Range<u64>, i64)) -> Vec<usize> {
+    let chart = check(name, written).unwrap_or_else(|fault| panic!("{fault}"));
     // MATIEC drops a Boolean for a scan where a step hands it over to another: what several steps have is left out.
     let is_of_several = |name: &str| text.matches(&format!(" {name}(N)")).count() > 1;
     let of_kind = |kind: VariableKind| chart.variables.iter().filter(move |variable| variable.kind == kind);
     let inputs: Vec<&str> = of_kind(VariableKind::Input).map(|variable| &*variable.name).collect();
     let outputs: Vec<&str> = of_kind(VariableKind::Output).map(|variable| &*variable.name).collect();
     let outputs: Vec<&str> = outputs.into_iter().filter(|name| !is_of_several(name)).collect();
-
     // A block takes what is true in its first call for an edge, a chart does not (W0702).
     let begins_at_rest = text.contains("_TRIG");
-    // Inputs change now and then, so that steps stay active for a while.
+    let runs: Vec<Vec<Scan>> = seeds.clone().map(|seed| scans(&chart, seed, period, begins_at_rest)).collect();
+    let original =
+        play_program(tools, text, name, (&inputs, &outputs), &runs).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+    let one = |((seed, scans), original): ((u64, &Vec<Scan>), &Vec<Vec<i64>>)| {
+        let mut trace = format!("t_ms,{}\n", inputs.join(","));
+        for (time, values) in scans {
+            let row: Vec<String> = values.iter().map(i64::to_string).collect();
+            trace.push_str(&format!("{time},{}\n", row.join(",")));
+        }
+        let stimuli = stimuli(name, &trace, &chart).unwrap_or_else(|fault| panic!("{fault}"));
+        let profile = Profile { evolution: Evolution::Scan, ..Profile::default() };
+        let shown = grafc_model::trace::write_trace(&chart, &stimuli, &simulate(&chart, profile, &stimuli));
+        let mut lines = shown.lines();
+        let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
+        let column = |name: &&str| header.iter().position(|column| column == name).expect("a column of each output");
+        let columns: Vec<usize> = outputs.iter().map(column).collect();
+        let mut changes = 0;
+        let mut last = Vec::new();
+        for (scan, (line, expected)) in lines.zip(original).enumerate() {
+            let cells: Vec<&str> = line.split(',').collect();
+            let value = |column: &usize| cells[*column].parse::<i64>().expect("a number");
+            let found: Vec<i64> = columns.iter().map(value).collect();
+            assert_eq!(
+                &found, expected,
+                "{name}, seed {seed}, scan {scan} with {inputs:?} = {:?}: {outputs:?} of the import and of the original",
+                scans[scan].1
+            );
+            changes += usize::from(last != found);
+            last = found;
+        }
+        changes
+    };
+    assert_eq!(original.len(), runs.len(), "{name}: runs");
+    seeds.zip(&runs).zip(&original).map(one).collect()
+}
+
+/// A run: inputs change now and then, so that steps stay active for a while.
+fn scans(chart: &Chart, seed: u64, period: i64, begins_at_rest: bool) -> Vec<Scan> {
+    let inputs = || chart.variables.iter().filter(|variable| variable.kind == VariableKind::Input);
     let mut rng = fastrand::Rng::with_seed(seed);
-    let mut values = vec![0_i64; inputs.len()];
-    let mut rows = Vec::new();
-    let mut trace = format!("t_ms,{}\n", inputs.join(","));
-    for scan in 0..SCANS {
-        for (value, variable) in values.iter_mut().zip(of_kind(VariableKind::Input)) {
+    let mut values = vec![0_i64; inputs().count()];
+    let one = |scan: usize| {
+        for (value, variable) in values.iter_mut().zip(inputs()) {
             if rng.u8(..8) == 0 && (scan > 0 || !begins_at_rest) {
                 *value = if variable.ty == Type::Bool { rng.i64(..2).abs() % 2 } else { rng.i64(0..8) };
             }
         }
-        let time = scan as i64 * period;
-        let row: Vec<String> = values.iter().map(i64::to_string).collect();
-        trace.push_str(&format!("{time},{}\n", row.join(",")));
-        rows.push((time, values.clone()));
-    }
-    let original =
-        play_program(tools, text, name, (&inputs, &outputs), &rows).unwrap_or_else(|fault| panic!("{name}: {fault}"));
-
-    let stimuli = stimuli(name, &trace, &chart).unwrap_or_else(|fault| panic!("{fault}"));
-    let profile = Profile { evolution: Evolution::Scan, ..Profile::default() };
-    let shown = grafc_model::trace::write_trace(&chart, &stimuli, &simulate(&chart, profile, &stimuli));
-    let mut lines = shown.lines();
-    let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
-    let column = |name: &str| header.iter().position(|column| *column == name).expect("a column of each output");
-    let columns: Vec<usize> = outputs.iter().map(|name| column(name)).collect();
-    let mut changes = 0;
-    let mut last = Vec::new();
-    for (scan, (line, expected)) in lines.zip(&original).enumerate() {
-        let cells: Vec<&str> = line.split(',').collect();
-        let value = |column: &usize| cells[*column].parse::<i64>().expect("a number");
-        let found: Vec<i64> = columns.iter().map(value).collect();
-        assert_eq!(
-            &found, expected,
-            "{name}, seed {seed}, scan {scan} with {inputs:?} = {:?}: {outputs:?} of the import and of the original",
-            rows[scan].1
-        );
-        changes += usize::from(last != found);
-        last = found;
-    }
-    changes
+        (scan as i64 * period, values.clone())
+    };
+    (0..SCANS).map(one).collect()
 }

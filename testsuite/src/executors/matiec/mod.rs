@@ -11,7 +11,7 @@ mod sequences;
 mod tools;
 
 pub(super) use executor::executors;
-pub use original::play_program;
+pub use original::{Scan, play_program};
 pub use run::{Language, accepts, miscalculates, run};
 pub(super) use run::{RUNTIME, Unit, build_and_play};
 pub(super) use sequences::executor as sequences;
