@@ -47,6 +47,22 @@ impl<'c> Agreement<'c> {
         }
     }
 
+    /// Cases, each in so many of the ways that must agree: a compiler takes a while for each program, so the ways take turns.
+    pub fn cases(
+        &mut self,
+        cases: &'c [Case],
+        ways: usize,
+        compile: impl Fn(&Chart, &Options) -> Result<Program, String>,
+    ) {
+        for (turn, case) in cases.iter().enumerate() {
+            let all = case.ways();
+            let count = all.len();
+            for (way, options) in all.into_iter().cycle().skip(turn * ways % count).take(ways.min(count)) {
+                self.case(case, &way, |chart| compile(chart, &options));
+            }
+        }
+    }
+
     /// A random chart, with its program and its trace.
     pub fn drawn(&mut self, drawn: Drawn, profile: Profile, job: Job) {
         self.jobs.push(job);

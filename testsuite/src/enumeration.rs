@@ -61,15 +61,12 @@ pub fn enumerate(chart: &Chart, profile: Profile, most: usize) -> Option<(Enumer
         for vector in vectors.clone() {
             let mut simulator = at.map_or_else(|| Simulator::new(chart, profile), |at| states[at].clone());
             let given = (0..inputs).map(|bit| Value::Bool(vector >> bit & 1 == 1)).collect();
-            let mut seen: Vec<(State, Vec<usize>)> = Vec::new();
             let stimulus = Stimulus { t_ms: 0, restart: false, inputs: given };
-            let mut look = |simulator: &Simulator| {
-                let cleared = simulator.cleared().iter_enumerated().filter(|(_, cleared)| **cleared);
-                seen.push((simulator.state().clone(), cleared.map(|(t, _)| t.index()).collect()));
-            };
-            everywhere.sights.react_observed(chart, &mut simulator, &stimulus, at.is_none(), &mut look);
+            let before = simulator.clone();
+            everywhere.sights.react(chart, &mut simulator, &stimulus, at.is_none());
             if simulator.flags().livelock {
-                found.livelocks.entry((from.clone(), ring(&seen))).or_default().insert(vector);
+                let ring = ring(before, &stimulus);
+                found.livelocks.entry((from.clone(), ring)).or_default().insert(vector);
                 continue;
             }
             let to = situation(simulator.state().situation());
@@ -108,14 +105,12 @@ pub fn enumerate(chart: &Chart, profile: Profile, most: usize) -> Option<(Enumer
     }
     let situations: Vec<Situation> = states.iter().map(|state| situation(state.state().situation())).collect();
     if !chart.transitions.is_empty() {
-        found.deadlocks = (0..states.len())
-            .filter(|s| is_dead(*s, &successors, &situations))
-            .map(|s| situations[s].clone())
-            .collect();
+        let leaves = |s: usize| successors[s].iter().any(|next| situations[*next] != situations[s]);
+        let ways_out = leading_to(leaves, &successors);
+        found.deadlocks = (0..states.len()).filter(|s| !ways_out[*s]).map(|s| situations[s].clone()).collect();
     }
     everywhere.stuck = !found.deadlocks.is_empty();
-    let leads_home = |s: usize| reached(s, &successors).iter().any(|s| found.initial.contains(&situations[*s]));
-    everywhere.homeless = !(0..states.len()).all(leads_home);
+    everywhere.homeless = leading_to(|s| found.initial.contains(&situations[s]), &successors).contains(&false);
     Some((found, everywhere))
 }
 
@@ -123,28 +118,37 @@ fn situation(active: &Activity) -> Situation {
     active.iter_enumerated().filter(|(_, active)| **active).map(|(s, _)| s.index()).collect()
 }
 
-/// What was cleared from a state to the same one again; if none comes again, in all micro-steps.
-fn ring(seen: &[(State, Vec<usize>)]) -> Vec<usize> {
+/// What is cleared, in a reaction that does not end, from a state to the same one again; if none comes again, in all
+/// micro-steps.
+fn ring(mut simulator: Simulator, stimulus: &Stimulus) -> Vec<usize> {
+    let mut seen: Vec<(State, Vec<usize>)> = Vec::new();
+    simulator.react_observed(stimulus, &mut |simulator| {
+        let cleared = simulator.cleared().iter_enumerated().filter(|(_, cleared)| **cleared);
+        seen.push((simulator.state().clone(), cleared.map(|(t, _)| t.index()).collect()));
+    });
     let again = (0..seen.len()).find_map(|end| {
         let begin = seen[..end].iter().position(|(state, _)| *state == seen[end].0)?;
         Some(begin + 1..end + 1)
     });
-    let round = again.map_or(seen, |again| &seen[again]);
+    let round = again.map_or(&seen[..], |again| &seen[again]);
     let cleared: BTreeSet<usize> = round.iter().flat_map(|(_, cleared)| cleared).copied().collect();
     cleared.into_iter().collect()
 }
 
-/// Whether every state that can be reached has the same situation.
-fn is_dead(state: usize, successors: &[BTreeSet<usize>], situations: &[Situation]) -> bool {
-    reached(state, successors).iter().all(|s| situations[*s] == situations[state])
-}
-
-/// What can be reached from a state, itself among it.
-fn reached(state: usize, successors: &[BTreeSet<usize>]) -> BTreeSet<usize> {
-    let mut met = BTreeSet::from([state]);
-    let mut open = vec![state];
-    while let Some(at) = open.pop() {
-        open.extend(successors[at].iter().filter(|next| met.insert(**next)));
+/// From which states a goal can be reached; from a goal itself it can.
+fn leading_to(is_goal: impl Fn(usize) -> bool, successors: &[BTreeSet<usize>]) -> Vec<bool> {
+    let mut predecessors = vec![Vec::new(); successors.len()];
+    for (state, successors) in successors.iter().enumerate() {
+        successors.iter().for_each(|next| predecessors[*next].push(state));
     }
-    met
+    let mut leads: Vec<bool> = (0..successors.len()).map(is_goal).collect();
+    let mut open: Vec<usize> = (0..successors.len()).filter(|state| leads[*state]).collect();
+    while let Some(at) = open.pop() {
+        for before in &predecessors[at] {
+            if !std::mem::replace(&mut leads[*before], true) {
+                open.push(*before);
+            }
+        }
+    }
+    leads
 }

@@ -40,22 +40,9 @@ pub fn arcs(chart: &Chart, t: TransitionId) -> (BTreeSet<StepId>, BTreeSet<StepI
 impl Sights {
     /// A reaction, looked at from within; it is the initial one if the simulator has not reacted yet.
     pub fn react(&mut self, chart: &Chart, simulator: &mut Simulator, stimulus: &Stimulus, is_initial: bool) {
-        self.react_observed(chart, simulator, stimulus, is_initial, &mut |_| {});
-    }
-
-    /// The same, and somebody else looks on as well.
-    pub fn react_observed(
-        &mut self,
-        chart: &Chart,
-        simulator: &mut Simulator,
-        stimulus: &Stimulus,
-        is_initial: bool,
-        look: &mut dyn FnMut(&Simulator),
-    ) {
         let Flags { livelock, alloc_conflict, force_conflict, div0: _ } = simulator.flags();
         let mut before = (!is_initial).then(|| simulator.state().situation().clone());
         simulator.react_observed(stimulus, &mut |simulator| {
-            look(simulator);
             let after = simulator.state().situation().clone();
             self.active.extend(after.iter_enumerated().filter(|(_, active)| **active).map(|(s, _)| s.index()));
             if let Some(before) = before.replace(after.clone()) {

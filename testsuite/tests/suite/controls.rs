@@ -149,7 +149,7 @@ fn random_charts_agree() {
             continue;
         }
         // What costs seconds is asked of a part.
-        let count = if executor.is_external() { 24 } else { drawn.len() };
+        let count = if executor.is_external() { 12 } else { drawn.len() };
         let tasks: Vec<Task> = drawn
             .iter()
             .zip(&traces)

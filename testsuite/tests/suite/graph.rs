@@ -1,12 +1,12 @@
 //! `grafc graph` against a plain enumeration over the reference simulator.
 
+use crate::tried::{self, Tried};
 use grafc_logic::scan::Observed;
 use grafc_logic::{Analysis, Options, compile_observed};
 use grafc_model::chart::Chart;
-use grafc_model::reaction::{Evolution, Profile};
-use grafc_testsuite::charts::{cases, charts_folder, check, vectors_folder};
-use grafc_testsuite::enumeration::{Enumerated, Situation, enumerate, is_plain};
-use grafc_testsuite::random::{ChartKind, checked};
+use grafc_model::reaction::Profile;
+use grafc_testsuite::charts::check;
+use grafc_testsuite::enumeration::{Enumerated, Situation};
 use grafc_verify::{Graph, Of, graph};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -72,43 +72,27 @@ fn holds(when: &str, inputs: &[&str], vector: u32) -> bool {
 }
 
 #[track_caller]
-fn agree(name: &str, text: &str, chart: &Chart, profile: Profile) -> bool {
-    let Some((expected, _)) = enumerate(chart, profile, 300) else { return false };
-    let graph = explored(chart, profile, Of::Situations, 1_000_000);
-    assert!(graph.complete, "{name}");
-    let found = as_enumerated(&graph, chart);
-    assert_eq!(found, expected, "{name} {profile:?}\n{text}");
-    true
+fn agree(tried: &Tried) {
+    let graph = explored(&tried.chart, tried.profile, Of::Situations, 1_000_000);
+    assert!(graph.complete, "{}", tried.name);
+    let found = as_enumerated(&graph, &tried.chart);
+    assert_eq!(found, tried.found, "{} {:?}\n{}", tried.name, tried.profile, tried.text);
 }
 
 #[test]
 fn charts_and_vectors_have_the_situations_that_trying_everything_finds() {
-    let mut compared = 0;
-    for folder in [charts_folder(), vectors_folder()] {
-        for case in cases(&folder) {
-            let chart = check(&case.name, &case.text).expect("a chart without errors");
-            if is_plain(&chart, 5) && agree(&case.name, &case.text, &chart, case.profile) {
-                compared += 1;
-            }
-        }
-    }
-    println_count("charts and vectors", compared);
-    assert!(compared > 30, "{compared} were compared");
+    let all = tried::charts_and_vectors();
+    all.iter().for_each(agree);
+    println_count("charts and vectors", all.len());
+    assert!(all.len() > 30, "{} were compared", all.len());
 }
 
 #[test]
 fn random_boolean_charts_have_the_situations_that_trying_everything_finds() {
-    let mut compared = 0;
-    for seed in 0..if cfg!(debug_assertions) { 150 } else { 2_000 } {
-        let drawn = checked(seed, ChartKind::Boolean);
-        let evolution = if seed % 4 == 0 { Evolution::Scan } else { Evolution::Stable };
-        let profile = Profile { evolution, initial_actions: seed % 3 != 0, ..Profile::default() };
-        if agree(&format!("seed {seed}"), &drawn.text, &drawn.chart, profile) {
-            compared += 1;
-        }
-    }
-    println_count("random charts", compared);
-    assert!(compared > 100, "{compared} were compared");
+    let all = tried::random();
+    all.iter().for_each(agree);
+    println_count("random charts", all.len());
+    assert!(all.len() > 80, "{} were compared", all.len());
 }
 
 #[allow(clippy::print_stderr, reason = "shown with --nocapture")]

@@ -113,7 +113,7 @@ fn every_prefix_of_a_chart() {
 
 #[test]
 fn every_chart_without_one_character() {
-    for case in cases(&charts_folder()).iter().filter(|case| case.text.len() < 900) {
+    for case in cases(&charts_folder()).iter().filter(|case| case.text.len() < 600) {
         for (at, removed) in case.text.char_indices() {
             let text = [&case.text[..at], &case.text[at + removed.len_utf8()..]].concat();
             let _ = survives(&text);
@@ -207,7 +207,7 @@ fn deep_nesting() {
 
 #[test]
 fn huge_tokens() {
-    let size = 10_000_000;
+    let size = 2_000_000;
     let name = "a".repeat(size);
     let _ = survives(&format!("input {name} : bool\ninitial step 1\nstep 2\ntransition 1 -> 2 : {name}\n"));
     let _ = survives(&format!("initial step {}\n", "1".repeat(size)));

@@ -72,6 +72,7 @@ mod switch_length;
 mod textbook;
 mod tools;
 mod transient;
+mod tried;
 mod vectors;
 mod verify;
 mod warnings;

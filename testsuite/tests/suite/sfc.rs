@@ -32,14 +32,14 @@ fn plain_charts_agree_under_matiec() {
 /// Edges and delays of inputs and of steps are found before the chart, in another block.
 #[test]
 fn what_is_found_before_agrees_under_matiec() {
-    random_charts_agree(SEQUENCES, 200..500, ChartKind::Plain, with_delays, 25);
-    random_charts_agree(SEQUENCES, 500..900, ChartKind::Plain, of_steps, 30);
+    random_charts_agree(SEQUENCES, 200..350, ChartKind::Plain, with_delays, 12);
+    random_charts_agree(SEQUENCES, 500..700, ChartKind::Plain, of_steps, 15);
 }
 
 /// Qualifiers with times, what is stored on activation, on deactivation and in each scan, conditions that read steps.
 #[test]
 fn qualifiers_agree_under_matiec() {
-    random_charts_agree(SEQUENCES, 900..1400, ChartKind::Plain, qualified, 60);
+    random_charts_agree(SEQUENCES, 900..1200, ChartKind::Plain, qualified, 36);
 }
 
 /// A plain chart without edges, in which steps do all that has a qualifier.

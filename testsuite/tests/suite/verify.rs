@@ -1,12 +1,12 @@
 //! `grafc verify` against a plain enumeration over the reference simulator, against long random runs, and by hand.
 
+use crate::tried::{self, Tried};
 use grafc_logic::scan::{Claimed, Observed, Program};
 use grafc_logic::{Analysis, Extras, Options, compile_with};
 use grafc_model::chart::Chart;
-use grafc_model::reaction::{Evolution, Profile, Stimulus};
+use grafc_model::reaction::{Profile, Stimulus};
 use grafc_model::simulate::Simulator;
-use grafc_testsuite::charts::{cases, charts_folder, check, stimuli, vectors_folder};
-use grafc_testsuite::enumeration::{Everywhere, enumerate, is_plain};
+use grafc_testsuite::charts::{check, stimuli};
 use grafc_testsuite::random::{ChartKind, checked, low_bound, trace};
 use grafc_testsuite::sights::Sights;
 use grafc_verify::{Answer, Kind, Limit, Method, Reason, Subject, Trace, Verified, verify};
@@ -127,12 +127,11 @@ fn all_replay(name: &str, chart: &Chart, profile: Profile, verified: &Verified) 
     count
 }
 
-/// Every answer is the one that trying everything gives.
+/// Every answer is the one that trying everything gives; how many traces replay.
 #[track_caller]
-fn agree(name: &str, text: &str, chart: &Chart, profile: Profile, decided: &mut Decided) -> Option<usize> {
-    let (_, expected) = enumerate(chart, profile, 300)?;
-    let mut by = |method| as_expected(name, text, chart, profile, method, &expected, decided);
-    Some(by(Method::Explicit) + by(Method::Symbolic) + by(Method::Sat) + by(Method::Auto))
+fn agree(tried: &Tried, decided: &mut Decided) -> usize {
+    let mut by = |method| as_expected(tried, method, decided);
+    by(Method::Explicit) + by(Method::Symbolic) + by(Method::Sat) + by(Method::Auto)
 }
 
 /// Of what is asked of micro-steps, how much the solver of clauses answers, and how much it leaves open.
@@ -142,16 +141,9 @@ struct Decided {
     open: usize,
 }
 
-fn as_expected(
-    name: &str,
-    text: &str,
-    chart: &Chart,
-    profile: Profile,
-    method: Method,
-    expected: &Everywhere,
-    decided: &mut Decided,
-) -> usize {
-    let verified = verified_by(chart, profile, method);
+fn as_expected(tried: &Tried, method: Method, decided: &mut Decided) -> usize {
+    let Tried { name, text, chart, profile, everywhere: expected, .. } = tried;
+    let verified = verified_by(chart, *profile, method);
     let seen = &expected.sights;
     for verdict in &verified.verdicts {
         let kind = verdict.claim.kind;
@@ -193,21 +185,16 @@ fn as_expected(
     assert_eq!((asked(Kind::DeadStep), asked(Kind::DeadTransition)), (chart.steps.len(), chart.transitions.len()));
     assert!(asked(Kind::Selection) >= seen.selection.len() && asked(Kind::Reentry) >= seen.reentry.len());
     assert_eq!(asked(Kind::Deadlock), usize::from(!chart.transitions.is_empty()));
-    all_replay(name, chart, profile, &verified)
+    all_replay(name, chart, *profile, &verified)
 }
 
 #[test]
 fn charts_and_vectors_have_the_answers_that_trying_everything_gives() {
-    let (mut compared, mut decided) = (0, Decided::default());
-    for folder in [charts_folder(), vectors_folder()] {
-        for case in cases(&folder) {
-            let chart = check(&case.name, &case.text).expect("a chart without errors");
-            if is_plain(&chart, 5) && agree(&case.name, &case.text, &chart, case.profile, &mut decided).is_some() {
-                compared += 1;
-            }
-        }
+    let (all, mut decided) = (tried::charts_and_vectors(), Decided::default());
+    for tried in all {
+        agree(tried, &mut decided);
     }
-    let Decided { answered, open } = decided;
+    let (compared, Decided { answered, open }) = (all.len(), decided);
     say(&format!("{compared} charts and vectors compared; by clauses {answered} answers, {open} open"));
     assert!(compared > 30, "{compared} were compared");
     assert!(answered > 50 * open, "by clauses {answered} answers, {open} open");
@@ -215,16 +202,9 @@ fn charts_and_vectors_have_the_answers_that_trying_everything_gives() {
 
 #[test]
 fn random_boolean_charts_have_the_answers_that_trying_everything_gives() {
-    let (mut compared, mut traces, mut decided) = (0, 0, Decided::default());
-    for seed in 0..if cfg!(debug_assertions) { 120 } else { 2_000 } {
-        let drawn = checked(seed, ChartKind::Boolean);
-        let evolution = if seed % 4 == 0 { Evolution::Scan } else { Evolution::Stable };
-        let profile = Profile { evolution, initial_actions: seed % 3 != 0, ..Profile::default() };
-        if let Some(count) = agree(&format!("seed {seed}"), &drawn.text, &drawn.chart, profile, &mut decided) {
-            (compared, traces) = (compared + 1, traces + count);
-        }
-    }
-    let Decided { answered, open } = decided;
+    let (all, mut decided) = (tried::random(), Decided::default());
+    let traces: usize = all.iter().map(|tried| agree(tried, &mut decided)).sum();
+    let (compared, Decided { answered, open }) = (all.len(), decided);
     say(&format!(
         "{compared} random charts compared, {traces} traces replayed; by clauses {answered} answers, {open} open"
     ));
@@ -264,7 +244,8 @@ fn what_holds_survives_random_runs() {
         let drawn = checked(50_000 + seed, kind);
         let (chart, name) = (&drawn.chart, format!("seed {}", drawn.seed));
         let profile = low_bound(Profile::default());
-        let verified = verified_for(chart, profile, Duration::from_millis(1_500));
+        let verified =
+            verified_for(chart, profile, Duration::from_millis(if cfg!(debug_assertions) { 500 } else { 1_500 }));
         traces += all_replay(&name, chart, profile, &verified);
         let mut sights = Sights::default();
         let mut simulator = Simulator::new(chart, profile);
