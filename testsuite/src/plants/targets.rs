@@ -52,8 +52,9 @@ pub struct Written {
     pub undrawn: usize,
 }
 
-/// Writes a chart for every target in every encoding; an error is what grafc or a compiler said.
-pub fn targets(plant: &Plant, compilers: &Compilers) -> Result<Written, String> {
+/// Writes a chart for every target in every encoding, which these compilers then read; an error is what grafc or a compiler
+/// said.
+pub fn targets<'c>(plant: &Plant, compilers: impl Fn(Encoding) -> &'c Compilers) -> Result<Written, String> {
     let mut written = Written::default();
     for encoding in Encoding::ALL {
         for product in products() {
@@ -68,7 +69,7 @@ pub fn targets(plant: &Plant, compilers: &Compilers) -> Result<Written, String> 
                 return Err(format!("{:?}, {}: {diagnostics:#?}", options.product, encoding.name()));
             };
             written.texts += 1;
-            for (compiler, taken) in taken(compilers, &options.product, &made.text) {
+            for (compiler, taken) in taken(compilers(encoding), &options.product, &made.text) {
                 taken.map_err(|said| format!("{compiler}, {}: {said}", encoding.name()))?;
                 written.taken += 1;
             }

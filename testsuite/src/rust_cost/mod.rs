@@ -273,7 +273,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let job = Job {
             rings: vec![Rings { steps: 10, tokens: 2, walked: 5 }, Rings { steps: 10, tokens: 2, walked: 3 }],
-            encodings: vec![Encoding::Switch, Encoding::SinglePhase, Encoding::Sequent],
+            encodings: vec![Encoding::Switch, Encoding::Sequent],
             evolutions: vec![Evolution::Stable, Evolution::Scan],
             repetitions: 1,
             limit: Duration::from_secs(300),
@@ -281,7 +281,7 @@ mod tests {
         let c = c::Tools::find_or_skip();
         let others = Others { c: c.as_ref(), matiec: None };
         let rows = measure(&tools, others, folder.path(), &job, &|_| {}).expect("all are built and run");
-        assert_eq!(rows.len(), 2 * 2 * (1 + 3) * if c.is_some() { 2 } else { 1 });
+        assert_eq!(rows.len(), 2 * 2 * (1 + 2) * if c.is_some() { 2 } else { 1 });
         for row in &rows {
             let figures = row.figures.as_ref().expect("rustc takes ten steps");
             let is_by_hand = row.spelling.contains(" by hand");

@@ -38,7 +38,7 @@ fn charts_agree() {
 fn random_charts_agree() {
     let Some(tools) = Tools::find_or_skip() else { return };
     let mut agreement = Agreement::default();
-    agreement.random(5000..5040, 30);
+    agreement.random(5000..5032, 30);
     agreement.hold(BATCH, |jobs| run(&tools, jobs));
 }
 

@@ -51,14 +51,14 @@ fn programs_of_others() {
     files.sort();
     for path in files.into_iter().filter(|path| path.extension().is_none_or(|ending| ending != "xml")) {
         let project = std::fs::read_to_string(path.with_extension("xml")).ok();
-        let text = std::fs::read_to_string(&path).expect("text");
+        let text = std::fs::read_to_string(&path).expect("text").replace("\r\n", "\n");
         let units = ["PROGRAM", "FUNCTION_BLOCK"].into_iter().flat_map(|kind| {
-            let all = text.split_inclusive(&format!("\nEND_{kind}\n")).map(str::to_owned).collect::<Vec<_>>();
-            all.into_iter().filter_map(move |unit| {
-                let end = unit.rfind(&format!("\nEND_{kind}"))?;
-                let begin = unit[..end].rfind(&format!("{kind} "))?;
-                unit.contains("INITIAL_STEP").then(|| unit[begin..].to_owned())
-            })
+            text.split(&format!("\nEND_{kind}"))
+                .filter_map(|unit| {
+                    let alone = &unit[unit.rfind(&format!("{kind} "))?..];
+                    alone.contains("INITIAL_STEP").then(|| format!("{alone}\nEND_{kind}\n"))
+                })
+                .collect::<Vec<_>>()
         });
         for unit in units {
             let name = unit.split_whitespace().nth(1).expect("its name");
@@ -68,12 +68,13 @@ fn programs_of_others() {
                 None => line.to_owned(),
             };
             let alone: String = alone.lines().map(|line| at(line) + "\n").collect();
-            // What the report tells to come a scan later need not agree.
+            // What the report tells to come a scan later, here or there, need not agree.
             let options = Options { unit: project.as_ref().map(|_| name.to_owned()), ..Options::default() };
             let from = project.as_deref().unwrap_or(&alone);
             let (_, told) = grafc_import::import(FileId::default(), from, &options);
-            if told.iter().any(|one| one.message.contains("as it was in the scan before")) {
-                eprintln!("{}: {name}: it is told that a delay comes a scan later", path.display());
+            let is_told = |what: &str| told.iter().any(|one| one.message.contains(what));
+            if is_told("as it was in the scan before") || is_told("in the scan that looks at") {
+                eprintln!("{}: {name}: it is told that something comes a scan later", path.display());
                 continue;
             }
             let chart = imported(name, from, options.unit.as_deref());

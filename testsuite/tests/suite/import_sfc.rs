@@ -332,6 +332,36 @@ fn a_text_without_a_chart_is_told_of_at_a_character() {
     }
 }
 
+/// What blocks make before transitions comes a scan later in Beremiz, which is told once; a variable alone is no block.
+#[test]
+fn blocks_before_transitions_are_told_once() {
+    let input = "<inVariable localId=\"10\"><connectionPointOut/><expression>a</expression></inVariable>\n";
+    let pin = "<variable formalParameter=\"IN\"><connectionPointIn><connection refLocalId=\"10\"/></connectionPointIn></variable>";
+    let block = format!(
+        "<block localId=\"11\" typeName=\"NOT\"><inputVariables>{pin}</inputVariables><inOutVariables/><outputVariables/></block>\n"
+    );
+    let steps = "<step localId=\"2\" name=\"B\"><connectionPointIn><connection refLocalId=\"20\"/></connectionPointIn></step>\n";
+    let told = |first: usize, second: usize| {
+        let transition = |local: usize, from: usize, wired: usize| {
+            format!(
+                "<transition localId=\"{local}\"><connectionPointIn><connection refLocalId=\"{from}\"/></connectionPointIn>\
+                 <condition><connectionPointIn><connection refLocalId=\"{wired}\"/></connectionPointIn></condition></transition>\n"
+            )
+        };
+        let jump = "<jumpStep localId=\"30\" targetName=\"A\"><connectionPointIn><connection refLocalId=\"21\"/></connectionPointIn></jumpStep>\n";
+        let transitions = transition(20, 1, first) + &transition(21, 2, second);
+        let text = body(&format!("{STEP}\n{input}{block}{steps}{transitions}{jump}"));
+        let (_, report) = import(&text, &Options::default()).expect("a chart");
+        let about = report.iter().filter(|one| one.message.starts_with("blocks make"));
+        about.map(|one| (one.code, one.message.clone())).collect::<Vec<_>>()
+    };
+    assert_eq!(told(10, 10), []);
+    let one = "blocks make the condition of a transition, in the scan that looks at it".to_owned();
+    assert_eq!(told(11, 10), [(Code::W0702, one)]);
+    let both = "blocks make the conditions of 2 transitions, in the scan that looks at them".to_owned();
+    assert_eq!(told(11, 11), [(Code::W0702, both)]);
+}
+
 /// Files that are made to break readers: all end soon, with a report or an error.
 #[test]
 fn hostile_files_are_told_soon() {

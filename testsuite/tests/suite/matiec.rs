@@ -88,12 +88,12 @@ fn retained_values_are_kept() {
 
 #[test]
 fn random_charts_agree() {
-    random_charts(Language::St, 1000, 60);
+    random_charts(Language::St, 1000, 36);
 }
 
 #[test]
 fn random_charts_agree_as_instruction_lists() {
-    random_charts(Language::Il, 2000, 60);
+    random_charts(Language::Il, 2000, 36);
 }
 
 /// Charts drawn from seeds that begin at one, compared with the simulator call by call.

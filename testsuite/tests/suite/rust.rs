@@ -43,12 +43,12 @@ fn random_charts_agree() {
 }
 
 /// Large charts are parted into functions and tables, and of more than 1,000 steps runs are looked at. Each shape is large,
-/// except the one whose size is that of its conditions, and every third very large.
+/// except the one whose size is that of its conditions, and every fourth very large.
 #[test]
 fn large_charts_agree() {
     let Some(tools) = Tools::find_or_skip() else { return };
     for (place, shape) in SHAPES.iter().filter(|shape| shape.name != "priorities").enumerate() {
-        let size = if place % 3 == 0 { 1_100 } else { 300 };
+        let size = if place % 4 == 0 { 1_100 } else { 220 };
         let chart = check(shape.name, &(shape.write)(size)).expect("a chart without errors");
         assert!(chart.steps.len() >= size, "{}: {} steps", shape.name, chart.steps.len());
         let options = Options { profile: profile(0), encoding: Encoding::Switch, simplify: true };

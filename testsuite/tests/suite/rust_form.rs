@@ -36,8 +36,8 @@ fn write(folder: &Path) -> Vec<String> {
     for (place, case) in cases(&charts_folder()).into_iter().enumerate() {
         (0..3).for_each(|way| add(&case.name, &case.text, case.profile, turn(3 * place + way)));
     }
-    for (place, case) in cases(&vectors_folder()).into_iter().enumerate() {
-        add(&case.name, &case.text, case.profile, turn(place));
+    for (place, case) in cases(&vectors_folder()).into_iter().enumerate().step_by(2) {
+        add(&case.name, &case.text, case.profile, turn(place / 2));
     }
     modules
 }

@@ -24,10 +24,12 @@ pub fn read(reading: &mut Reading, body: ElementId, conditions: &Conditions) -> 
         chart: Chart::default(),
         steps: FxHashMap::default(),
         names: FxHashSet::default(),
+        made_by_blocks: None,
     };
     reader.steps();
     reader.actions();
     reader.transitions(body);
+    reader.tell_blocks();
     let mut chart = reader.chart;
     chart.beside = Network::new(&graph, reading.code).statements();
     chart
@@ -41,6 +43,8 @@ struct ChartReader<'r, 'a> {
     /// The step of each element.
     steps: FxHashMap<usize, usize>,
     names: FxHashSet<String>,
+    /// Where a block makes the condition of a transition, the first one, and of how many.
+    made_by_blocks: Option<(Span, usize)>,
 }
 
 impl ChartReader<'_, '_> {
@@ -186,6 +190,21 @@ impl ChartReader<'_, '_> {
         }
     }
 
+    /// One message for all: the generator of Beremiz and OpenPLC takes all blocks before transitions into one action, which is
+    /// done in each scan, as all actions are, behind the transitions.
+    fn tell_blocks(&mut self) {
+        let Some((first, count)) = self.made_by_blocks else { return };
+        let message = match count {
+            1 => "blocks make the condition of a transition, in the scan that looks at it".to_owned(),
+            _ => format!("blocks make the conditions of {count} transitions, in the scan that looks at them"),
+        };
+        self.reading.diagnostics.push(
+            doubtful(first, message)
+                .note("Beremiz and OpenPLC call such blocks behind the transitions: there what they make counts a scan later")
+                .note("to see that, give their generated text to `grafc import`"),
+        );
+    }
+
     fn condition(&mut self, transition: ElementId, span: Span) -> ExprId {
         let document = self.reading.document;
         let Some(id) = child(document, transition, "condition") else {
@@ -206,6 +225,10 @@ impl ChartReader<'_, '_> {
             self.reading.condition(inline, "")
         } else if let Some(point) = child(document, id, "connectionPointIn") {
             let wires = self.graph.wires(document, point, self.reading.diagnostics);
+            if let Some(block) = Network::new(self.graph, self.reading.code).block(&wires) {
+                let (first, count) = self.made_by_blocks.unwrap_or((self.graph.nodes[block].span, 0));
+                self.made_by_blocks = Some((first, count + 1));
+            }
             match Network::new(self.graph, self.reading.code).input(&wires) {
                 Some(condition) => condition,
                 None => self.reading.code.add(unknown("nothing is wired to it".into()), span),

@@ -6,7 +6,7 @@
 use super::graph::{Graph, NodeKind, Pin, Storage, Wire};
 use crate::code::call;
 use crate::code::tree::{Argument, Code, ExprId, ExprKind, Statement, StatementKind};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// An output of an element.
 type Output = (usize, Option<String>);
@@ -38,6 +38,21 @@ impl<'a> Network<'a> {
             value = Some(value.map_or(next, |before| self.code.or(before, next)));
         }
         value
+    }
+
+    /// A block on which what is wired to an input depends, if there is one.
+    pub fn block(&self, wires: &[Wire]) -> Option<usize> {
+        let mut met: FxHashSet<usize> = FxHashSet::default();
+        let mut open: Vec<usize> = wires.iter().map(|wire| wire.from).collect();
+        while let Some(node) = open.pop() {
+            if matches!(self.graph.nodes[node].kind, NodeKind::Block { .. }) {
+                return Some(node);
+            }
+            if met.insert(node) {
+                open.extend(self.before(node).into_iter().map(|(from, _)| from));
+            }
+        }
+        None
     }
 
     /// The statements of the whole network.
