@@ -16,10 +16,16 @@ struct Unit {
     driver: String,
 }
 
-/// Runs all jobs, in one batch if possible. A job's fault is what the compiler or the program said.
+/// Runs all jobs, in one batch if possible, and looks for what is undefined in C. A job's fault is what the compiler or the
+/// program said.
 pub fn run(tools: &Tools, jobs: &[Job]) -> Vec<Result<Vec<Response>, String>> {
+    run_with(tools, jobs, true)
+}
+
+/// The same; whether to look for what is undefined, which takes as long again.
+pub(super) fn run_with(tools: &Tools, jobs: &[Job], is_checked: bool) -> Vec<Result<Vec<Response>, String>> {
     let units = jobs.iter().enumerate().map(|(index, job)| unit(index, job)).collect();
-    jobs::run(jobs, units, |batch, units: &[&Unit]| build_and_play(tools, batch, units))
+    jobs::run(jobs, units, |batch, units: &[&Unit]| build_and_play(tools, is_checked, batch, units))
 }
 
 fn unit(index: usize, job: &Job) -> Result<Unit, String> {
@@ -37,7 +43,7 @@ pub(super) fn unit_of(index: usize, job: &Job) -> Result<(String, String, Progra
     Ok((source, header.unwrap_or_default(), program))
 }
 
-fn build_and_play(tools: &Tools, batch: &[usize], units: &[&Unit]) -> Result<String, String> {
+fn build_and_play(tools: &Tools, is_checked: bool, batch: &[usize], units: &[&Unit]) -> Result<String, String> {
     let folder = tempfile::tempdir().map_err(|e| e.to_string())?;
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).map_err(|e| e.to_string());
     let mut sources = vec!["main.c".to_owned()];
@@ -55,6 +61,6 @@ fn build_and_play(tools: &Tools, batch: &[usize], units: &[&Unit]) -> Result<Str
         [unit] => format!("{fault}\n{}\n{}\n{main}", unit.header, unit.source),
         _ => fault,
     };
-    tools.build(folder.path(), &sources).map_err(said)?;
+    tools.build(folder.path(), &sources, is_checked).map_err(said)?;
     tools.play(folder.path(), "main").map_err(said)
 }

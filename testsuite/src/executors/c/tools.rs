@@ -34,14 +34,15 @@ impl Tools {
         or_skip(Tool::Cc, Tools::find())
     }
 
-    /// Compiles sources of a folder to `main`, with checks for what is undefined and for memory.
+    /// Compiles sources of a folder to `main`, with checks for what is undefined and for memory, if that is asked for.
     ///
     /// # Errors
     /// What the compiler says.
-    pub fn build(&self, folder: &Path, sources: &[String]) -> Result<(), String> {
-        let checked = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+    pub fn build(&self, folder: &Path, sources: &[String], is_checked: bool) -> Result<(), String> {
+        let checks = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+        let checks = if is_checked { &checks[..] } else { &[] };
         let mut command = Command::new(&self.cc);
-        call(command.args(STRICT).args(checked).args(["-o", "main"]).args(sources).arg("-lm").current_dir(folder))
+        call(command.args(STRICT).args(checks).args(["-o", "main"]).args(sources).arg("-lm").current_dir(folder))
             .map(|_| ())
     }
 
