@@ -3,9 +3,9 @@
 use crate::atom::{Atom, Bound, Question, is_whole};
 use crate::clocks::constant;
 use crate::goal::Answers;
-use crate::pack;
 use grafc_formula::{Formula, FormulaId, Type, Value, VarId};
 use grafc_logic::scan::{Program, Role, Statement, Variable};
+use grafc_model::chart::Bits;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The inputs of a program, in order of declaration.
@@ -49,7 +49,7 @@ fn of_bits(input: VarId, ty: Type, answers: &Answers) -> Option<Value> {
         Atom::Bit(..) | Atom::Holds(_) | Atom::AtLeast(..) | Atom::Ends(..) => None,
     });
     let words = bits.map(|(bit, answer)| u64::from(answer) << bit);
-    words.reduce(|a, b| a | b).map(|word| pack::decoded(ty, word))
+    words.reduce(|a, b| a | b).map(|word| Bits::of_word(word).value(ty))
 }
 
 /// The inputs that are whole numbers and not only compared with what is known: they are taken bit by bit.

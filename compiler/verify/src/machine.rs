@@ -12,6 +12,7 @@ use crate::pack::{self, Layout, State};
 use grafc_formula::number::{arithmetic, compare, divide, negate, zero};
 use grafc_formula::{Comparison, Formula, FormulaId, TimerId, Type, Value, VarId};
 use grafc_logic::scan::{Choice, Division, Program, Role, Statement, TransitionId};
+use grafc_model::chart::Bits;
 use index_vec::IndexVec;
 use std::collections::BTreeSet;
 
@@ -495,7 +496,7 @@ impl<'p> Machine<'p> {
                 open => return open,
             }
         }
-        Seen::Value(pack::decoded(ty, word))
+        Seen::Value(Bits::of_word(word).value(ty))
     }
 
     /// A comparison of what is given with a value.

@@ -3,6 +3,7 @@
 use crate::clocks::Phase;
 use grafc_formula::{TimerId, Type, Value, VarId};
 use grafc_logic::scan::Program;
+use grafc_model::chart::Bits;
 use index_vec::IndexVec;
 
 /// What is left after a reaction, or a micro-step, as numbers that can be compared.
@@ -49,8 +50,8 @@ impl Layout {
     /// The state that these values are.
     pub(crate) fn pack(&self, values: &IndexVec<VarId, Value>, timers: &IndexVec<TimerId, Phase>, marks: u64) -> State {
         let mut words = vec![0; self.words];
-        for (v, _, place) in &self.variables {
-            place.write(&mut words, encoded(values[*v]));
+        for (v, ty, place) in &self.variables {
+            place.write(&mut words, Bits::of(values[*v], *ty).word());
         }
         for (phase, place) in timers.iter().zip(&self.timers) {
             let bits = if phase.on { 1 | u64::from(phase.vague) << 1 | (phase.passed as u64) << 2 } else { 0 };
@@ -67,7 +68,7 @@ impl Layout {
 
     /// The values that a state is.
     pub(crate) fn variables<'s>(&'s self, state: &'s [u64]) -> impl Iterator<Item = (VarId, Value)> + 's {
-        self.variables.iter().map(|(v, ty, place)| (*v, decoded(*ty, place.read(state))))
+        self.variables.iter().map(|(v, ty, place)| (*v, Bits::of_word(place.read(state)).value(*ty)))
     }
 
     /// The timers of a state.
@@ -103,25 +104,6 @@ pub(crate) fn width(ty: Type) -> u32 {
     }
 }
 
-fn encoded(value: Value) -> u64 {
-    match value {
-        Value::Bool(b) => b.into(),
-        Value::Int(n) | Value::Time(n) => n as u64,
-        Value::Real(x) => x.to_bits(),
-    }
-}
-
-pub(crate) fn decoded(ty: Type, bits: u64) -> Value {
-    match ty {
-        Type::Bool => Value::Bool(bits != 0),
-        Type::Int => Value::Int((bits as u16 as i16).into()),
-        Type::Dint => Value::Int((bits as u32 as i32).into()),
-        Type::Uint | Type::Udint => Value::Int(bits as i64),
-        Type::Time => Value::Time(bits as i64),
-        Type::Real | Type::Lreal => Value::Real(f64::from_bits(bits)),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -140,8 +122,8 @@ mod tests {
         for (ty, value) in values {
             let place = Place { word: 0, shift: 64 - width(ty), width: width(ty) };
             let mut words = [0];
-            place.write(&mut words, encoded(value));
-            assert_eq!(decoded(ty, place.read(&words)), value, "{ty:?}");
+            place.write(&mut words, Bits::of(value, ty).word());
+            assert_eq!(Bits::of_word(place.read(&words)).value(ty), value, "{ty:?}");
         }
     }
 }

@@ -225,11 +225,13 @@ impl ChartReader<'_, '_> {
             self.reading.condition(inline, "")
         } else if let Some(point) = child(document, id, "connectionPointIn") {
             let wires = self.graph.wires(document, point, self.reading.diagnostics);
-            if let Some(block) = Network::new(self.graph, self.reading.code).block(&wires) {
+            let mut network = Network::new(self.graph, self.reading.code);
+            let wired = network.input(&wires);
+            if let Some(block) = network.block() {
                 let (first, count) = self.made_by_blocks.unwrap_or((self.graph.nodes[block].span, 0));
                 self.made_by_blocks = Some((first, count + 1));
             }
-            match Network::new(self.graph, self.reading.code).input(&wires) {
+            match wired {
                 Some(condition) => condition,
                 None => self.reading.code.add(unknown("nothing is wired to it".into()), span),
             }

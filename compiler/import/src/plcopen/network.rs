@@ -6,7 +6,7 @@
 use super::graph::{Graph, NodeKind, Pin, Storage, Wire};
 use crate::code::call;
 use crate::code::tree::{Argument, Code, ExprId, ExprKind, Statement, StatementKind};
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 
 /// An output of an element.
 type Output = (usize, Option<String>);
@@ -40,19 +40,10 @@ impl<'a> Network<'a> {
         value
     }
 
-    /// A block on which what is wired to an input depends, if there is one.
-    pub fn block(&self, wires: &[Wire]) -> Option<usize> {
-        let mut met: FxHashSet<usize> = FxHashSet::default();
-        let mut open: Vec<usize> = wires.iter().map(|wire| wire.from).collect();
-        while let Some(node) = open.pop() {
-            if matches!(self.graph.nodes[node].kind, NodeKind::Block { .. }) {
-                return Some(node);
-            }
-            if met.insert(node) {
-                open.extend(self.before(node).into_iter().map(|(from, _)| from));
-            }
-        }
-        None
+    /// The first block on which what was asked for depends, if there is one.
+    pub fn block(&self) -> Option<usize> {
+        let is_block = |node: &usize| matches!(self.graph.nodes[*node].kind, NodeKind::Block { .. });
+        self.values.keys().map(|(node, _)| *node).filter(is_block).min()
     }
 
     /// The statements of the whole network.

@@ -80,6 +80,7 @@ pub(super) fn micro_step(
         let moves = sequent::moves(lowering, task, &clearings, |lowering, s| lowering.situation.bit(s));
         heading(out, Heading::Situation, moves);
     } else {
+        // A large chart has no room for them beside statements that are put under headings.
         drop(clearings);
         sorted(out, lowering, Part::Situation, situation);
     }

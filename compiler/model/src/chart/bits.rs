@@ -19,11 +19,23 @@ impl Bits {
         bits
     }
 
+    /// Those of a word; of a whole number as many of its lowest bits as the type has are enough.
+    pub fn of_word(word: u64) -> Bits {
+        Bits(word)
+    }
+
+    /// The word that they are.
+    pub fn word(self) -> u64 {
+        self.0
+    }
+
     /// The value of this type that they stand for; the type must be the one that they were made with.
     pub fn value(self, ty: Type) -> Value {
         match ty {
             Type::Bool => Value::Bool(self.0 != 0),
-            Type::Int | Type::Dint | Type::Uint | Type::Udint => Value::Int(self.0 as i64),
+            Type::Int => Value::Int((self.0 as u16 as i16).into()),
+            Type::Dint => Value::Int((self.0 as u32 as i32).into()),
+            Type::Uint | Type::Udint => Value::Int(self.0 as i64),
             Type::Real | Type::Lreal => Value::Real(f64::from_bits(self.0)),
             Type::Time => Value::Time(self.0 as i64),
         }

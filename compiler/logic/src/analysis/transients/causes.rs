@@ -105,6 +105,11 @@ impl Causes {
         self.numbers.all as usize
     }
 
+    /// Whether anything but a clearing activates steps.
+    pub(super) fn places_steps(&self) -> bool {
+        self.numbers.placed < self.numbers.deactivated
+    }
+
     /// The number of a change.
     pub(super) fn number(&self, change: Change) -> u32 {
         self.numbers.of(change)
@@ -191,11 +196,6 @@ impl Effects {
     }
 }
 
-/// Whether anything but a clearing activates steps: an activation link or an order.
-pub(super) fn places_steps(net: &Net) -> bool {
-    net.places.iter().any(|place| place.activated) || net.grafcets.iter().any(|g| !g.orders.is_empty())
-}
-
 /// Where the numbers of the changes of each kind begin. Whatever can be thought of has a number, whether or not anything
 /// causes it; but variables that nothing assigns, as inputs, have none, and neither has what the whole net lacks.
 struct Numbers {
@@ -242,7 +242,9 @@ impl Numbers {
             assigned_before.push(assigned as u32);
             assigned += usize::from(variable.mode != Mode::Given);
         }
-        let placing = if places_steps(net) { steps } else { 0 };
+        // By an activation link or an order.
+        let is_placed = net.places.iter().any(|place| place.activated) || orders > 0;
+        let placing = if is_placed { steps } else { 0 };
         let clears = |action: &Stored| matches!(action.event, Event::Clearing(_));
         let subsiding = if net.stored.iter().any(clears) { assigned } else { 0 };
         let mut numbers = Numbers {

@@ -13,7 +13,7 @@
 //!   grafcet is activated; while it is in force, the situation is that set already.
 
 use super::PAIRS;
-use super::causes::{Causes, Change, Way, places_steps};
+use super::causes::{Causes, Change, Way};
 use super::conditions;
 use super::stable::Stable;
 use super::values::Occasion;
@@ -31,8 +31,6 @@ pub(super) struct Ways<'a> {
     occasions: &'a IndexVec<ExprId, Occasion>,
     arcs: Cow<'a, Arcs>,
     goes_on: IndexVec<TransitionId, bool>,
-    /// Whether anything but a clearing activates steps.
-    places: bool,
 }
 
 impl<'a> Ways<'a> {
@@ -45,7 +43,7 @@ impl<'a> Ways<'a> {
             Cow::Owned(Arcs::of(net, clears))
         };
         let goes_on = net.transitions.iter().map(|_| false).collect();
-        let mut ways = Ways { analysis, stable, occasions, arcs, goes_on, places: places_steps(net) };
+        let mut ways = Ways { analysis, stable, occasions, arcs, goes_on };
         for t in net.transitions.indices() {
             ways.goes_on[t] = !stable.never(t) && !ways.by_edge(t);
         }
@@ -141,7 +139,7 @@ fn step(ways: &Ways, s: StepId, causes: &mut Causes) {
     for t in into {
         causes.at_once(Change::Clears(*t), activated);
     }
-    if ways.places {
+    if causes.places_steps() {
         causes.at_once(placed, activated);
     }
     for t in out_of {
@@ -163,7 +161,7 @@ fn step(ways: &Ways, s: StepId, causes: &mut Causes) {
     let few = into.len().saturating_mul(after) <= PAIRS.saturating_mul(into.len() + after);
     for u in out_of.iter().chain(loops).filter(|u| !ways.by_edge(**u) && !ways.stable.needs_more(net, **u, s)) {
         if few {
-            if ways.places {
+            if causes.places_steps() {
                 causes.next(placed, Change::Clears(*u));
             }
             for t in into.iter().filter(|t| !ways.excluded(**t, *u)) {

@@ -9,7 +9,7 @@
 //! to pass while step 5 is active, and no time passes within a reaction.
 
 use grafc_model::chart::{
-    Arithmetic, Comparison, ExprId, ExprKind, Mode, StepId, TransitionId, Type, Value, VariableId, VariableKind,
+    Arithmetic, Bits, Comparison, ExprId, ExprKind, Mode, StepId, TransitionId, Type, Value, VariableId, VariableKind,
 };
 use grafc_net::Net;
 use index_vec::{IndexVec, define_index_type};
@@ -84,7 +84,7 @@ impl<T> Lists<T> {
 /// What a class stands for; equal meanings are one class.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 enum Meaning {
-    Value(Type, u64),
+    Value(Type, Bits),
     Input(VariableId),
     Not(Class),
     And(Class, Class),
@@ -197,17 +197,12 @@ impl Stable {
     }
 
     fn value(&mut self, ty: Type, value: Value) -> Class {
-        let bits = match value {
-            Value::Bool(b) => u64::from(b),
-            Value::Int(n) | Value::Time(n) => n as u64,
-            Value::Real(x) => x.to_bits(),
-        };
-        self.number(Meaning::Value(ty, bits))
+        self.number(Meaning::Value(ty, Bits::of(value, ty)))
     }
 
     fn truth(&self, class: Class) -> Option<bool> {
         match self.meaning[class] {
-            Meaning::Value(Type::Bool, bits) => Some(bits != 0),
+            Meaning::Value(Type::Bool, bits) => Some(bits.value(Type::Bool) == Value::Bool(true)),
             _ => None,
         }
     }
