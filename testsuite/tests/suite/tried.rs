@@ -44,7 +44,7 @@ pub fn charts_and_vectors() -> &'static [Tried] {
 /// Random Boolean charts, in both evolutions.
 pub fn random() -> &'static [Tried] {
     static ALL: LazyLock<Vec<Tried>> = LazyLock::new(|| {
-        let tried = (0..if cfg!(debug_assertions) { 130 } else { 2_000 }).filter_map(|seed| {
+        let tried = (0..if cfg!(debug_assertions) { 150 } else { 2_000 }).filter_map(|seed| {
             let drawn = checked(seed, ChartKind::Boolean);
             let evolution = if seed % 4 == 0 { Evolution::Scan } else { Evolution::Stable };
             let profile = Profile { evolution, initial_actions: seed % 3 != 0, ..Profile::default() };

@@ -237,15 +237,14 @@ fn ten_to_the_twelfth_situations_are_counted() {
 /// What is said never to happen does not, and what is said to happen replays: charts of the whole language, with delays.
 #[test]
 fn what_holds_survives_random_runs() {
-    let (count, scans) = if cfg!(debug_assertions) { (30, 300) } else { (400, 100_000) };
+    let (count, scans, time) = if cfg!(debug_assertions) { (30, 300, 500) } else { (400, 100_000, 1_500) };
     let (mut decided, mut open, mut traces) = (0, 0, 0);
     for seed in 0..count {
         let kind = if seed % 2 == 0 { ChartKind::Flat } else { ChartKind::Hierarchical };
         let drawn = checked(50_000 + seed, kind);
         let (chart, name) = (&drawn.chart, format!("seed {}", drawn.seed));
         let profile = low_bound(Profile::default());
-        let verified =
-            verified_for(chart, profile, Duration::from_millis(if cfg!(debug_assertions) { 500 } else { 1_500 }));
+        let verified = verified_for(chart, profile, Duration::from_millis(time));
         traces += all_replay(&name, chart, profile, &verified);
         let mut sights = Sights::default();
         let mut simulator = Simulator::new(chart, profile);
