@@ -33,9 +33,9 @@ pub fn compile(analysis: Analysis, options: &Options) -> (Program, Diagnostics) 
     make(analysis, options, Extras::default())
 }
 
-/// The same with what gives saved memory back, for a target that saves it.
+/// The same for a target that saves memory: with what gives it back, and quick.
 pub fn compile_saved(analysis: Analysis, options: &Options) -> (Program, Diagnostics) {
-    make(analysis, options, Extras { saved: true, ..Extras::default() })
+    make(analysis, options, Extras { saved: true, quick: true, ..Extras::default() })
 }
 
 /// The same with what gives saved memory back, and with what is shown of micro-steps; where all is shown, claims as well.
@@ -43,7 +43,7 @@ pub fn compile_saved(analysis: Analysis, options: &Options) -> (Program, Diagnos
 /// Where a micro-step more would find nothing to do, it is done all the same: who looks on sees each of R9.
 pub fn compile_observed(analysis: Analysis, options: &Options, observed: Observed) -> (Program, Diagnostics) {
     let claims = if observed == Observed::All { Claimed::All } else { Claimed::Nothing };
-    make(analysis, options, Extras { saved: true, observed, claims })
+    make(analysis, options, Extras { saved: true, observed, claims, quick: false })
 }
 
 /// The same with all that is asked for.
@@ -60,6 +60,9 @@ pub struct Extras {
     pub observed: Observed,
     /// Which claims are computed.
     pub claims: Claimed,
+    /// Outputs of a small chart follow its states, too, where they can: written where a state moves, as by hand, they cost
+    /// nothing while none does. On a controller, where they are read beside the chart, computed ones say more.
+    pub quick: bool,
 }
 
 fn make(analysis: Analysis, options: &Options, extras: Extras) -> (Program, Diagnostics) {
@@ -113,7 +116,7 @@ fn assemble(
         let cover = cover.with_lone(|s| components.covers(s));
         let mut lowering = Lowering::new(net.clone(), Some(&cover), options.simplify);
         let outputs_follow = !livelock::may_override(options.profile, evolution.ends);
-        followers = Some(outputs::followers(&mut lowering, outputs_follow));
+        followers = Some(outputs::followers(&mut lowering, outputs_follow, extras.quick));
         conditions = Conditions::new(lowering);
     }
     let components = if proofs { components } else { Components::none(&net) };

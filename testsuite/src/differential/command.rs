@@ -63,7 +63,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     };
     // A panic of a stage is caught and reported with its chart.
     std::panic::set_hook(Box::new(|_| {}));
-    let summary = long_run::run(&plan, &executors, |charts, mismatches| progress(&plan, charts, mismatches));
+    let mut told = 0;
+    let summary = long_run::run(&plan, &executors, |charts, mismatches| progress(&plan, charts, mismatches, &mut told));
     clear_progress();
     let mut out = String::new();
     for seed in &summary.tallies[0].mismatches {
@@ -114,14 +115,18 @@ fn print(text: &str) -> Result<(), String> {
     std::io::stdout().lock().write_all(text.as_bytes()).map_err(|error| error.to_string())
 }
 
-/// A line on a terminal that is written over and over.
-fn progress(plan: &Plan, charts: u64, mismatches: usize) {
+/// A line on a terminal that is written over and over; elsewhere one line for each twentieth of the charts.
+fn progress(plan: &Plan, charts: u64, mismatches: usize, told: &mut u64) {
     let mut err = std::io::stderr().lock();
+    let line = format!("{charts} of {} charts, {mismatches} mismatches", plan.charts);
+    let part = charts * 20 / plan.charts.max(1);
     if err.is_terminal() {
         let filled = (charts * 30 / plan.charts.max(1)) as usize;
         let bar = "#".repeat(filled) + &".".repeat(30_usize.saturating_sub(filled));
-        let _ = write!(err, "\r[{bar}] {charts} of {} charts, {mismatches} mismatches", plan.charts);
+        let _ = write!(err, "\r[{bar}] {line}");
         let _ = err.flush();
+    } else if std::mem::replace(told, part) < part {
+        let _ = writeln!(err, "{line}");
     }
 }
 

@@ -27,15 +27,16 @@ pub(crate) struct Followers {
 }
 
 /// Finds wires that can follow a state, and tells the lowering that their variables hold their values. Outputs do not where
-/// something else may write them at the end of a call.
-pub(crate) fn followers(lowering: &mut Lowering, outputs_follow: bool) -> Followers {
+/// something else may write them at the end of a call. In a small chart none follows, unless a `quick` program is wanted and
+/// transitions move the states themselves.
+pub(crate) fn followers(lowering: &mut Lowering, outputs_follow: bool, quick: bool) -> Followers {
     let net = &*lowering.net.clone();
     let mut followers = Followers {
         of_set: lowering.situation.sets.iter().map(|_| Vec::new()).collect(),
         conditional: FxHashSet::default(),
         of_step: FxHashMap::default(),
     };
-    if lowering.situation.is_small {
+    if lowering.situation.is_small && !(quick && lowering.situation.in_place) {
         return followers;
     }
     let mut read: FxHashSet<VariableId> = FxHashSet::default();
