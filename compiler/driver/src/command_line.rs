@@ -27,7 +27,7 @@ The ending of FILE says what to make, unless `--target` does: ENDINGS.
 Exit codes: 0 done, 1 a chart has errors, 2 wrong use, 3 a file cannot be read or written, 4 not decided, 101 a fault of grafc.
 A chart that is named like a command is given as `./check`; `-` is standard input or output.";
 
-/// Compile GRAFCET charts (IEC 60848) to code for PLCs, or to Rust or JavaScript
+/// Compile GRAFCET charts (IEC 60848) to code for PLCs, or to Rust, C or JavaScript
 #[derive(Parser, Debug)]
 #[command(name = "grafc", version, after_help = after_help())]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true, arg_required_else_help = true)]

@@ -140,6 +140,21 @@ impl<'p> Lanes<'p> {
         (0..count).map(at).collect()
     }
 
+    /// The lanes in which the latest call gave something else than that of another program of the same chart.
+    ///
+    /// # Panics
+    /// The other program has other outputs.
+    pub fn differing(&mut self, other: &mut Lanes) -> Word {
+        assert_eq!(self.outputs.len(), other.outputs.len(), "outputs of one chart");
+        let words = |mine: &[Word], theirs: &[Word]| mine.iter().zip(theirs).fold(0, |found, (a, b)| found | (a ^ b));
+        let situation = words(&self.situation(), &other.situation());
+        let outputs = self.outputs.iter().zip(&other.outputs).map(|(mine, theirs)| {
+            let (mine, theirs) = (self.code.variables[*mine], other.code.variables[*theirs]);
+            self.values.differing(mine, &other.values, theirs)
+        });
+        situation | words(&self.flags(), &other.flags()) | outputs.fold(0, |found, word| found | word)
+    }
+
     /// Where each step is active, in order of declaration.
     pub fn situation(&mut self) -> Vec<Word> {
         let Lanes { code, values, .. } = self;

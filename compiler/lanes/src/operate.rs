@@ -137,6 +137,22 @@ impl Values {
         }
     }
 
+    /// The lanes in which a value is not that of others at a place of the same type. A NaN equals a NaN.
+    pub(crate) fn differing(&self, at: At, others: &Values, there: At) -> Word {
+        match (at, there) {
+            (At::Bool(at), At::Bool(there)) => self.bools[at] ^ others.bools[there],
+            (At::Whole(at), At::Whole(there)) => {
+                let (mine, theirs) = (&self.wholes[at], &others.wholes[there]);
+                word(|lane| mine[lane] != theirs[lane])
+            }
+            (At::Real(at), At::Real(there)) => {
+                let (mine, theirs) = (&self.reals[at], &others.reals[there]);
+                word(|lane| mine[lane] != theirs[lane] && !(mine[lane].is_nan() && theirs[lane].is_nan()))
+            }
+            (at, there) => unreachable!("{at:?} and {there:?} are of one type"),
+        }
+    }
+
     /// Gives the lanes of a mask a value.
     pub(crate) fn set(&mut self, at: At, value: Value, mask: Word) {
         match (at, value) {

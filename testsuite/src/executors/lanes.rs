@@ -4,9 +4,10 @@
 use super::task::{Executor, Outcome, Task};
 use crate::compare::{first_difference, report};
 use crate::random::trace;
-use crate::runs::{caught, compile, simulate};
+use crate::runs::{self, caught, compile, simulate};
 use crate::ways::exact;
-use grafc_lanes::{LANES, run};
+use grafc_lanes::{LANES, Lanes};
+use grafc_logic::scan::Program;
 use grafc_model::reaction::{Response, Stimulus};
 
 /// The executor.
@@ -30,20 +31,29 @@ fn one(task: &Task) -> Result<Vec<Response>, String> {
     let drawn: Vec<Vec<Stimulus>> =
         (1..LANES).map(|lane| trace((task.turn * LANES + lane) as u64, task.chart, task.stimuli.len())).collect();
     let traces: Vec<&[Stimulus]> = [task.stimuli].into_iter().chain(drawn.iter().map(Vec::as_slice)).collect();
-    let mut first: Option<Vec<Vec<Response>>> = None;
-    for (way, options) in exact(task.profile) {
-        let found = run(&compile(task.chart, &options)?, &traces);
-        let Some(first) = &first else {
-            first = Some(found);
-            continue;
-        };
-        for ((one, other), stimuli) in first.iter().zip(&found).zip(&traces) {
-            if first_difference(one, other).is_some() {
+    let ways = exact(task.profile);
+    let compiled = ways.iter().map(|(_, options)| compile(task.chart, options));
+    let programs = compiled.collect::<Result<Vec<Program>, String>>()?;
+    let mut all: Vec<Lanes> = programs.iter().map(Lanes::new).collect();
+    let mut responses = Vec::with_capacity(task.stimuli.len());
+    for row in 0..task.stimuli.len() {
+        let stimuli: Vec<&Stimulus> = traces.iter().map(|trace| &trace[row]).collect();
+        all.iter_mut().for_each(|lanes| lanes.react(&stimuli));
+        let [first, others @ ..] = &mut all[..] else { break };
+        for (place, other) in others.iter_mut().enumerate() {
+            let differing = first.differing(other);
+            if differing != 0 {
+                let stimuli = traces[differing.trailing_zeros() as usize];
                 let expected = simulate(task.chart, task.profile, stimuli);
-                let wrong = if first_difference(&expected, other).is_some() { other } else { one };
-                return Err(format!("{way}\n{}", report(task.chart, task.profile, stimuli, &expected, wrong)));
+                let ran = [0, place + 1].map(|way| (&ways[way].0, runs::run(&programs[way], stimuli)));
+                let wrong = ran.iter().find(|(_, actual)| first_difference(&expected, actual).is_some());
+                let Some((way, actual)) = wrong else {
+                    return Err(format!("{}: alone it does what the simulator does", ways[place + 1].0));
+                };
+                return Err(format!("{way}\n{}", report(task.chart, task.profile, stimuli, &expected, actual)));
             }
         }
+        responses.extend(first.responses(1));
     }
-    Ok(first.into_iter().flatten().next().unwrap_or_default())
+    Ok(responses)
 }

@@ -8,7 +8,7 @@ use grafc_logic::Options;
 use grafc_testsuite::agreement::Agreement;
 use grafc_testsuite::binary::root;
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, vectors_folder};
-use grafc_testsuite::executors::c::{Tools, run};
+use grafc_testsuite::executors::c::{Checks, Tools, run};
 use grafc_testsuite::markdown::play;
 use grafc_testsuite::runs::compile_saved;
 use std::fs;
@@ -17,21 +17,21 @@ use std::fs;
 const BATCH: usize = 100;
 
 /// Runs all cases, each in so many of the ways that must agree.
-fn agree(cases: &[Case], ways: usize) {
+fn agree(cases: &[Case], ways: usize, checks: Checks) {
     let Some(tools) = Tools::find_or_skip() else { return };
     let mut agreement = Agreement::default();
     agreement.cases(cases, ways, compile_saved);
-    agreement.hold(BATCH, |jobs| run(&tools, jobs));
+    agreement.hold(BATCH, |jobs| run(&tools, jobs, checks));
 }
 
 #[test]
 fn vectors_agree() {
-    agree(&cases(&vectors_folder()), 1);
+    agree(&cases(&vectors_folder()), 1, Checks::Undefined);
 }
 
 #[test]
 fn charts_agree() {
-    agree(&cases(&charts_folder()), 3);
+    agree(&cases(&charts_folder()), 3, Checks::Memory);
 }
 
 #[test]
@@ -39,7 +39,7 @@ fn random_charts_agree() {
     let Some(tools) = Tools::find_or_skip() else { return };
     let mut agreement = Agreement::default();
     agreement.random(5000..5032, 30);
-    agreement.hold(BATCH, |jobs| run(&tools, jobs));
+    agreement.hold(BATCH, |jobs| run(&tools, jobs, Checks::Memory));
 }
 
 /// What is a keyword, a macro or ours, what is no identifier, and what would end a comment or a string.

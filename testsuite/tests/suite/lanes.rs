@@ -1,8 +1,8 @@
 //! 64 scenarios at once: each lane does what the program does alone.
 
-use grafc_lanes::run;
+use grafc_lanes::{Lanes, run};
 use grafc_model::chart::Chart;
-use grafc_model::reaction::{Profile, Stimulus};
+use grafc_model::reaction::{Profile, Response, Stimulus};
 use grafc_testsuite::charts::{cases, charts_folder, check, stimuli, vectors_folder};
 use grafc_testsuite::compare::{first_difference, report};
 use grafc_testsuite::differential::long_run::{self, Plan};
@@ -60,4 +60,32 @@ fn the_executor_agrees_with_the_simulator() {
     let executors = select("lanes").expect("it is built in");
     let summary = long_run::run(&plan, &executors, |_, _| ());
     assert_eq!((summary.mismatches(), summary.tallies[1].charts), (0, 10));
+}
+
+/// Where the calls of two programs differ is where their responses do: here of one program that is given other inputs in
+/// every third lane.
+#[test]
+fn lanes_that_differ_are_told() {
+    let mut told = 0;
+    for seed in 0..6 {
+        let drawn = checked(seed, ChartKind::Hierarchical);
+        let program = compile(&drawn.chart, &exact(profile(seed))[0].1).expect("a scan program");
+        let [mine, theirs] = [0, 1].map(|other| -> Vec<Vec<Stimulus>> {
+            let of =
+                |lane: u64| trace(64 * seed + lane + if lane % 3 == 0 { 1000 * other } else { 0 }, &drawn.chart, 12);
+            (0..64).map(of).collect()
+        });
+        let (mut one, mut two) = (Lanes::new(&program), Lanes::new(&program));
+        for row in 0..12 {
+            one.react(&mine.iter().map(|trace| &trace[row]).collect::<Vec<_>>());
+            two.react(&theirs.iter().map(|trace| &trace[row]).collect::<Vec<_>>());
+            let differs = |(a, b): (Response, Response)| first_difference(&[a], &[b]).is_some();
+            let expected: Vec<bool> = one.responses(64).into_iter().zip(two.responses(64)).map(differs).collect();
+            let word = one.differing(&mut two);
+            let actual: Vec<bool> = (0..64).map(|lane| word >> lane & 1 == 1).collect();
+            assert_eq!(actual, expected, "seed {seed}, row {row}");
+            told += word.count_ones();
+        }
+    }
+    assert!(told > 200, "{told} lanes that differ");
 }

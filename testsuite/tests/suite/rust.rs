@@ -3,6 +3,7 @@
 //! Every warning of rustc is a fault. Each chart is also saved and restored on the way, and its clock wraps around.
 
 use grafc_logic::{Encoding, Options};
+use grafc_model::chart::Chart;
 use grafc_testsuite::agreement::{Agreement, AsEvaluated, triggers};
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, vectors_folder};
 use grafc_testsuite::compare::{first_difference, report};
@@ -47,20 +48,27 @@ fn random_charts_agree() {
 #[test]
 fn large_charts_agree() {
     let Some(tools) = Tools::find_or_skip() else { return };
-    for (place, shape) in SHAPES.iter().filter(|shape| shape.name != "priorities").enumerate() {
+    let options = Options { profile: profile(0), encoding: Encoding::Switch, simplify: true };
+    let shapes: Vec<_> = SHAPES.iter().filter(|shape| shape.name != "priorities").collect();
+    let charts = shapes.iter().enumerate().map(|(place, shape)| {
         let size = if place % 4 == 0 { 1_100 } else { 220 };
         let chart = check(shape.name, &(shape.write)(size)).expect("a chart without errors");
         assert!(chart.steps.len() >= size, "{}: {} steps", shape.name, chart.steps.len());
-        let options = Options { profile: profile(0), encoding: Encoding::Switch, simplify: true };
-        let program = compile_saved(&chart, &options).expect("a scan program");
-        let stimuli = trace(1, &chart, 40);
-        let expected = simulate(&chart, options.profile, &stimuli);
-        let actual = run(&tools, &[Job { program, stimuli: stimuli.clone() }]).remove(0);
+        chart
+    });
+    let charts: Vec<Chart> = charts.collect();
+    let job = |chart: &Chart| Job {
+        program: compile_saved(chart, &options).expect("a scan program"),
+        stimuli: trace(1, chart, 40),
+    };
+    let jobs: Vec<Job> = charts.iter().map(job).collect();
+    for ((actual, job), (shape, chart)) in run(&tools, &jobs).into_iter().zip(&jobs).zip(shapes.iter().zip(&charts)) {
         // What rustc or the program says; the text behind it has a megabyte.
         let actual =
             actual.unwrap_or_else(|said| panic!("{}: {}", shape.name, said.lines().next().unwrap_or_default()));
+        let expected = simulate(chart, options.profile, &job.stimuli);
         if first_difference(&expected, &actual).is_some() {
-            panic!("{}\n{}", shape.name, report(&chart, options.profile, &stimuli, &expected, &actual));
+            panic!("{}\n{}", shape.name, report(chart, options.profile, &job.stimuli, &expected, &actual));
         }
     }
 }

@@ -156,17 +156,25 @@ impl Maker<'_> {
             return Err(Loss { why: "charts have no edge of what holds an edge or a delay".into(), span });
         }
         if self.once(format!("edge {key}")) {
-            let note =
-                "a block sees an edge in the first call after it, and takes a true operand in its first call for one";
-            let message = format!("`{instance}.Q` is written as the edge of its operand");
-            self.diagnostics.push(
-                doubtful(span, message)
-                    .note(note)
-                    .note("a chart sees it in the scan in which it is, and none at the start"),
-            );
+            self.edges.push((format!("{instance}.Q"), span));
         }
         let kind = if block == Standard::Rise { TermKind::Rise(operand) } else { TermKind::Fall(operand) };
         Ok(self.terms.logic(kind, span))
+    }
+
+    /// Says which blocks became edges.
+    pub fn tell_edges(&mut self) {
+        let edges = std::mem::take(&mut self.edges);
+        let Some((_, first)) = edges.first() else { return };
+        let names: Vec<String> = edges.iter().map(|(name, _)| format!("`{name}`")).collect();
+        let message = match &names[..] {
+            [name] => format!("{name} is written as the edge of its operand"),
+            _ => format!("{} are written as edges of their operands", names.join(", ")),
+        };
+        let note =
+            "a block sees an edge in the first call after it, and takes a true operand in its first call for one";
+        let chart = "a chart sees it in the scan in which it is, and none at the start";
+        self.diagnostics.push(doubtful(*first, message).note(note).note(chart));
     }
 
     /// What a call does at each scan: counters and flip-flops; edges and delays need nothing.

@@ -134,6 +134,8 @@ pub struct Maker<'a> {
     pub delays_called: FxHashSet<String>,
     /// Of delays whose output is read behind their call in the same scan, where.
     pub read_behind: FxHashMap<String, Span>,
+    /// What is written as an edge, by the output that finds it in the file, and where that is read first.
+    pub edges: Vec<(String, Span)>,
     /// The condition under which a value is looked at.
     pub here: Option<TermId>,
     /// How deep edges of edges are looked at.

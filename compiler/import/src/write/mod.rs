@@ -66,6 +66,7 @@ pub fn write(
         children: FxHashMap::default(),
         constants: constants(project),
         calls: FxHashMap::default(),
+        edges: Vec::new(),
         here: None,
         depth: 0,
         lost_conditions: 0,
@@ -80,6 +81,7 @@ pub fn write(
     maker.delays();
     maker.named(named);
     maker.continuous();
+    maker.tell_edges();
     maker.tell_handovers();
     maker.order();
     maker.flags(unit);

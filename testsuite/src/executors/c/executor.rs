@@ -1,7 +1,7 @@
 //! Generated C, compiled and run.
 
-use super::run::run_with;
-use super::tools::Tools;
+use super::run::run;
+use super::tools::{Checks, Tools};
 use crate::executors::jobs::{Job, run_some};
 use crate::executors::task::{Executor, Outcome, Task};
 use crate::tools::Tool;
@@ -34,10 +34,10 @@ impl Executor for C {
         Some(Tool::Cc)
     }
 
-    /// In one of four turns what is undefined is looked for.
+    /// In one of four turns what is undefined is looked for, and memory is guarded.
     fn run(&self, tasks: &[Task]) -> Vec<Outcome> {
-        let is_checked = tasks.first().is_none_or(|task| task.turn % 4 == 0);
+        let checks = if tasks.first().is_none_or(|task| task.turn % 4 == 0) { Checks::Memory } else { Checks::Nothing };
         let jobs = tasks.iter().map(|task| Job::saved(task).map_err(Outcome::Failed)).collect();
-        run_some(&self.tools, jobs, |tools, jobs| run_with(tools, jobs, is_checked))
+        run_some(&self.tools, jobs, |tools, jobs| run(tools, jobs, checks))
     }
 }

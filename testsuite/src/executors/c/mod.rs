@@ -18,7 +18,7 @@ pub use arduino::Arduino;
 pub use boards::{Board, Compiler, Emulated};
 pub(super) use executor::C;
 pub use run::run;
-pub use tools::Tools;
+pub use tools::{Checks, Tools};
 
 /// Every type, every operation, every kind of action; `lreal` is what an AVR has not.
 pub const ALL_KINDS: &str = "\

@@ -1,7 +1,7 @@
 //! Sources of many charts in one program.
 
 use super::driver;
-use super::tools::Tools;
+use super::tools::{Checks, Tools};
 use crate::executors::jobs::{self, Job};
 use grafc_backends::c;
 use grafc_logic::scan::Program;
@@ -16,16 +16,10 @@ struct Unit {
     driver: String,
 }
 
-/// Runs all jobs, in one batch if possible, and looks for what is undefined in C. A job's fault is what the compiler or the
-/// program said.
-pub fn run(tools: &Tools, jobs: &[Job]) -> Vec<Result<Vec<Response>, String>> {
-    run_with(tools, jobs, true)
-}
-
-/// The same; whether to look for what is undefined, which takes as long again.
-pub(super) fn run_with(tools: &Tools, jobs: &[Job], is_checked: bool) -> Vec<Result<Vec<Response>, String>> {
+/// Runs all jobs, in one batch if possible. A job's fault is what the compiler or the program said.
+pub fn run(tools: &Tools, jobs: &[Job], checks: Checks) -> Vec<Result<Vec<Response>, String>> {
     let units = jobs.iter().enumerate().map(|(index, job)| unit(index, job)).collect();
-    jobs::run(jobs, units, |batch, units: &[&Unit]| build_and_play(tools, is_checked, batch, units))
+    jobs::run(jobs, units, |batch, units: &[&Unit]| build_and_play(tools, checks, batch, units))
 }
 
 fn unit(index: usize, job: &Job) -> Result<Unit, String> {
@@ -43,7 +37,7 @@ pub(super) fn unit_of(index: usize, job: &Job) -> Result<(String, String, Progra
     Ok((source, header.unwrap_or_default(), program))
 }
 
-fn build_and_play(tools: &Tools, is_checked: bool, batch: &[usize], units: &[&Unit]) -> Result<String, String> {
+fn build_and_play(tools: &Tools, checks: Checks, batch: &[usize], units: &[&Unit]) -> Result<String, String> {
     let folder = tempfile::tempdir().map_err(|e| e.to_string())?;
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).map_err(|e| e.to_string());
     let mut sources = vec!["main.c".to_owned()];
@@ -61,6 +55,6 @@ fn build_and_play(tools: &Tools, is_checked: bool, batch: &[usize], units: &[&Un
         [unit] => format!("{fault}\n{}\n{}\n{main}", unit.header, unit.source),
         _ => fault,
     };
-    tools.build(folder.path(), &sources, is_checked).map_err(said)?;
+    tools.build(folder.path(), &sources, checks).map_err(said)?;
     tools.play(folder.path(), "main").map_err(said)
 }

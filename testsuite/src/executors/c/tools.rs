@@ -8,6 +8,27 @@ use std::process::Command;
 /// What generated C promises: C99, and nothing that a compiler warns of.
 pub const STRICT: [&str; 7] = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"];
 
+/// What is looked for while a program runs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Checks {
+    /// Nothing.
+    Nothing,
+    /// What is undefined in C.
+    Undefined,
+    /// That, and reads and writes beside what there is; it takes twice as long again to compile.
+    Memory,
+}
+
+impl Checks {
+    fn options(self) -> &'static [&'static str] {
+        match self {
+            Checks::Nothing => &[],
+            Checks::Undefined => &["-fsanitize=undefined", "-fno-sanitize-recover=all"],
+            Checks::Memory => &["-fsanitize=address,undefined", "-fno-sanitize-recover=all"],
+        }
+    }
+}
+
 /// A compiler, if it can be called.
 pub struct Tools {
     cc: PathBuf,
@@ -34,16 +55,14 @@ impl Tools {
         or_skip(Tool::Cc, Tools::find())
     }
 
-    /// Compiles sources of a folder to `main`, with checks for what is undefined and for memory, if that is asked for.
+    /// Compiles sources of a folder to `main`.
     ///
     /// # Errors
     /// What the compiler says.
-    pub fn build(&self, folder: &Path, sources: &[String], is_checked: bool) -> Result<(), String> {
-        let checks = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
-        let checks = if is_checked { &checks[..] } else { &[] };
+    pub fn build(&self, folder: &Path, sources: &[String], checks: Checks) -> Result<(), String> {
         let mut command = Command::new(&self.cc);
-        call(command.args(STRICT).args(checks).args(["-o", "main"]).args(sources).arg("-lm").current_dir(folder))
-            .map(|_| ())
+        command.args(STRICT).args(checks.options()).args(["-o", "main"]).args(sources).arg("-lm");
+        call(command.current_dir(folder)).map(|_| ())
     }
 
     /// Compiles a source of a folder to an object, with more options.
