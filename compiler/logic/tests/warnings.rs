@@ -579,6 +579,35 @@ mod liveness {
         assert_eq!(told(&text), ["W0415 transition 2, 3 -> 1 : d and not c"]);
     }
 
+    /// An on-delay asks for its operand now, an off-delay does not (X5).
+    #[test]
+    fn an_off_delay_outlives_its_step() {
+        let is_dead = |condition: &str| {
+            let text = format!(
+                "{INPUTS} initial step 1 step 2 step 3 transition 1 -> 2 : a and not b transition 1 -> 3 : b and not a
+                 transition 3 -> 1 : c and not b transition 2 -> 1 : d and not c transition 2 -> 1 : c and {condition}"
+            );
+            told(&text).iter().any(|said| said.starts_with("W0415"))
+        };
+        assert!(is_dead("X3"));
+        assert!(is_dead("2s/X3"));
+        assert!(!is_dead("2s/X3/3s"));
+    }
+
+    /// A step that is left and entered by one clearing stays active (R4): of the tokens that go around, none meets another.
+    #[test]
+    fn tokens_that_move_on_together_do_not_meet() {
+        let meets = |last: &str| {
+            let text = format!(
+                "{INPUTS} initial step 1 initial step 2 step 3 transition 1 -> 2 : ↑a transition 2 -> 3 : ↑a
+                 transition 3 -> 1 : {last}"
+            );
+            told(&text).iter().any(|said| said.starts_with("W0418"))
+        };
+        assert!(!meets("↑a"));
+        assert!(meets("↑b"));
+    }
+
     #[test]
     fn a_join_with_a_step_that_is_never_active_is_told_of_there() {
         let text = format!(
