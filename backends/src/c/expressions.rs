@@ -10,7 +10,7 @@ use crate::formulas::{Arrangement, Formulas, Notation, Piece, Shape};
 use crate::writer::Writer;
 use ecow::{EcoString, eco_format};
 use grafc_formula::{Arithmetic, Comparison, Formula, FormulaId, Pool, Type, Value};
-use grafc_logic::scan::{Guard, Statement, VarId};
+use grafc_logic::scan::{Guard, Role, Statement, VarId, Variable};
 use rustc_hash::FxHashSet;
 use std::borrow::Cow;
 
@@ -200,17 +200,18 @@ impl C<'_> {
             return Some(matches!(op, Comparison::Equal | Comparison::LessEqual | Comparison::GreaterEqual));
         }
         let (least, greatest) = range(pool.ty(a))?;
-        let number = |id: FormulaId| match pool.as_constant(id) {
+        // A constant of the chart is a macro, so that compilers see its value.
+        let declared = |id: FormulaId| match pool.get(id) {
+            Formula::Variable(v) => Some(&self.places.program.variables[*v]).filter(|v| v.role == Role::Constant),
+            _ => None,
+        };
+        let value = |id: FormulaId| pool.as_constant(id).or_else(|| declared(id).map(Variable::initial));
+        let number = |id: FormulaId| match value(id) {
             Some(Value::Int(n) | Value::Time(n)) => Some(n),
             Some(Value::Bool(_) | Value::Real(_)) | None => None,
         };
         // As if the constant stood at the right.
-        let (op, n) = match (number(a), number(b)) {
-            (None, Some(n)) => (op, n),
-            (Some(n), None) => (op.mirrored(), n),
-            (Some(_), Some(_)) | (None, None) => return None,
-        };
-        match op {
+        let of = |op: Comparison, n: i64| match op {
             Comparison::GreaterEqual if n == least => Some(true),
             Comparison::Less if n == least => Some(false),
             Comparison::LessEqual if n == greatest => Some(true),
@@ -221,7 +222,8 @@ impl C<'_> {
             | Comparison::LessEqual
             | Comparison::Greater
             | Comparison::GreaterEqual => None,
-        }
+        };
+        number(b).and_then(|n| of(op, n)).or_else(|| number(a).and_then(|n| of(op.mirrored(), n)))
     }
 
     fn arithmetic(&self, op: Arithmetic, ty: Type, a: FormulaId, b: FormulaId) -> (CLevel, Arrangement<'_>) {

@@ -113,9 +113,12 @@ pub fn sentence(targets: impl Iterator<Item = &'static About>, before: &str) -> 
 pub fn endings() -> String {
     let mut endings: Vec<(&str, usize)> = Vec::new();
     for about in Target::ALL {
-        match endings.iter_mut().find(|(ending, _)| *ending == about.extension) {
-            Some((_, targets)) => *targets += 1,
-            None => endings.push((about.extension, 1)),
+        let others = about.beside.iter().map(|(own, _)| *own).filter(|own| *own != about.extension);
+        for ending in std::iter::once(about.extension).chain(others) {
+            match endings.iter_mut().find(|(known, _)| *known == ending) {
+                Some((_, targets)) => *targets += 1,
+                None => endings.push((ending, 1)),
+            }
         }
     }
     let (clear, open): (Vec<_>, Vec<_>) = endings.into_iter().partition(|(_, targets)| *targets == 1);

@@ -59,7 +59,7 @@ fn an_ending_that_says_nothing_is_refused() {
     let folder = Folder::new(&[("valve.gct", VALVE)]);
     let run = folder.run(&["valve.gct", "-o", "valve.txt"]);
     run.ends(2, "no target is known by the ending `.txt`")
-        .ends(2, ".st, .il, .sfc, .awl, .scl, .TcPOU, .rs, .js, .c; not .xml alone");
+        .ends(2, ".st, .il, .sfc, .awl, .scl, .TcPOU, .rs, .js, .mjs, .c; not .xml alone");
     folder.run(&["valve.gct", "-o", "valve"]).ends(2, "nothing says what to make of `valve.gct`");
     folder.run(&["valve.gct", "-o", "-"]).ends(2, "nothing says what to make");
     folder.run(&["valve.gct", "-o", "out.st/"]).ends(2, "nothing says what to make");

@@ -4,7 +4,7 @@
 
 use crate::faults::MOST_FAULTS;
 use crate::habits::words::{OPERATORS, ours};
-use crate::habits::{Cure, named};
+use crate::habits::{Cure, in_letters_of_iec, named};
 use crate::token::{Lexeme, Token};
 use grafc_diagnostics::{FileId, Fix, Span};
 use std::ops::Range;
@@ -140,7 +140,7 @@ impl<'t> Run<'t> {
         }
         let before = self.before.len().checked_sub(2).map(|at| self.word(self.before[at]));
         if before == Some("at") {
-            let address = format!("%{word}.{next}");
+            let address = format!("%{}.{next}", in_letters_of_iec(word));
             return Some(Cure::write(format!("an address begins with `%`: `at {address}`"), place(end), &address));
         }
         let label =

@@ -85,8 +85,13 @@ impl Fault {
                 let fault = number(format!("`_` in `{shown}` is not between two digits"));
                 if read(&right).is_ok() { rewritten(fault, span, &right) } else { fault.help("leave the `_` out") }
             }
-            Fault::TooLarge => number(format!("the number `{shown}` is too large"))
-                .help("a whole number has 64 bits here, and 32 at most in a variable"),
+            Fault::TooLarge => number(format!("the number `{shown}` is too large")).help(
+                if !word.contains('#') && word.contains(['.', 'e', 'E']) {
+                    "a `real` goes to 3.4028235e38, an `lreal` to 1.7976931348623157e308"
+                } else {
+                    "a whole number has 64 bits here, and 32 at most in a variable"
+                },
+            ),
             Fault::Unit => {
                 let fault = duration(format!("`{shown}` is not a duration"))
                     .note("each part of a duration has a unit: `d`, `h`, `min`, `s` or `ms`, as in `1min30s`; `T#1m30s` has `m` for minutes");

@@ -17,6 +17,19 @@ use crate::xml::{Document, ElementId};
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use model::Model;
 
+/// The error on a document that is of no tool whose files are read.
+fn unknown(document: &Document, element: &str) -> Diagnostic {
+    let message = format!("a file that begins with `{element}` is none that is read");
+    let fault = Diagnostic::new(Code::E0703, document.root_span(), message)
+        .note("PLCopen XML begins with `project`, a chart of AGRAFE with `grafcet:Grafcet`");
+    match element {
+        "TcPlcObject" => {
+            fault.help("let TwinCAT write PLCopen XML: `Export PLCopen XML…` in the menu of the PLC project")
+        }
+        _ => fault.help("let the tool write PLCopen XML; of AGRAFE give the model, a file `*.grafcet`"),
+    }
+}
+
 /// The model in a document; none if it is another kind of document.
 pub fn read(document: &Document, diagnostics: &mut Diagnostics) -> Option<Model> {
     let outermost = ElementId::new(0);
@@ -26,12 +39,7 @@ pub fn read(document: &Document, diagnostics: &mut Diagnostics) -> Option<Model>
         roots.clone_from(&document.elements[outermost].children);
     }
     let Some(&root) = roots.iter().find(|&&root| document.elements[root].name == "Grafcet") else {
-        let found = &document.elements[outermost].name;
-        diagnostics.push(
-            Diagnostic::new(Code::E0703, document.root_span(), format!("`{found}` is not a chart of AGRAFE"))
-                .note("such a file begins with an element `grafcet:Grafcet`")
-                .help("give the model, a file `*.grafcet`; drawings and pictures are in other files"),
-        );
+        diagnostics.push(unknown(document, &document.elements[outermost].name));
         return None;
     };
     for text in &document.texts {

@@ -10,7 +10,7 @@
 //! Warned of: `grafcet X9/G4 { activated step 40  transition 40 -> : a }`
 //! Not warned of: `grafcet X9/G4 { activated step 40  activated step 41  transition 41 -> : a }`
 
-use crate::chart::{GrafcetId, Situation, TransitionId};
+use crate::chart::{GrafcetId, Situation, Step, StepId, Tables, TransitionId};
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 use index_vec::{IndexVec, index_vec};
@@ -26,7 +26,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
             Situation::Initial => !chart.grafcets[order.grafcet].steps.iter().any(|&step| chart.steps[step].initial),
             Situation::Current => false,
         };
-        if empties {
+        if empties && !excludes(chart, order.step, order.grafcet) {
             let name = &chart.grafcets[order.grafcet].name;
             let message = format!("the order empties the enclosure `{name}`, whose enclosing step stays active");
             diagnostics.push(
@@ -61,6 +61,23 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     }
 }
 
+/// Whether the step with an order is never active while that is which encloses a grafcet: they are two of one grafcet in
+/// which there is one token at most.
+fn excludes(chart: &Tables, ordering: StepId, enclosed: GrafcetId) -> bool {
+    let Some(enclosing) = chart.grafcets[enclosed].enclosing_step else { return false };
+    let grafcet = chart.steps[ordering].grafcet;
+    let steps = &chart.grafcets[grafcet].steps;
+    let marked = |mark: fn(&Step) -> bool| steps.iter().filter(|&&step| mark(&chart.steps[step])).count();
+    let of_it = || chart.transitions.iter().filter(|transition| transition.grafcet == grafcet);
+    ordering != enclosing
+        && chart.steps[enclosing].grafcet == grafcet
+        && marked(|step| step.initial) <= 1
+        && marked(|step| step.activated) == 0
+        && of_it().all(|transition| !transition.pre.is_empty() && transition.post.len() <= 1)
+        && chart.orders.iter().all(|order| order.grafcet != grafcet)
+        && chart.pulses.iter().all(|pulse| pulse.grafcet != grafcet)
+}
+
 #[cfg(test)]
 mod tests {
     use crate::checks::testing::{passes, passes_with};
@@ -85,5 +102,17 @@ mod tests {
         let enclosure = with("activated step 40");
         passes_with(&["W0404"], &format!("{enclosure} grafcet G0 {{ initial step 90 {{ force G4{{}} }} }}"));
         passes(&format!("{enclosure} grafcet G0 {{ initial step 90 {{ force G4{{40}} }} }}"));
+    }
+
+    #[test]
+    fn an_order_of_a_step_that_excludes_the_enclosing_one() {
+        let with = |transitions: &str| {
+            format!(
+                "input a, b : bool grafcet G1 {{ initial step 1 {{ force G4{{}} }} enclosing step 9 {transitions} }}
+                 grafcet X9/G4 {{ activated step 40 }}"
+            )
+        };
+        passes(&with("transition 1 -> 9 : a transition 9 -> 1 : b"));
+        passes_with(&["W0404"], &with("transition 1 -> 9, 1 : ↑a transition 9 -> 1 : b"));
     }
 }

@@ -173,7 +173,8 @@ fn example(size: char) -> &'static str {
 /// Offers the area that was meant, if there is one: `E` and `A` are the inputs and outputs of STEP 7 in German.
 fn with_area(diagnostic: Diagnostic, address: &Address, areas: &[char], span: Span) -> Diagnostic {
     let Some(area) = areas.first() else { return diagnostic.help("leave the address out") };
-    let written = resized(&Address { area: *area, ..address.clone() }, address.size);
+    let numbers: Vec<String> = address.numbers.iter().map(u32::to_string).collect();
+    let written = format!("%{area}{}{}", address.size, numbers.join("."));
     diagnostic.help(format!("write `{written}`")).fix(Fix::maybe(format!("write `{written}`")).replace(span, written))
 }
 

@@ -306,7 +306,7 @@ impl<'a> Scope<'a> {
         let candidates = self.labels.iter().filter(|(_, label)| is_meant(label));
         let declaration = match self.label(text) {
             Some(_) => "name a grafcet, as in `force G2{INIT}`".to_owned(),
-            None => format!("what is forced is a block of its own: `grafcet {} {{ … }}`", written(text)),
+            None => format!("a grafcet is a block of its own: `grafcet {} {{ … }}`", written(text)),
         };
         self.with_suggestion(diagnostic, text, candidates, declaration)
     }
@@ -463,7 +463,7 @@ mod tests {
         assert_eq!(near("input valve : bool initial step 1 transition 1 -> 1 : valev"), "did you mean `valve`?");
         assert_eq!(near("initial step Filling transition Filling -> Filling : XFiling"), "did you mean `XFilling`?");
         assert_eq!(near("initial step Filling transition Filling -> Filing : 1"), "did you mean `Filling`?");
-        let block = "what is forced is a block of its own: `grafcet Mian { … }`";
+        let block = "a grafcet is a block of its own: `grafcet Mian { … }`";
         assert_eq!(near("initial step 1 { force Mian{} }"), block);
         // A step does not force its own grafcet.
         assert_eq!(near("grafcet Main { initial step 1 { force Mian{} } }"), block);

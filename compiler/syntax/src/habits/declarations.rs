@@ -94,12 +94,38 @@ pub(super) fn equals(slip: &Slip<'_>) -> Option<Cure> {
     Some(Cure::write("a value is given by `:=`", sign.span, ":="))
 }
 
+/// `input a at %IX0.0 : bool`, the order of IEC 61131-3
+pub(super) fn address_first(slip: &Slip<'_>) -> Option<Cure> {
+    let (name, at) = (slip.previous(), slip.found()?);
+    if at.token != Token::At || !is_declaration(slip) || !slip.has(":") {
+        return None;
+    }
+    let (address, colon) = (slip.spot(1)?, slip.spot(2).filter(|next| next.token == Token::Colon)?);
+    let ty = slip.spot(3).filter(|next| next.is_name() && slip.on_one_line(name, *next))?;
+    let words = format!("the address stands behind the type: `{} : {} at {}`", name.word, ty.word, address.word);
+    let before = Span { start: name.span.end, end: colon.span.start, ..name.span };
+    let fix = Fix::certain("put the address behind the type").replace(before, " ");
+    Some(Cure::new(words).fix(fix.replace(ty.span.behind(), format!(" at {}", address.word))))
+}
+
+/// An address without its `%`, with the letters of IEC 61131-3: in German STEP 7 has `E` for `I` and `A` for `Q`.
+pub(crate) fn in_letters_of_iec(word: &str) -> String {
+    let mut letters = word.chars();
+    let area = match letters.next() {
+        Some('E') => 'I',
+        Some('A') => 'Q',
+        _ => return word.to_owned(),
+    };
+    let is_address = letters.clone().any(|c| c.is_ascii_digit());
+    if is_address { format!("{area}{}", letters.as_str()) } else { word.to_owned() }
+}
+
 /// `at IX0.0`
 pub(super) fn address(slip: &Slip<'_>) -> Option<Cure> {
     let at = slip.found().filter(|found| found.is_name() && slip.has("at") && found.word == "at")?;
     let next = slip.spot(1).filter(|next| next.is_name() && slip.on_one_line(at, *next))?;
-    let words = format!("an address begins with `%`: `at %{}`", next.word);
-    Some(Cure::new(words).fix(Fix::certain("add `%`").replace(next.span.before(), "%")))
+    let right = format!("%{}", in_letters_of_iec(next.word));
+    Some(Cure::write(format!("an address begins with `%`: `at {right}`"), next.span, &right))
 }
 
 /// `-a`: a designation has a number in it.

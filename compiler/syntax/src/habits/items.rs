@@ -80,6 +80,9 @@ pub(crate) fn opening(word: &str, next: Option<Token>) -> Option<Opening> {
         "force" | "forcing" => "an order stands in the braces of a step: `{ force … }`",
         "goto" | "jump" | "link" => "an arc to a step is a transition: `transition … -> … : …`",
         "action" | "actions" => "actions stand in the braces of their step: `step … { … }`",
+        "child" => "say whose child the grafcet is: `child grafcet P of MAIN { … }`",
+        "scenario" => "a scenario has a text: `scenario \"one batch\" { … }`",
+        "allow" => "name a code, and give the reason: `allow W0409 \"interlocked by hardware\"`",
         _ => return None,
     };
     Some(Opening { words: words.to_owned(), instead: None })

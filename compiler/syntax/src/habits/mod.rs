@@ -16,7 +16,7 @@ mod tests;
 mod transitions;
 pub mod words;
 
-pub(crate) use declarations::named;
+pub(crate) use declarations::{in_letters_of_iec, named};
 pub(crate) use items::opening;
 pub(crate) use slip::{Cure, Slip, Spot};
 

@@ -71,6 +71,7 @@ pub(super) const TABLE: &[Habit] = rows! {
     "const pause = 3s" => "const pause : time := 3s", declarations::colon_missing;
     "input a" => "input a : bool", declarations::no_type;
     "input a : bool, b : int" => "input a : bool\ninput b : int", declarations::second_type;
+    "input a at %IX0.0 : bool" => "input a : bool at %IX0.0", declarations::address_first;
     "input a : bool at IX0" => "input a : bool at %IX0", declarations::address;
     "var retain n : int" => "retain var n : int", declarations::retain_behind;
     "input start button : bool" => "input start_button : bool", declarations::name_of_two_words;

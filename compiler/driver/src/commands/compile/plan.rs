@@ -198,6 +198,11 @@ fn refuse_collisions(jobs: &[Job]) -> Result<(), Failure> {
     let charts: HashSet<FileIdentity> = jobs.iter().filter_map(|job| file(job.chart)).collect();
     let mut taken: HashMap<PathBuf, &Job> = HashMap::new();
     for job in jobs {
+        if job.beside.as_ref().is_some_and(|beside| beside.is_same_stream(&job.output)) {
+            let what =
+                format!("the code and the file beside it would both be written to `{}`", job.output.output_name());
+            return Err(Failure::WrongUse(what, "name the file of the code with `-o`".to_string()));
+        }
         if let Some(map) = &job.map
             && (map.is_same_stream(&job.output) || job.beside.as_ref().is_some_and(|beside| map.is_same_stream(beside)))
         {

@@ -192,6 +192,10 @@ impl Work<'_, '_, '_> {
                     | BinaryOp::Or
                     | BinaryOp::Xor => self.with_unit(diagnostic, number),
                 }
+            } else if op == BinaryOp::Divide && [(a, b), (b, a)].contains(&(time, OwnKind::Known(Type::Bool))) {
+                diagnostic.note("in brackets `/` divides, and a comparison holds no delay").help(
+                    "put the delay outside, as in `[n > 3] and 5s/X1`, or compare the time of the step: `[T1 >= 5s]`",
+                )
             } else if a == time || b == time {
                 diagnostic.note(OF_TIMES).help("give both the same type, `time` or a type of numbers")
             } else if a == OwnKind::Known(Type::Bool) || b == OwnKind::Known(Type::Bool) {
