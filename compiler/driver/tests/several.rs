@@ -63,6 +63,8 @@ fn an_ending_that_says_nothing_is_refused() {
     folder.run(&["valve.gct", "-o", "valve"]).ends(2, "nothing says what to make of `valve.gct`");
     folder.run(&["valve.gct", "-o", "-"]).ends(2, "nothing says what to make");
     folder.run(&["valve.gct", "-o", "out.st/"]).ends(2, "nothing says what to make");
+    let both = "the code and the file beside it would both be written to `valve.h`";
+    folder.run(&["valve.gct", "-t", "c", "-o", "valve.h"]).ends(2, both);
     folder.run(&["valve.gct", "-o", "valve.rs", "--body", "il"]).ends(2, "`--body` is an option of `--target plcopen`");
     folder.run(&["valve.gct", "-o", "valve.TcPOU", "--map", "m.json"]).ends(2, "`--map` is an option of");
     assert_eq!(folder.names(), ["valve.gct"]);

@@ -212,7 +212,7 @@ pub fn kind(keyword: ast::DeclarationKind) -> VariableKind {
 #[cfg(test)]
 mod tests {
     use super::{following, parse, spell};
-    use crate::checks::testing::{breaks, chart};
+    use crate::checks::testing::{breaks, chart, help};
 
     fn count(first: &str, how_many: usize) -> Vec<String> {
         let addresses = std::iter::successors(parse(first), following);
@@ -277,6 +277,15 @@ mod tests {
         breaks("E0212", "input a : int at %IX0.0 initial step 1");
         breaks("E0212", "input a : bool at %IW0 initial step 1");
         breaks("E0212", "input a, b : int at %IW4294967295 initial step 1");
+    }
+
+    #[test]
+    fn the_area_that_is_meant_is_offered() {
+        let written = |text: &str| help(&format!("{text} initial step 1")).unwrap_or_default();
+        assert_eq!(written("output a : bool at %IX0.0"), "write `%QX0.0`");
+        assert_eq!(written("input a : bool at %QX3.5"), "write `%IX3.5`");
+        assert_eq!(written("var a : int at %QW3"), "write `%MW3`");
+        assert_eq!(written("input a : bool at %E0.1"), "write `%I0.1`");
     }
 
     #[test]
