@@ -188,18 +188,25 @@ fn delay(chart: &Tables, delay: DelayTime) -> String {
     delay.constant.map_or_else(|| duration(delay.ms), |constant| shown(&chart.variables[constant].name))
 }
 
-/// A duration as it is written in a chart: `1min30s`.
+/// A duration as it is written in a chart: `1min30s`, `1.5s`.
 fn duration(ms: i64) -> String {
     let sign = if ms < 0 { "-" } else { "" };
     let mut rest = ms.unsigned_abs();
     let mut out = String::new();
-    for (unit, size) in [("h", 3_600_000), ("min", 60_000), ("s", 1000), ("ms", 1)] {
+    for (unit, size) in [("h", 3_600_000), ("min", 60_000)] {
         if rest >= size {
             out.push_str(&format!("{}{unit}", rest / size));
             rest %= size;
         }
     }
-    if out.is_empty() { "0s".to_string() } else { format!("{sign}{out}") }
+    match (rest / 1000, rest % 1000) {
+        (0, 0) if out.is_empty() => return "0s".to_owned(),
+        (0, 0) => {}
+        (0, ms) => out.push_str(&format!("{ms}ms")),
+        (s, 0) => out.push_str(&format!("{s}s")),
+        (s, ms) => out.push_str(&format!("{s}.{}s", format!("{ms:03}").trim_end_matches('0'))),
+    }
+    format!("{sign}{out}")
 }
 
 fn comparison(sign: Comparison) -> &'static str {
@@ -220,5 +227,27 @@ fn arithmetic(sign: Arithmetic) -> &'static str {
         Arithmetic::Multiply => " × ",
         Arithmetic::Divide => " / ",
         Arithmetic::Modulo => " mod ",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::duration;
+
+    #[test]
+    fn durations_are_written_as_by_hand() {
+        let cases = [
+            (0, "0s"),
+            (250, "250ms"),
+            (1500, "1.5s"),
+            (8000, "8s"),
+            (61_250, "1min1.25s"),
+            (90_000, "1min30s"),
+            (3_600_500, "1h500ms"),
+            (-1020, "-1.02s"),
+        ];
+        for (ms, written) in cases {
+            assert_eq!(duration(ms), written);
+        }
     }
 }

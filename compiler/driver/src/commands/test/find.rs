@@ -54,14 +54,13 @@ pub fn find(places: &[PathBuf]) -> Result<Found, Failure> {
             }
         } else if ends_with(place, TABLE) || ends_with(place, SCENARIOS) {
             found.add(place, false);
-        } else if place.exists() {
+        } else {
+            // What is not there is told in the words of the system.
+            std::fs::metadata(place).map_err(|error| Refusal::to_read(place.display().to_string(), error))?;
             return Err(Failure::WrongUse(
                 format!("`{}` is no chart, no test and no folder", place.display()),
                 format!("name `*{CHART}`, `*{TABLE}`, `*{SCENARIOS}`, or a folder with such files"),
             ));
-        } else {
-            let error = std::io::Error::from(std::io::ErrorKind::NotFound);
-            return Err(Refusal::to_read(place.display().to_string(), error).into());
         }
     }
     Ok(found)
