@@ -34,7 +34,9 @@ impl Rivals {
     pub(crate) fn new(net: &Net, arcs: &Arcs, conditions: &Conditions, facts: &EdgeFacts) -> Rivals {
         let mut rivals =
             Rivals { of: net.transitions.iter().map(|_| Vec::new()).collect(), many: FxHashSet::default() };
-        let clearing = net.stored.iter().filter_map(|action| match action.event {
+        let done = net.stored.iter().map(|action| action.event);
+        let ordered = net.pulses.iter().map(|pulse| pulse.event);
+        let clearing = done.chain(ordered).filter_map(|event| match event {
             Event::Clearing(t) => Some(t),
             Event::Event(..) | Event::Activation(_) | Event::Deactivation(_) | Event::EachScan(..) => None,
         });
