@@ -132,6 +132,16 @@ pub(super) const FAULTS: &[Fault] = &[
         instead: "(from, None)",
     },
     Fault {
+        name: "orders-wait-for-no-clearing",
+        at: COMPILER.within("new"),
+        breaks: "that only a pulse order waits for a clearing is forgotten where transitions are taken for alike (R15)",
+        text: "net.awaited_clearings().collect()",
+        instead: "net.stored.iter().filter_map(|action| match action.event {
+            grafc_model::chart::Event::Clearing(t) => Some(t),
+            _ => None,
+        }).collect()",
+    },
+    Fault {
         name: "situations-rivals-one-by-one",
         at: COMPILER,
         breaks: "transitions after one step are taken never to clear together",

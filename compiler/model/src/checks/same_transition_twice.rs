@@ -1,20 +1,27 @@
 //! W0421: a transition is written twice.
 //!
-//! Two transitions with the same steps before and after, the same condition and the same actions clear together, and the
-//! second changes nothing. Most often a line was copied and not changed.
+//! Two transitions with the same steps before and after, the same condition and the same actions and orders clear together,
+//! and the second changes nothing. Most often a line was copied and not changed.
 //!
 //! Warned of: `transition 1 -> 2 : a` twice
 //! Not warned of: `transition 1 -> 2 : a`, `transition 1 -> 2 : b`
 
 use super::likeness::likeness;
-use crate::chart::{Event, ExprId, Node, TransitionId, VariableId};
+use crate::chart::{Event, ExprId, GrafcetId, Node, PulseKind, TransitionId, VariableId};
 use crate::resolve::Resolved;
 use grafc_diagnostics::{Code, Diagnostic, Diagnostics, Fix};
 use index_vec::IndexVec;
 use rustc_hash::FxHashMap;
 
-/// What makes two transitions the same: the condition, steps in any order, actions.
-type Key = (usize, Vec<Node>, Vec<Node>, Vec<(VariableId, usize)>);
+/// What a clearing does: stores a value, gives a pulse order.
+#[derive(PartialEq, Eq, Hash)]
+enum Deed {
+    Stores(VariableId, usize),
+    Orders(PulseKind, GrafcetId),
+}
+
+/// What makes two transitions the same: the condition, steps in any order, what is done.
+type Key = (usize, Vec<Node>, Vec<Node>, Vec<Deed>);
 
 /// One warning per transition that was there before.
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
@@ -32,10 +39,12 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         return;
     }
     let likeness: IndexVec<ExprId, usize> = likeness(&chart.exprs);
-    let mut actions: FxHashMap<TransitionId, Vec<(VariableId, usize)>> = FxHashMap::default();
-    for action in &chart.stored {
-        if let Event::Clearing(t) = action.event {
-            actions.entry(t).or_default().push((action.target, likeness[action.value]));
+    let stored = chart.stored.iter().map(|action| (action.event, Deed::Stores(action.target, likeness[action.value])));
+    let ordered = chart.pulses.iter().map(|pulse| (pulse.event, Deed::Orders(pulse.kind, pulse.grafcet)));
+    let mut deeds: FxHashMap<TransitionId, Vec<Deed>> = FxHashMap::default();
+    for (event, deed) in stored.chain(ordered) {
+        if let Event::Clearing(t) = event {
+            deeds.entry(t).or_default().push(deed);
         }
     }
     let sorted = |nodes: &[Node]| {
@@ -47,8 +56,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         let mut first_of: FxHashMap<Key, TransitionId> = FxHashMap::default();
         for id in alike.iter().copied() {
             let transition = &chart.transitions[id];
-            let actions = actions.remove(&id).unwrap_or_default();
-            let key = (likeness[transition.condition], sorted(&transition.pre), sorted(&transition.post), actions);
+            let deeds = deeds.remove(&id).unwrap_or_default();
+            let key = (likeness[transition.condition], sorted(&transition.pre), sorted(&transition.post), deeds);
             let first = *first_of.entry(key).or_insert(id);
             if first != id {
                 diagnostics.push(
@@ -82,5 +91,18 @@ mod tests {
         passes(&format!("{STEPS} transition 1 -> 2 : a transition 1 -> 3 : a"));
         passes(&format!("{STEPS} transition 1 -> 2 : 3s/a transition 1 -> 2 : 4s/a"));
         passes(&format!("{STEPS} transition 1 -> 2 : a {{ n := 1 }} transition 1 -> 2 : a {{ n := 2 }}"));
+    }
+
+    #[test]
+    fn an_order_is_different() {
+        let with = |first: &str, second: &str| {
+            format!(
+                "input a, b : bool grafcet G1 {{ initial step 1 step 2 transition 1 -> 2 : a {first}
+                 transition 1 -> 2 : a {second} transition 2 -> 1 : b }} child grafcet P of G1 {{ initial step 10 }}"
+            )
+        };
+        passes(&with("", "{ start P }"));
+        passes(&with("{ kill P }", "{ start P }"));
+        passes_with(&["W0421"], &with("{ start P }", "{ start P }"));
     }
 }
