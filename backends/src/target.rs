@@ -29,10 +29,15 @@ pub struct About {
 }
 
 impl About {
+    /// What the name of a file of its may end with, what is usual first.
+    pub fn endings(&self) -> impl Iterator<Item = &'static str> {
+        let others = self.beside.iter().map(|(own, _)| *own).filter(|own| *own != self.extension);
+        std::iter::once(self.extension).chain(others)
+    }
+
     /// Whether the name of a file of its ends with this, in whatever case.
     pub fn has_ending(&self, ending: &str) -> bool {
-        let mut all = std::iter::once(self.extension).chain(self.beside.iter().map(|(own, _)| *own));
-        all.any(|own| own.eq_ignore_ascii_case(ending))
+        self.endings().any(|own| own.eq_ignore_ascii_case(ending))
     }
 
     /// What the name of the second file ends with, beside one that ends with this; none if there is no second file.

@@ -112,13 +112,10 @@ pub fn sentence(targets: impl Iterator<Item = &'static About>, before: &str) -> 
 /// The endings that say which target is meant, and those that do not say it alone.
 pub fn endings() -> String {
     let mut endings: Vec<(&str, usize)> = Vec::new();
-    for about in Target::ALL {
-        let others = about.beside.iter().map(|(own, _)| *own).filter(|own| *own != about.extension);
-        for ending in std::iter::once(about.extension).chain(others) {
-            match endings.iter_mut().find(|(known, _)| *known == ending) {
-                Some((_, targets)) => *targets += 1,
-                None => endings.push((ending, 1)),
-            }
+    for ending in Target::ALL.iter().flat_map(About::endings) {
+        match endings.iter_mut().find(|(known, _)| *known == ending) {
+            Some((_, targets)) => *targets += 1,
+            None => endings.push((ending, 1)),
         }
     }
     let (clear, open): (Vec<_>, Vec<_>) = endings.into_iter().partition(|(_, targets)| *targets == 1);

@@ -88,6 +88,9 @@ pub fn import_all(file: FileId, text: &str, options: &Options) -> (Vec<Imported>
             charts_of(&project, document.root_span(), limit, options, &mut diagnostics)
         } else {
             let model = agrafe::read(&document, &mut diagnostics);
+            if model.is_none() {
+                diagnostics.push(unknown(&document));
+            }
             let model = model.filter(|_| !diagnostics.has_errors());
             let written = model.and_then(|model| {
                 let written = chart::write(&model, &document, options, limit, &mut diagnostics);
@@ -115,6 +118,24 @@ pub fn import_all(file: FileId, text: &str, options: &Options) -> (Vec<Imported>
         found.clear();
     }
     (found, diagnostics)
+}
+
+/// The error on a document that is of no tool whose files are read.
+fn unknown(document: &xml::Document) -> Diagnostic {
+    let element = &document.elements[xml::ElementId::new(0)].name;
+    let help = match element.as_str() {
+        "TcPlcObject" => {
+            "let TwinCAT write PLCopen XML: `Export PLCopen XML…` in the context menu of the object in the PLC project"
+        }
+        _ => "let the tool write PLCopen XML; of AGRAFE give the model, a file `*.grafcet`",
+    };
+    Diagnostic::new(
+        Code::E0703,
+        document.root_span(),
+        format!("a file that begins with `{element}` is none that is read"),
+    )
+    .note("PLCopen XML begins with `project`, a chart of AGRAFE with `grafcet:Grafcet`")
+    .help(help)
 }
 
 /// The texts of the units that have charts, with their names and places.

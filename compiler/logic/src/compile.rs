@@ -43,7 +43,7 @@ pub fn compile_saved(analysis: Analysis, options: &Options) -> (Program, Diagnos
 /// Where a micro-step more would find nothing to do, it is done all the same: who looks on sees each of R9.
 pub fn compile_observed(analysis: Analysis, options: &Options, observed: Observed) -> (Program, Diagnostics) {
     let claims = if observed == Observed::All { Claimed::All } else { Claimed::Nothing };
-    make(analysis, options, Extras { saved: true, observed, claims, quick: false })
+    make(analysis, options, Extras { saved: true, observed, claims, ..Extras::default() })
 }
 
 /// The same with all that is asked for.

@@ -122,6 +122,15 @@ impl Net {
         on
     }
 
+    /// The transitions whose clearing something waits for, a stored action or a pulse order, as often as something does.
+    pub fn awaited_clearings(&self) -> impl Iterator<Item = TransitionId> + '_ {
+        let done = self.stored.iter().map(|action| action.event);
+        done.chain(self.pulses.iter().map(|pulse| pulse.event)).filter_map(|event| match event {
+            Event::Clearing(t) => Some(t),
+            Event::Event(..) | Event::Activation(_) | Event::Deactivation(_) | Event::EachScan(..) => None,
+        })
+    }
+
     /// The grafcet that gives a pulse.
     pub fn commander(&self, event: Event) -> GrafcetId {
         match event {

@@ -43,17 +43,23 @@ fn one(task: &Task) -> Result<Vec<Response>, String> {
         for (place, other) in others.iter_mut().enumerate() {
             let differing = first.differing(other);
             if differing != 0 {
-                let stimuli = traces[differing.trailing_zeros() as usize];
-                let expected = simulate(task.chart, task.profile, stimuli);
-                let ran = [0, place + 1].map(|way| (&ways[way].0, runs::run(&programs[way], stimuli)));
-                let wrong = ran.iter().find(|(_, actual)| first_difference(&expected, actual).is_some());
-                let Some((way, actual)) = wrong else {
-                    return Err(format!("{}: alone it does what the simulator does", ways[place + 1].0));
-                };
-                return Err(format!("{way}\n{}", report(task.chart, task.profile, stimuli, &expected, actual)));
+                let pair = [0, place + 1].map(|way| (ways[way].0.as_str(), &programs[way]));
+                return Err(disagreement(task, traces[differing.trailing_zeros() as usize], pair));
             }
         }
         responses.extend(first.responses(1));
     }
     Ok(responses)
+}
+
+/// Which of two ways, run alone, does what the simulator does not.
+fn disagreement(task: &Task, stimuli: &[Stimulus], pair: [(&str, &Program); 2]) -> String {
+    let expected = simulate(task.chart, task.profile, stimuli);
+    for (way, program) in pair {
+        let actual = runs::run(program, stimuli);
+        if first_difference(&expected, &actual).is_some() {
+            return format!("{way}\n{}", report(task.chart, task.profile, stimuli, &expected, &actual));
+        }
+    }
+    format!("{}: alone it does what the simulator does", pair[1].0)
 }

@@ -284,6 +284,9 @@ fn what_is_wrong_is_an_error_at_its_place() {
         xmi::chart(&format!("<partialGrafcets xsi:type=\"grafcet:PartialGrafcet\">\n{contents}\n</partialGrafcets>\n"))
     };
     assert_eq!(faults("<a/>"), ["E0703 1:1"]);
+    let said = import("<TcPlcObject Version=\"1.1.0.1\"/>", AS_IT_IS).expect_err("an error");
+    let help: Vec<&str> = said.iter().filter_map(|one| one.help.as_deref()).collect();
+    assert!(matches!(help[..], [help] if help.contains("`Export PLCopen XML…`")), "{help:?}");
     assert_eq!(faults(&xmi::chart("<partialGrafcets>")), ["E0701 3:18"]);
     // Three steps from line 9 on, then the first transition: its end tag is cut off.
     let whole = xmi::ring(3);

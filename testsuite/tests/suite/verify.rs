@@ -17,7 +17,7 @@ fn program(chart: &Chart, profile: Profile) -> Program {
     let mut net = grafc_net::build(chart);
     grafc_net::passes::run(&mut net, false, &mut grafc_diagnostics::Diagnostics::new());
     let options = Options { profile, ..Options::default() };
-    let extras = Extras { saved: true, observed: Observed::Transitions, claims: Claimed::All, quick: false };
+    let extras = Extras { saved: true, observed: Observed::Transitions, claims: Claimed::All, ..Extras::default() };
     compile_with(Analysis::new(net), &options, extras).0
 }
 

@@ -74,7 +74,7 @@ fn followed(
 fn with_claims(document: &Document, profile: Profile) -> Option<Program> {
     let analysis = document.analysis()?;
     let options = Options { profile, ..Options::default() };
-    let extras = Extras { saved: true, observed: Observed::Transitions, claims: Claimed::All, quick: false };
+    let extras = Extras { saved: true, observed: Observed::Transitions, claims: Claimed::All, ..Extras::default() };
     Some(compile_with(analysis.clone(), &options, extras).0)
 }
 

@@ -14,23 +14,10 @@ pub use sorts::target;
 
 use crate::lost;
 use crate::xml::{Document, ElementId};
-use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
+use grafc_diagnostics::Diagnostics;
 use model::Model;
 
-/// The error on a document that is of no tool whose files are read.
-fn unknown(document: &Document, element: &str) -> Diagnostic {
-    let message = format!("a file that begins with `{element}` is none that is read");
-    let fault = Diagnostic::new(Code::E0703, document.root_span(), message)
-        .note("PLCopen XML begins with `project`, a chart of AGRAFE with `grafcet:Grafcet`");
-    match element {
-        "TcPlcObject" => {
-            fault.help("let TwinCAT write PLCopen XML: `Export PLCopen XML…` in the menu of the PLC project")
-        }
-        _ => fault.help("let the tool write PLCopen XML; of AGRAFE give the model, a file `*.grafcet`"),
-    }
-}
-
-/// The model in a document; none if it is another kind of document.
+/// The model in a document; none, and nothing said, if it is another kind of document.
 pub fn read(document: &Document, diagnostics: &mut Diagnostics) -> Option<Model> {
     let outermost = ElementId::new(0);
     // Several roots are wrapped into `xmi:XMI`; the chart is one of them.
@@ -38,10 +25,7 @@ pub fn read(document: &Document, diagnostics: &mut Diagnostics) -> Option<Model>
     if document.elements[outermost].name == "XMI" {
         roots.clone_from(&document.elements[outermost].children);
     }
-    let Some(&root) = roots.iter().find(|&&root| document.elements[root].name == "Grafcet") else {
-        diagnostics.push(unknown(document, &document.elements[outermost].name));
-        return None;
-    };
+    let &root = roots.iter().find(|&&root| document.elements[root].name == "Grafcet")?;
     for text in &document.texts {
         diagnostics.push(lost(text.span, "the text between the elements is lost").note("a model has none"));
     }

@@ -7,11 +7,11 @@
 //! ```
 //!
 //! Two transitions between the same steps do no harm to each other: whether one or both clear, the token goes the same
-//! way. That is so unless an action waits for the clearing of one of them.
+//! way. That is so unless an action or an order waits for the clearing of one of them.
 
 use super::Conditions;
 use grafc_formula::exclusion::EdgeFacts;
-use grafc_model::chart::{Event, StepId, TransitionId};
+use grafc_model::chart::{StepId, TransitionId};
 use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
 use rustc_hash::FxHashSet;
@@ -34,13 +34,7 @@ impl Rivals {
     pub(crate) fn new(net: &Net, arcs: &Arcs, conditions: &Conditions, facts: &EdgeFacts) -> Rivals {
         let mut rivals =
             Rivals { of: net.transitions.iter().map(|_| Vec::new()).collect(), many: FxHashSet::default() };
-        let done = net.stored.iter().map(|action| action.event);
-        let ordered = net.pulses.iter().map(|pulse| pulse.event);
-        let clearing = done.chain(ordered).filter_map(|event| match event {
-            Event::Clearing(t) => Some(t),
-            Event::Event(..) | Event::Activation(_) | Event::Deactivation(_) | Event::EachScan(..) => None,
-        });
-        let clearing: FxHashSet<TransitionId> = clearing.collect();
+        let awaited: FxHashSet<TransitionId> = net.awaited_clearings().collect();
         // A pair that shares several steps is looked at once.
         let mut seen = FxHashSet::default();
         for s in net.places.indices() {
@@ -56,7 +50,7 @@ impl Rivals {
                         continue;
                     }
                     let thoroughly = leaving.len() <= DIAGRAMS;
-                    if !exclude(net, conditions, facts, *a, *b, thoroughly) && !alike(net, &clearing, *a, *b) {
+                    if !exclude(net, conditions, facts, *a, *b, thoroughly) && !alike(net, &awaited, *a, *b) {
                         rivals.of[*a].push(*b);
                         rivals.of[*b].push(*a);
                     }
@@ -109,7 +103,7 @@ fn exclude(
 }
 
 /// Whether it makes no difference if one of them clears or both.
-fn alike(net: &Net, clearing: &FxHashSet<TransitionId>, a: TransitionId, b: TransitionId) -> bool {
+fn alike(net: &Net, awaited: &FxHashSet<TransitionId>, a: TransitionId, b: TransitionId) -> bool {
     let sorted = |steps: &[StepId]| {
         let mut steps = steps.to_vec();
         steps.sort_unstable();
@@ -117,7 +111,7 @@ fn alike(net: &Net, clearing: &FxHashSet<TransitionId>, a: TransitionId, b: Tran
     };
     let [one, other] = [a, b].map(|t| &net.transitions[t]);
     let sizes = |t: &grafc_net::net::Transition| (t.pre.len(), t.post.len());
-    ![a, b].iter().any(|t| clearing.contains(t))
+    ![a, b].iter().any(|t| awaited.contains(t))
         && sizes(one) == sizes(other)
         && sorted(&one.pre) == sorted(&other.pre)
         && sorted(&one.post) == sorted(&other.post)

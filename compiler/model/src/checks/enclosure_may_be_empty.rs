@@ -45,9 +45,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
         grows[transition.grafcet] |= transition.post.len() > transition.pre.len();
     }
     for (id, grafcet) in chart.grafcets.iter_enumerated().filter(|(id, _)| is_enclosed(*id)) {
-        let count = |marked: fn(&crate::chart::Step) -> bool| {
-            grafcet.steps.iter().filter(|&&step| marked(&chart.steps[step])).count()
-        };
+        let count = |mark| marked(chart, id, mark);
         let one_at_a_time = !grows[id] && count(|step| step.activated) <= 1 && count(|step| step.initial) <= 1;
         if let Some(sink) = sinks[id].filter(|_| one_at_a_time) {
             let message =
@@ -61,18 +59,21 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     }
 }
 
+/// How many steps of a grafcet have a mark.
+fn marked(chart: &Tables, grafcet: GrafcetId, mark: fn(&Step) -> bool) -> usize {
+    chart.grafcets[grafcet].steps.iter().filter(|&&step| mark(&chart.steps[step])).count()
+}
+
 /// Whether the step with an order is never active while that is which encloses a grafcet: they are two of one grafcet in
 /// which there is one token at most.
 fn excludes(chart: &Tables, ordering: StepId, enclosed: GrafcetId) -> bool {
     let Some(enclosing) = chart.grafcets[enclosed].enclosing_step else { return false };
     let grafcet = chart.steps[ordering].grafcet;
-    let steps = &chart.grafcets[grafcet].steps;
-    let marked = |mark: fn(&Step) -> bool| steps.iter().filter(|&&step| mark(&chart.steps[step])).count();
     let of_it = || chart.transitions.iter().filter(|transition| transition.grafcet == grafcet);
     ordering != enclosing
         && chart.steps[enclosing].grafcet == grafcet
-        && marked(|step| step.initial) <= 1
-        && marked(|step| step.activated) == 0
+        && marked(chart, grafcet, |step| step.initial) <= 1
+        && marked(chart, grafcet, |step| step.activated) == 0
         && of_it().all(|transition| !transition.pre.is_empty() && transition.post.len() <= 1)
         && chart.orders.iter().all(|order| order.grafcet != grafcet)
         && chart.pulses.iter().all(|pulse| pulse.grafcet != grafcet)

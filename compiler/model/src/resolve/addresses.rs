@@ -110,10 +110,17 @@ fn following(address: &Address) -> Option<Address> {
 
 /// The address in capitals; `%I0.0` stays without its `X`.
 fn spell(address: &Address, written: &str) -> String {
-    let sized = written.chars().nth(2).is_some_and(|c| c.is_ascii_alphabetic());
-    let size = if sized { address.size.to_string() } else { String::new() };
-    let numbers: Vec<String> = address.numbers.iter().map(u32::to_string).collect();
-    format!("%{}{size}{}", address.area, numbers.join("."))
+    let is_sized = written.chars().nth(2).is_some_and(|c| c.is_ascii_alphabetic());
+    if is_sized { full(address) } else { format!("%{}{}", address.area, places(address)) }
+}
+
+/// The address with its size.
+fn full(address: &Address) -> String {
+    format!("%{}{}{}", address.area, address.size, places(address))
+}
+
+fn places(address: &Address) -> String {
+    address.numbers.iter().map(u32::to_string).collect::<Vec<_>>().join(".")
 }
 
 /// The error on an area or a size that does not suit the kind or the type of what is declared.
@@ -162,8 +169,7 @@ fn resized(address: &Address, size: char) -> String {
         ('X', _) if numbers.len() > 1 => _ = numbers.pop(),
         _ => {}
     }
-    let numbers: Vec<String> = numbers.iter().map(u32::to_string).collect();
-    format!("%{}{size}{}", address.area, numbers.join("."))
+    full(&Address { size, numbers, ..address.clone() })
 }
 
 fn example(size: char) -> &'static str {
@@ -173,8 +179,7 @@ fn example(size: char) -> &'static str {
 /// Offers the area that was meant, if there is one: `E` and `A` are the inputs and outputs of STEP 7 in German.
 fn with_area(diagnostic: Diagnostic, address: &Address, areas: &[char], span: Span) -> Diagnostic {
     let Some(area) = areas.first() else { return diagnostic.help("leave the address out") };
-    let numbers: Vec<String> = address.numbers.iter().map(u32::to_string).collect();
-    let written = format!("%{area}{}{}", address.size, numbers.join("."));
+    let written = full(&Address { area: *area, ..address.clone() });
     diagnostic.help(format!("write `{written}`")).fix(Fix::maybe(format!("write `{written}`")).replace(span, written))
 }
 

@@ -31,7 +31,7 @@ use crate::lower::{Context, Lowering};
 use crate::scan::{Heading, Origin, Part, Role, Statement, Told};
 use ecow::eco_format;
 use grafc_formula::{FormulaId, Type};
-use grafc_model::chart::{Event, GrafcetId, StepId, TransitionId};
+use grafc_model::chart::{GrafcetId, StepId, TransitionId};
 use index_vec::IndexVec;
 use indexmap::IndexMap;
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
@@ -78,12 +78,7 @@ fn transitions<'a>(
     out: &mut Vec<Statement>,
 ) -> (Clearings<'a>, Moves) {
     let net = &*lowering.net.clone();
-    let clearing = |event: Event| match event {
-        Event::Clearing(t) => Some(t),
-        Event::Event(..) | Event::Deactivation(_) | Event::Activation(_) | Event::EachScan(..) => None,
-    };
-    let events = net.stored.iter().map(|action| action.event).chain(net.pulses.iter().map(|pulse| pulse.event));
-    let awaited: FxHashSet<TransitionId> = events.filter_map(clearing).collect();
+    let awaited: FxHashSet<TransitionId> = net.awaited_clearings().collect();
     let (mut latched, mut moves, mut of_short) = (Vec::new(), Vec::new(), Moves::new());
     let mut branches: FxHashMap<StepId, Vec<(FormulaId, Vec<Statement>)>> = FxHashMap::default();
     let mut clearings = Clearings::with(task.arcs, net, IndexVec::new());

@@ -5,7 +5,7 @@ use crate::lower::Lowering;
 use crate::lower::situation::Holder;
 use crate::scan::{Role, VarId};
 use grafc_formula::Type;
-use grafc_model::chart::{Event, StepId, TransitionId};
+use grafc_model::chart::{StepId, TransitionId};
 use std::collections::BTreeMap;
 
 /// Which transition of a set clears, where an action waits for it.
@@ -20,9 +20,7 @@ impl Numbered {
     pub fn new(lowering: &mut Lowering) -> Self {
         let net = &*lowering.net.clone();
         let mut numbered = Numbered { variable: BTreeMap::new(), transitions: BTreeMap::new() };
-        let awaited = net.stored.iter().map(|action| action.event).chain(net.pulses.iter().map(|pulse| pulse.event));
-        for event in awaited {
-            let Event::Clearing(t) = event else { continue };
+        for t in net.awaited_clearings() {
             let Some(set) = home(lowering, t) else { continue };
             numbered.transitions.insert(t, 0);
             numbered.variable.entry(set).or_insert_with(|| {
