@@ -645,6 +645,13 @@ mod liveness {
             let text = format!("{INPUTS} initial step 1 {{ V if {condition} }}");
             assert_eq!(told(&text), [format!("W0417 {condition}")]);
         }
+        for event in ["↑(a and not a)", "↑a and ↓a"] {
+            let text = format!(
+                "{INPUTS} grafcet M {{ initial step 1 {{ V start P on event {event} }} }}
+                 child grafcet P of M {{ initial step 10 }}"
+            );
+            assert_eq!(told(&text), [format!("W0417 {event}")]);
+        }
         for condition in ["1", "true", "a", "off and a", "a and not b or b and not a"] {
             let text = format!("{INPUTS} const off : bool := 0 initial step 1 {{ V if {condition} }}");
             assert_eq!(told(&text), [""; 0]);

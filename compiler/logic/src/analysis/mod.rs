@@ -115,7 +115,7 @@ impl Analysis {
 
     /// What can never happen, where nothing goes on, and where nothing comes to rest.
     pub(crate) fn liveness(&self) -> &Liveness {
-        let find = || if self.net.has_commands() { Liveness::nothing(&self.net) } else { liveness::find(self) };
+        let find = || if self.net.has_commands() { Liveness::of_conditions(self) } else { liveness::find(self) };
         self.liveness.get_or_init(find)
     }
 

@@ -20,7 +20,6 @@ pub(crate) mod situations;
 use super::Analysis;
 use super::together::questions::Questions;
 use constant::Constant;
-use grafc_net::Net;
 use possible::Never;
 use rings::Ring;
 use situations::Situations;
@@ -35,11 +34,11 @@ pub(crate) struct Liveness {
 }
 
 impl Liveness {
-    /// Nothing is looked for.
-    pub(super) fn nothing(net: &Net) -> Self {
-        let clears = net.transitions.iter().map(|_| false).collect();
+    /// Only what conditions say by themselves: what pulse orders may make of a situation is not looked into.
+    pub(super) fn of_conditions(analysis: &Analysis) -> Self {
+        let clears = analysis.net().transitions.iter().map(|_| false).collect();
         Liveness {
-            constant: Vec::new(),
+            constant: constant::find(&mut Questions::new(analysis)),
             never: Never { steps: Vec::new(), transitions: Vec::new(), clears },
             situations: Situations { reentries: Vec::new(), dead_ends: Vec::new() },
             rings: Vec::new(),
