@@ -6,6 +6,7 @@ use crate::compare::{first_difference, report};
 use crate::executors::jobs::Job;
 use crate::random::{ChartKind, Drawn, checked, profile, trace};
 use crate::runs::{compile_saved, simulate};
+use crate::share::share;
 use crate::ways::exact;
 use grafc_logic::scan::Program;
 use grafc_logic::scan::evaluate::Evaluator;
@@ -97,11 +98,12 @@ impl<'c> Agreement<'c> {
         (self.jobs, self.truths) = kept.unzip();
     }
 
-    /// Runs all programs, so many at once.
+    /// Runs the programs that are this tool's share, so many at once.
     ///
     /// # Panics
     /// Some do what they must not, with all of these.
-    pub fn hold(mut self, batch: usize, run: impl Fn(&[Job]) -> Vec<Result<Vec<Response>, String>>) {
+    pub fn hold(mut self, turn: usize, batch: usize, run: impl Fn(&[Job]) -> Vec<Result<Vec<Response>, String>>) {
+        (self.jobs, self.truths) = share(turn, self.jobs.into_iter().zip(self.truths)).into_iter().unzip();
         for (jobs, truths) in self.jobs.chunks(batch).zip(self.truths.chunks(batch)) {
             for ((job, truth), result) in jobs.iter().zip(truths).zip(run(jobs)) {
                 self.faults.extend(truth.fault(job, result));

@@ -34,6 +34,7 @@ pub mod runs;
 pub mod rust_cost;
 pub mod scaling;
 pub mod scan_cost;
+pub mod share;
 pub mod sights;
 pub mod tools;
 mod turns;

@@ -12,6 +12,7 @@ use grafc_model::chart::{Chart, Type, Value};
 use grafc_model::reaction::{Flags, Response, Stimulus};
 
 /// A program and what it is given.
+#[derive(Clone)]
 pub struct Job {
     /// The scan program; its name is replaced by one that is unique among the jobs.
     pub program: Program,

@@ -2,6 +2,7 @@
 
 use super::workspace::{Suite, TestProgram};
 use super::{Fault, Part, VARIABLE};
+use crate::share::THOROUGH;
 use crate::tools::Tool;
 use std::fs::File;
 use std::io;
@@ -147,7 +148,13 @@ pub enum Ended {
 pub fn ended(test: &TestProgram, fault: Option<&Fault>, longest: Duration, log: &Path) -> io::Result<Ended> {
     let log = File::create(log)?;
     let mut command = Command::new(&test.program);
-    command.args(&test.tests).arg("--exact").current_dir(&test.folder).env_remove(VARIABLE).env("RUST_BACKTRACE", "0");
+    command
+        .args(&test.tests)
+        .arg("--exact")
+        .current_dir(&test.folder)
+        .env_remove(VARIABLE)
+        .env("RUST_BACKTRACE", "0")
+        .env(THOROUGH, "1");
     if let Some(fault) = fault {
         command.env(VARIABLE, fault.name);
     }

@@ -10,6 +10,7 @@ use grafc_logic::{Encoding, Options};
 use grafc_testsuite::binary::root;
 use grafc_testsuite::charts::{cases, charts_folder};
 use grafc_testsuite::executors::rust::Tools;
+use grafc_testsuite::share::share;
 use grafc_testsuite::tools::{Tool, or_skip};
 use std::fs;
 use std::path::Path;
@@ -65,8 +66,8 @@ fn charts() -> Vec<(String, String)> {
 /// Writes `lib.rs`, with a module for each chart in each encoding, and `extra` at its end.
 fn write(folder: &Path, runtime: Runtime, charts: &[(String, String)], extra: &str) {
     let mut library = HEAD.to_string();
-    for (name, text) in charts {
-        for encoding in Encoding::ALL {
+    for (place, (name, text)) in charts.iter().enumerate() {
+        for encoding in share(place, Encoding::ALL) {
             let module = format!("{name}_{}", encoding.name().replace('-', "_"));
             let product = rust::Options { runtime, module: Some(module), ..rust::Options::default() };
             let options = grafc::Options::new(

@@ -6,7 +6,13 @@ use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli,
 use grafc_testsuite::executors::{Outcome, Task, find_or_skip};
 use grafc_testsuite::random::{ChartKind, checked, trace};
 use grafc_testsuite::runs::simulate;
+use grafc_testsuite::share::{at_least, share};
 use std::ops::Range;
+
+/// The share of an executor.
+fn turn(name: &str) -> usize {
+    name.len()
+}
 
 /// The chart of a case, and what it is given.
 pub fn prepared(case: &Case) -> (Chart, Vec<Stimulus>) {
@@ -19,6 +25,7 @@ pub fn prepared(case: &Case) -> (Chart, Vec<Stimulus>) {
 pub fn vectors_and_charts_agree(name: &str, least: usize) {
     let Some(executor) = find_or_skip(name) else { return };
     let all: Vec<Case> = [vectors_folder(), charts_folder()].iter().flat_map(|folder| cases(folder)).collect();
+    let all = share(turn(name), all);
     let prepared: Vec<(Chart, Vec<Stimulus>)> = all.iter().map(self::prepared).collect();
     let tasks: Vec<Task> = all
         .iter()
@@ -41,7 +48,7 @@ pub fn vectors_and_charts_agree(name: &str, least: usize) {
         }
     }
     assert!(faults.is_empty(), "{} fail\n{}", faults.len(), faults.join("\n"));
-    assert!(ran >= least, "only {ran} ran");
+    assert!(ran >= at_least(least), "only {ran} ran");
 }
 
 /// Runs random charts of a kind, to stability and scan by scan, and compares them with the simulator; at least so many of
@@ -61,6 +68,7 @@ pub fn random_charts_agree(name: &str, seeds: Range<u64>, kind: ChartKind, edit:
             (text, chart, stimuli, Profile { evolution, ..Profile::default() })
         })
         .collect();
+    let charts = share(turn(name), charts);
     let tasks: Vec<Task> = charts
         .iter()
         .enumerate()
@@ -80,7 +88,7 @@ pub fn random_charts_agree(name: &str, seeds: Range<u64>, kind: ChartKind, edit:
             }
         }
     }
-    assert!(ran >= least, "only {ran} ran");
+    assert!(ran >= at_least(least), "only {ran} ran");
 }
 
 /// A plain chart with delays and falling edges of inputs.

@@ -13,6 +13,9 @@ use grafc_testsuite::markdown::play;
 use grafc_testsuite::runs::compile_saved;
 use std::fs;
 
+/// The share of C.
+const TURN: usize = 1;
+
 /// Charts in one program.
 const BATCH: usize = 100;
 
@@ -21,7 +24,7 @@ fn agree(cases: &[Case], ways: usize, checks: Checks) {
     let Some(tools) = Tools::find_or_skip() else { return };
     let mut agreement = Agreement::default();
     agreement.cases(cases, ways, compile_saved);
-    agreement.hold(BATCH, |jobs| run(&tools, jobs, checks));
+    agreement.hold(TURN, BATCH, |jobs| run(&tools, jobs, checks));
 }
 
 #[test]
@@ -39,7 +42,7 @@ fn random_charts_agree() {
     let Some(tools) = Tools::find_or_skip() else { return };
     let mut agreement = Agreement::default();
     agreement.random(5000..5032, 30);
-    agreement.hold(BATCH, |jobs| run(&tools, jobs, Checks::Memory));
+    agreement.hold(TURN, BATCH, |jobs| run(&tools, jobs, Checks::Memory));
 }
 
 /// What is a keyword, a macro or ours, what is no identifier, and what would end a comment or a string.

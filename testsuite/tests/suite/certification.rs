@@ -11,6 +11,7 @@ use grafc_testing::{Certified, Cover, certify, table};
 use grafc_testsuite::charts::{Case, cases, charts_folder, check, field_cases, vectors_folder};
 use grafc_testsuite::executors::{Outcome, Task, find_or_skip};
 use grafc_testsuite::runs::simulate;
+use grafc_testsuite::share::share;
 use grafc_verify::{Moves, Times, moves};
 use std::sync::LazyLock;
 
@@ -121,6 +122,7 @@ fn agrees(executor: &str, turn: usize) {
             tasks.push((&of.name, Task { chart: &of.chart, profile: of.profile, stimuli, turn }));
         }
     }
+    let tasks = share(turn, tasks);
     let given: Vec<Task> = tasks.iter().map(|(_, task)| *task).collect();
     let mut ran = 0;
     for ((name, task), outcome) in tasks.iter().zip(executor.run(&given)) {

@@ -13,6 +13,7 @@ use grafc_testsuite::executors::jobs::Job;
 use grafc_testsuite::executors::{matiec, rust};
 use grafc_testsuite::random::{ChartKind, checked, profile, trace, with_claims};
 use grafc_testsuite::runs::{compile, compile_saved, compile_with, simulate};
+use grafc_testsuite::share::share;
 use grafc_testsuite::ways::exact;
 
 /// The conditions of all claims, each with its place among them.
@@ -121,12 +122,14 @@ fn generated_code_checks_assertions() {
     };
     assert!(charts.iter().filter(|chart| told(chart)).count() > 10, "too few assertions came out false");
     if let Some(tools) = rust::Tools::find_or_skip() {
+        let (charts, jobs): (Vec<_>, Vec<Job>) = share(0, charts.iter().zip(jobs.iter().cloned())).into_iter().unzip();
         for (((text, _, expected), job), made) in charts.iter().zip(&jobs).zip(rust::run(&tools, &jobs)) {
             let made = made.unwrap_or_else(|fault| panic!("{fault}\n{text}"));
             assert!(made == *expected, "{}\n{text}", job.program.name);
         }
     }
     if let Some(tools) = matiec::Tools::find_or_skip() {
+        let (charts, jobs): (Vec<_>, Vec<Job>) = share(1, charts.iter().zip(jobs)).into_iter().unzip();
         let made = matiec::run(&tools, matiec::Language::St, &jobs);
         for (((text, chart, expected), job), made) in charts.iter().zip(&jobs).zip(made) {
             if !matiec::miscalculates(chart) {

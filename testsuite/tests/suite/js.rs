@@ -15,6 +15,9 @@ use grafc_testsuite::markdown::play;
 use grafc_testsuite::runs::compile_observed;
 use std::fs;
 
+/// The share of JavaScript.
+const TURN: usize = 2;
+
 /// Charts in one process of node.
 const BATCH: usize = 200;
 
@@ -28,7 +31,7 @@ fn agree(cases: &[Case]) {
             agreement.case(case, &way, |chart| compile_observed(chart, &options, observed));
         }
     }
-    agreement.hold(BATCH, |jobs| run(&tools, jobs));
+    agreement.hold(TURN, BATCH, |jobs| run(&tools, jobs));
 }
 
 #[test]

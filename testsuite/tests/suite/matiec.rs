@@ -12,6 +12,14 @@ use grafc_testsuite::random::profile;
 use grafc_testsuite::random::{ChartKind, checked, trace};
 use grafc_testsuite::runs::compile;
 
+/// The share of a language.
+fn turn(language: Language) -> usize {
+    match language {
+        Language::St => 0,
+        Language::Il => 1,
+    }
+}
+
 /// The encodings that are exact, with formulas shortened.
 fn encodings() -> impl Iterator<Item = Encoding> {
     Encoding::ALL.into_iter().filter(|encoding| !encoding.overlaps())
@@ -25,7 +33,7 @@ fn agree(language: Language, cases: &[Case]) {
         let options = Options { profile: case.profile, encoding, simplify: true };
         agreement.case(case, encoding.name(), |chart| compile(chart, &options));
     }
-    agreement.hold(usize::MAX, |jobs| run(&tools, language, jobs));
+    agreement.hold(turn(language), usize::MAX, |jobs| run(&tools, language, jobs));
 }
 
 #[test]
@@ -114,5 +122,5 @@ fn random_charts(language: Language, first: u64, count: usize) {
         let stimuli = trace(seed, &drawn.chart, 30);
         agreement.drawn(drawn, profile(seed), Job { program, stimuli });
     }
-    agreement.hold(usize::MAX, |jobs| run(&tools, language, jobs));
+    agreement.hold(turn(language), usize::MAX, |jobs| run(&tools, language, jobs));
 }

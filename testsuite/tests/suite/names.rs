@@ -5,6 +5,7 @@ use grafc::{Options, Product};
 use grafc_backends::{Target, st};
 use grafc_diagnostics::FileId;
 use grafc_testsuite::executors::matiec::Tools;
+use grafc_testsuite::share::share;
 use std::fmt::Write as _;
 
 /// So many names go into one chart, and so many charts into one file.
@@ -97,6 +98,7 @@ fn every_name_is_taken_in_each_position() {
         };
         texts.push(names.iter().map(one).collect());
     }
+    let texts = share(0, texts);
     let refused = refused(&tools, &texts);
     assert!(refused.is_empty(), "{} of {} files:\n{}", refused.len(), texts.len(), refused.join("\n"));
 }

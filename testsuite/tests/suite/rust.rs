@@ -13,6 +13,10 @@ use grafc_testsuite::random::profile;
 use grafc_testsuite::random::trace;
 use grafc_testsuite::runs::{compile_saved, simulate};
 use grafc_testsuite::scaling::SHAPES;
+use grafc_testsuite::share::share;
+
+/// The share of rustc.
+const TURN: usize = 0;
 
 /// Charts in one program of rustc.
 const BATCH: usize = 100;
@@ -22,7 +26,7 @@ fn agree(cases: &[Case], ways: usize) {
     let Some(tools) = Tools::find_or_skip() else { return };
     let mut agreement = Agreement::default();
     agreement.cases(cases, ways, compile_saved);
-    agreement.hold(BATCH, |jobs| run(&tools, jobs));
+    agreement.hold(TURN, BATCH, |jobs| run(&tools, jobs));
 }
 
 #[test]
@@ -40,7 +44,7 @@ fn random_charts_agree() {
     let Some(tools) = Tools::find_or_skip() else { return };
     let mut agreement = Agreement::default();
     agreement.random(3000..3080, 30);
-    agreement.hold(BATCH, |jobs| run(&tools, jobs));
+    agreement.hold(TURN, BATCH, |jobs| run(&tools, jobs));
 }
 
 /// Large charts are parted into functions and tables, and of more than 1,000 steps runs are looked at. Each shape is large,
@@ -49,7 +53,7 @@ fn random_charts_agree() {
 fn large_charts_agree() {
     let Some(tools) = Tools::find_or_skip() else { return };
     let options = Options { profile: profile(0), encoding: Encoding::Switch, simplify: true };
-    let shapes: Vec<_> = SHAPES.iter().filter(|shape| shape.name != "priorities").collect();
+    let shapes = share(TURN, SHAPES.iter().filter(|shape| shape.name != "priorities"));
     let charts = shapes.iter().enumerate().map(|(place, shape)| {
         let size = if place % 4 == 0 { 1_100 } else { 220 };
         let chart = check(shape.name, &(shape.write)(size)).expect("a chart without errors");

@@ -8,6 +8,7 @@ use grafc_model::reaction::Profile;
 use grafc_testsuite::charts::{cases, charts_folder, check, vectors_folder};
 use grafc_testsuite::rings::Rings;
 use grafc_testsuite::runs::compile_saved;
+use grafc_testsuite::share::is_thorough;
 use grafc_testsuite::tools::{Tool, or_skip};
 use std::fs;
 use std::path::Path;
@@ -34,9 +35,10 @@ fn write(folder: &Path) -> Vec<String> {
     // The encodings take turns.
     let turn = |place: usize| Encoding::ALL[place % Encoding::ALL.len()];
     for (place, case) in cases(&charts_folder()).into_iter().enumerate() {
-        (0..3).for_each(|way| add(&case.name, &case.text, case.profile, turn(3 * place + way)));
+        (0..if is_thorough() { 3 } else { 1 })
+            .for_each(|way| add(&case.name, &case.text, case.profile, turn(3 * place + way)));
     }
-    for (place, case) in cases(&vectors_folder()).into_iter().enumerate().step_by(2) {
+    for (place, case) in cases(&vectors_folder()).into_iter().enumerate().step_by(if is_thorough() { 2 } else { 6 }) {
         add(&case.name, &case.text, case.profile, turn(place / 2));
     }
     modules

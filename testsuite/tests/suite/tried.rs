@@ -5,11 +5,15 @@ use grafc_model::reaction::{Evolution, Profile};
 use grafc_testsuite::charts::{cases, charts_folder, check, vectors_folder};
 use grafc_testsuite::enumeration::{Enumerated, Everywhere, enumerate, is_plain};
 use grafc_testsuite::random::{ChartKind, checked};
+use grafc_testsuite::share::is_thorough;
 use std::sync::LazyLock;
 
 /// Charts with more states are left out.
 const STATES: usize = 300;
 const INPUTS: usize = 5;
+
+/// Charts that are known to have more: finding it out takes longer than all others together.
+const TOO_MANY: [&str; 5] = ["3d", "6j", "7b", "activation_links_41", "figure_3"];
 
 /// A chart and what was found.
 pub struct Tried {
@@ -34,6 +38,11 @@ pub fn charts_and_vectors() -> &'static [Tried] {
         let all = [charts_folder(), vectors_folder()].into_iter().flat_map(|folder| cases(&folder));
         let tried = all.filter_map(|case| {
             let chart = check(&case.name, &case.text).expect("a chart without errors");
+            if TOO_MANY.contains(&case.name.as_str()) {
+                let tried = if is_thorough() { Tried::new(case.name, case.text, chart, case.profile) } else { None };
+                assert!(tried.is_none(), "a chart that can be tried");
+                return None;
+            }
             if is_plain(&chart, INPUTS) { Tried::new(case.name, case.text, chart, case.profile) } else { None }
         });
         tried.collect()
