@@ -69,4 +69,11 @@ pub(super) const FAULTS: &[Fault] = &[
         text: "split.restore_outputs.map(|_| if inputs { \"inputs\" } else { \"\" })",
         instead: "split.restore_outputs.filter(|_| false).map(|_| if inputs { \"inputs\" } else { \"\" })",
     },
+    Fault {
+        name: "no-delay-is-not-kept",
+        at: RUST,
+        breaks: "a delay of no time, a value of the last micro-step, is false where a chart is restored (R14)",
+        text: "self.symbols.table[now].role = Role::Memory;",
+        instead: "",
+    },
 ];

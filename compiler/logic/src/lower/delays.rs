@@ -8,7 +8,7 @@ use super::{Context, Lowering, Moment};
 use crate::scan::{Origin, Preset, Role, Statement, Timer, TimerId, VarId};
 use crate::spell::in_signs;
 use ecow::{EcoString, eco_format};
-use grafc_formula::{FormulaId, Type, Value};
+use grafc_formula::{Formula, FormulaId, Type, Value};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, Note, StepId};
 
 /// A delay that has been lowered, by one of its timers.
@@ -46,8 +46,18 @@ impl Lowering {
         match cx.moment {
             Moment::First if on.ms > 0 => self.pool.truth(false),
             Moment::First => cx.exprs[operand],
-            Moment::Restored if on.ms == 0 && off.ms == 0 => cx.exprs[operand],
-            Moment::After | Moment::Restored => self.delay_values[&e],
+            Moment::After => self.delay_values[&e],
+            Moment::Restored => {
+                let value = self.delay_values[&e];
+                // Of a call that was given up, or is one micro-step, the operand has changed since: it is kept.
+                if on.ms == 0
+                    && off.ms == 0
+                    && let Formula::Variable(now) = *self.pool.get(value)
+                {
+                    self.symbols.table[now].role = Role::Memory;
+                }
+                value
+            }
             Moment::MicroStep => {
                 let input = cx.exprs[operand];
                 let value = match self.delay_of.get(&(input, on, off)) {

@@ -313,13 +313,11 @@ impl Lowering {
                         out.push(Need::Expr(*a));
                     }
                 }
-                ExprKind::Delay { on, operand, off } => {
+                ExprKind::Delay { on, operand, .. } => {
                     let read = match cx.moment {
                         Moment::First => on.ms == 0,
                         Moment::MicroStep => true,
-                        Moment::After => false,
-                        // What is no delay at all is not kept.
-                        Moment::Restored => on.ms == 0 && off.ms == 0,
+                        Moment::After | Moment::Restored => false,
                     };
                     if read {
                         out.push(Need::Expr(*operand));
