@@ -140,6 +140,10 @@ impl<'t> Run<'t> {
         }
         let before = self.before.len().checked_sub(2).map(|at| self.word(self.before[at]));
         if before == Some("at") {
+            if word.to_ascii_uppercase().starts_with("DB") {
+                let words = "a data block has no address in a chart: it is one of the process image, as in `%I0.0`";
+                return Some(Cure::words(words));
+            }
             let address = format!("%{}.{next}", in_letters_of_iec(word));
             return Some(Cure::write(format!("an address begins with `%`: `at {address}`"), place(end), &address));
         }

@@ -190,10 +190,10 @@ impl<'a> Interpretation<'_, 'a> {
         let whole = name.span.to(next.span);
         self.fault(match stray {
             Stray::If => diagnostic.help("write `if`").fix(Fix::maybe("write `if`").replace(name.span, "if")),
-            Stray::Qualifier(Some(right), words) => {
+            Stray::Word(Some(right), words) => {
                 diagnostic.help(words).fix(Fix::maybe(format!("write `{right}`")).replace(whole, right))
             }
-            Stray::Qualifier(None, words) => diagnostic.help(words),
+            Stray::Word(None, words) => diagnostic.help(words),
         });
         if let ast::ActionKind::Continuous { target, .. } = &next.kind {
             match self.scope.reference(&target.text).map(Reference::entity) {

@@ -40,8 +40,8 @@ pub fn name(text: &str, is_known: impl Fn(&str) -> bool) -> Option<Habit> {
 
 /// What a continuous action seems to be that no output is called like.
 pub enum Stray {
-    /// A qualifier before the action behind it; the whole in our words, if that is possible, and what is said.
-    Qualifier(Option<String>, String),
+    /// A qualifier or an order before the action behind it; the whole in our words, if that is possible, and what is said.
+    Word(Option<String>, String),
     /// `when` between an output and its condition.
     If,
 }
@@ -53,6 +53,12 @@ pub fn stray(name: &str, next: &Action, step: &str) -> Option<Stray> {
         let is_operand = matches!(next.kind, ActionKind::Continuous { condition: None, .. });
         return is_operand.then_some(Stray::If);
     }
+    if ["start", "kill", "freeze", "resume"].contains(&name) {
+        let ActionKind::Continuous { target, condition: None } = &next.kind else { return None };
+        let right = format!("{name} {} on activation", target.text);
+        let words = format!("a pulse order says when it is given: write `{right}`");
+        return Some(Stray::Word(Some(right), words));
+    }
     let found = qualifier(name)?;
     let target = match &next.kind {
         ActionKind::Continuous { target, condition: None } => &target.text,
@@ -61,7 +67,7 @@ pub fn stray(name: &str, next: &Action, step: &str) -> Option<Stray> {
         | ActionKind::Pulse { .. }
         | ActionKind::Run { .. }
         | ActionKind::Force { .. } => {
-            return Some(Stray::Qualifier(None, format!("there are no qualifiers: leave out `{name}`")));
+            return Some(Stray::Word(None, format!("there are no qualifiers: leave out `{name}`")));
         }
     };
     let right = qualified(found, target, None, step);
@@ -82,5 +88,5 @@ pub fn stray(name: &str, next: &Action, step: &str) -> Option<Stray> {
             | Qualifier::StoredTime,
         ) => format!("there are no qualifiers: write `{target} := … on activation`"),
     };
-    Some(Stray::Qualifier(right, words))
+    Some(Stray::Word(right, words))
 }

@@ -69,6 +69,17 @@ fn without_qualifier(found: Qualifier, target: &str) -> String {
     }
 }
 
+/// `run P on activation`
+pub(super) fn run_at_an_event(slip: &Slip<'_>) -> Option<Cure> {
+    slip.found().filter(|found| found.token == Token::On && slip.is_in_actions())?;
+    let is_run = slip.spot(-2).is_some_and(|word| word.word == "run") && slip.previous().is_name();
+    let event = slip.spot(1).filter(|event| matches!(event.token, Token::Activation | Token::Deactivation))?;
+    let words = "`run` starts with the step and kills with it: leave out when";
+    is_run.then(|| {
+        Cure::new(words).fix(Fix::certain("leave it out").delete(slip.previous().span.behind().to(event.span)))
+    })
+}
+
 /// `K on activation`
 pub(super) fn value_missing(slip: &Slip<'_>) -> Option<Cure> {
     let (target, on) = (slip.previous(), slip.found().filter(|found| found.token == Token::On)?);

@@ -226,6 +226,14 @@ pub(super) fn operator_word(slip: &Slip<'_>) -> Option<Cure> {
     Some(Cure::write(format!("write `{ours}`"), word.span, ours))
 }
 
+/// `RE a`
+pub(super) fn edge_word(slip: &Slip<'_>) -> Option<Cure> {
+    let (word, operand) = (slip.previous(), slip.found().filter(|found| found.is_name())?);
+    let sign = ours(FUNCTIONS, word.word).filter(|sign| *sign != "not " && word.is_name() && slip.ends_operand())?;
+    let right = format!("{sign}{}", operand.word);
+    Some(Cure::write(format!("write `{right}`"), word.span.to(operand.span), &right))
+}
+
 /// `nicht a`
 pub(super) fn negating_word(slip: &Slip<'_>) -> Option<Cure> {
     let (word, operand) = (slip.previous(), slip.found()?);

@@ -131,6 +131,30 @@ pub(super) fn several_steps(slip: &Slip<'_>) -> Option<Cure> {
     Some(Cure::guess(words, comma.span.to(label.span), &format!("\nstep {}", label.word)))
 }
 
+/// `chart My chart`
+pub(super) fn name_of_the_chart(slip: &Slip<'_>) -> Option<Cure> {
+    let [begin, first, word] = slip.before_the_item()?;
+    let is_name = word.token == Token::Chart && begin.token == Token::Chart && first.is_name();
+    if !is_name || slip.previous().span != word.span || !slip.on_one_line(first, word) {
+        return None;
+    }
+    Some(Cure::new(format!("a name of several words stands in backquotes: `{} {}`", first.word, word.word)))
+}
+
+/// `assert: not X1`
+pub(super) fn colon_behind_the_word(slip: &Slip<'_>) -> Option<Cure> {
+    let colon = slip.found().filter(|found| found.token == Token::Colon)?;
+    matches!(slip.previous().token, Token::Assume | Token::Assert | Token::Reach)
+        .then(|| Cure::leave_out("leave out `:`", colon))
+}
+
+/// `assert X1 leads X2`
+pub(super) fn leads_without_to(slip: &Slip<'_>) -> Option<Cure> {
+    let word = slip.found().filter(|found| found.is_one_of(&["leads", "lead", "leadsto", "leads_to"]))?;
+    (slip.item() == Token::Assert && slip.ends_condition())
+        .then(|| Cure::write("write `leads to`", word.span, "leads to"))
+}
+
 /// `allow W0409`
 pub(super) fn reason_missing(slip: &Slip<'_>) -> Option<Cure> {
     let is_allowance = slip.item() == Token::Allow || slip.token(-2) == Some(Token::AllowInside);

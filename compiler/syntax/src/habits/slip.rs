@@ -82,6 +82,13 @@ impl<'a> Slip<'a> {
         self.of(self.lexemes[self.run.start])
     }
 
+    /// The two tokens before the item, and the word that it begins with.
+    pub(super) fn before_the_item(&self) -> Option<[Spot<'a>; 3]> {
+        let start = self.run.start;
+        let at = |offset: usize| Some(self.of(*self.lexemes.get(start.checked_sub(offset)?)?));
+        Some([at(2)?, at(1)?, at(0)?])
+    }
+
     /// A token of the item, counted from the one that was not expected.
     pub(super) fn spot(&self, offset: isize) -> Option<Spot<'a>> {
         let index = self.at.checked_add_signed(offset)?;

@@ -18,6 +18,9 @@ pub(super) const TABLE: &[Habit] = rows! {
     "initial 1" => "initial step 1", items::step_missing;
     "step 1, 2" => "step 1\nstep 2", items::several_steps;
 
+    "chart My chart\nstep 1" => "chart `My chart`\nstep 1", items::name_of_the_chart;
+    "assert: not X1" => "assert not X1", items::colon_behind_the_word;
+    "assert X1 leads X2" => "assert X1 leads to X2", items::leads_without_to;
     "allow W0409\nstep 1" => "allow W0409 \"interlocked by hardware\"\nstep 1", items::reason_missing;
 
     "transition t2: 2 -> 3 : a" => "transition (t2) 2 -> 3 : a", transitions::designation;
@@ -42,6 +45,7 @@ pub(super) const TABLE: &[Habit] = rows! {
     "transition 1 -> 2 : 3 sec/X1" => "transition 1 -> 2 : 3s/X1", conditions::gap_in_duration;
     "transition 1 -> 2 : 1,5s/X1" => "transition 1 -> 2 : 1.5s/X1", conditions::decimal_comma;
     "transition 1 -> 2 : R_TRIG(start)" => "transition 1 -> 2 : ↑start", conditions::function;
+    "transition 1 -> 2 : RE a" => "transition 1 -> 2 : ↑a", conditions::edge_word;
     "transition 1 -> 2 : a et b" => "transition 1 -> 2 : a and b", conditions::operator_word;
     "transition 1 -> 2 : nicht a" => "transition 1 -> 2 : not a", conditions::negating_word;
     "transition 1 -> 2 : after 5s" => "transition 1 -> 2 : 5s/X1", conditions::waiting_word;
@@ -51,6 +55,7 @@ pub(super) const TABLE: &[Habit] = rows! {
     "step 1 { S: K }" => "step 1 { K := 1 on activation }", actions::qualifier_before_colon;
     "step 1 { D 5s K }" => "step 1 { K if 5s/X1 }", actions::qualifier_with_time;
     "step 1 { K(R) }" => "step 1 { K := 0 on activation }", actions::qualifier_behind;
+    "step 1 { run P on activation }" => "step 1 { run P }", actions::run_at_an_event;
     "step 1 { K on activation }" => "step 1 { K := 1 on activation }", actions::value_missing;
     "step 1 { K := 1 on Activation }" => "step 1 { K := 1 on activation }", declarations::capitals;
     "step 1 { K := 1 on entry }" => "step 1 { K := 1 on activation }", actions::event;
