@@ -34,6 +34,20 @@ fn delays_take_their_times() {
     assert!(folder.run(&["test"]).is_done().out.contains("1 passed"));
 }
 
+/// While the motor runs for six seconds, a lamp changes each half second: one state with a dozen times.
+#[test]
+fn a_wait_lasts_while_a_lamp_blinks() {
+    let chart = "chart C input go : bool output Lamp, Motor : bool
+        grafcet B { initial step 1 step 2 { Lamp } transition (lit) 1 -> 2 : 500ms/X1 transition (dark) 2 -> 1 : 500ms/X2 }
+        grafcet M { initial step 10 step 11 { Motor } transition (begin) 10 -> 11 : go transition (end) 11 -> 10 : 6s/X11 }";
+    let folder = Folder::new(&[("c.gct", chart)]);
+    let run = folder.run(&["generate-tests", "c.gct"]);
+    assert!(run.is_done().out.contains("\n4 transitions in 1 test with "), "{}", run.out);
+    // Started at 10 ms.
+    assert!(folder.read("c.1.test.csv").ends_with("\n6000,,,0,1,1 11\n6010,0,,0,0,1 10\n"));
+    assert!(folder.run(&["test"]).is_done().out.contains("1 passed"));
+}
+
 /// 1 divides into 2 and 3, which nothing leads out of: two tests, one for each.
 #[test]
 fn what_has_no_way_back_takes_a_test_of_its_own() {

@@ -53,7 +53,7 @@ pub struct Moves {
 }
 
 /// The same state with so many different readings of its delays is looked at.
-const MOST_READINGS: usize = 8;
+const MOST_READINGS: usize = 32;
 /// So many paths are walked for each state that may be looked at, and so many in any case.
 const PATHS_PER_STATE: usize = 10;
 const FEWEST_PATHS: usize = 10_000;
