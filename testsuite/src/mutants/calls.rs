@@ -71,7 +71,7 @@ pub(super) const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "no-delay-is-not-kept",
-        at: RUST,
+        at: At::anywhere(Part::Restoring),
         breaks: "a delay of no time, a value of the last micro-step, is false where a chart is restored (R14)",
         text: "self.symbols.table[now].role = Role::Memory;",
         instead: "",

@@ -59,6 +59,8 @@ pub enum Part {
     Ladder,
     /// Sequential function charts.
     Chart,
+    /// What gives saved memory back, which only targets that save it show.
+    Restoring,
     /// Rust.
     Rust,
     /// JavaScript.
@@ -73,7 +75,7 @@ pub enum Part {
 
 impl Part {
     /// All of them.
-    pub const ALL: [Part; 14] = [
+    pub const ALL: [Part; 15] = [
         Part::Compiler,
         Part::Prover,
         Part::Automata,
@@ -83,6 +85,7 @@ impl Part {
         Part::StatementList,
         Part::Ladder,
         Part::Chart,
+        Part::Restoring,
         Part::Rust,
         Part::JavaScript,
         Part::C,
@@ -102,6 +105,7 @@ impl Part {
             Part::StatementList => &["backends/src/awl"],
             Part::Ladder => &["backends/src/plcopen/ld"],
             Part::Chart => &["backends/src/plcopen/sfc", "backends/src/sequence", "backends/src/sfc"],
+            Part::Restoring => &["compiler/logic/src"],
             Part::Rust => &["backends/src/rust"],
             Part::JavaScript => &["backends/src/js"],
             Part::C => &["backends/src/c"],

@@ -113,7 +113,7 @@ pub fn suites(fault: &Fault) -> &'static [Suite] {
         Part::Chart => CHART,
         Part::JavaScript | Part::Braces => JAVASCRIPT,
         Part::C => C,
-        Part::Rust | Part::Shared => RUST,
+        Part::Restoring | Part::Rust | Part::Shared => RUST,
     }
 }
 
