@@ -122,10 +122,14 @@ impl Net {
         on
     }
 
+    /// What stored actions and pulse orders wait for, one after the other.
+    pub fn awaited(&self) -> impl Iterator<Item = Event> + '_ {
+        self.stored.iter().map(|action| action.event).chain(self.pulses.iter().map(|pulse| pulse.event))
+    }
+
     /// The transitions whose clearing something waits for, a stored action or a pulse order, as often as something does.
     pub fn awaited_clearings(&self) -> impl Iterator<Item = TransitionId> + '_ {
-        let done = self.stored.iter().map(|action| action.event);
-        done.chain(self.pulses.iter().map(|pulse| pulse.event)).filter_map(|event| match event {
+        self.awaited().filter_map(|event| match event {
             Event::Clearing(t) => Some(t),
             Event::Event(..) | Event::Activation(_) | Event::Deactivation(_) | Event::EachScan(..) => None,
         })

@@ -24,7 +24,7 @@ fn survives(text: String, sound: bool) {
 
 #[test]
 fn depth_does_not_matter() {
-    for depth in [10_000, 100_000] {
+    for depth in [10_000, 200_000] {
         let open = |o: &str| o.repeat(depth);
         survives(format!("transition 1 -> 2 : {}a{}", open("("), open(")")), true);
         survives(format!("transition 1 -> 2 : {}a", open("not ")), true);
@@ -46,7 +46,7 @@ fn depth_does_not_matter() {
 
 #[test]
 fn length_does_not_matter() {
-    let n = 50_000;
+    let n = 100_000;
     survives(format!("transition 1 -> 2 : a{}", " or a".repeat(n)), true);
     survives(format!("transition 1 -> 2 : a{}", " and a".repeat(n)), true);
     survives(format!("var v : int := 1{}", " + 1".repeat(n)), true);
@@ -121,9 +121,9 @@ fn time_is_linear() {
             };
             (0..3).map(|_| one()).min().unwrap_or_default()
         };
-        let (short, long) = (time(2_500), time(20_000));
+        let (short, long) = (time(5_000), time(40_000));
         let bound = short * 8 * 4 + Duration::from_millis(50);
-        assert!(long < bound, "{open}{piece}…: 2500 took {short:?}, 20000 took {long:?}");
+        assert!(long < bound, "{open}{piece}…: 5000 took {short:?}, 40000 took {long:?}");
     }
 }
 

@@ -6,13 +6,8 @@ use grafc_testsuite::charts::{Case, cases, charts_folder, check, spell, stimuli,
 use grafc_testsuite::executors::{Outcome, Task, find_or_skip};
 use grafc_testsuite::random::{ChartKind, checked, trace};
 use grafc_testsuite::runs::simulate;
-use grafc_testsuite::share::{at_least, share};
+use grafc_testsuite::share::{at_least, share, turn_of};
 use std::ops::Range;
-
-/// The share of an executor.
-fn turn(name: &str) -> usize {
-    name.len()
-}
 
 /// The chart of a case, and what it is given.
 pub fn prepared(case: &Case) -> (Chart, Vec<Stimulus>) {
@@ -25,7 +20,7 @@ pub fn prepared(case: &Case) -> (Chart, Vec<Stimulus>) {
 pub fn vectors_and_charts_agree(name: &str, least: usize) {
     let Some(executor) = find_or_skip(name) else { return };
     let all: Vec<Case> = [vectors_folder(), charts_folder()].iter().flat_map(|folder| cases(folder)).collect();
-    let all = share(turn(name), all);
+    let all = share(turn_of(name), all);
     let prepared: Vec<(Chart, Vec<Stimulus>)> = all.iter().map(self::prepared).collect();
     let tasks: Vec<Task> = all
         .iter()
@@ -55,7 +50,8 @@ pub fn vectors_and_charts_agree(name: &str, least: usize) {
 /// them must run.
 pub fn random_charts_agree(name: &str, seeds: Range<u64>, kind: ChartKind, edit: fn(String) -> String, least: usize) {
     let Some(executor) = find_or_skip(name) else { return };
-    let charts: Vec<(String, Chart, Vec<Stimulus>, Profile)> = seeds
+    let charts: Vec<(String, Chart, Vec<Stimulus>, Profile)> = share(turn_of(name), seeds)
+        .into_iter()
         .map(|seed| {
             let mut text = edit(checked(seed, kind).text);
             let each_scan = text.contains("each scan");
@@ -68,7 +64,6 @@ pub fn random_charts_agree(name: &str, seeds: Range<u64>, kind: ChartKind, edit:
             (text, chart, stimuli, Profile { evolution, ..Profile::default() })
         })
         .collect();
-    let charts = share(turn(name), charts);
     let tasks: Vec<Task> = charts
         .iter()
         .enumerate()

@@ -122,7 +122,8 @@ fn generated_code_checks_assertions() {
     };
     assert!(charts.iter().filter(|chart| told(chart)).count() > 10, "too few assertions came out false");
     if let Some(tools) = rust::Tools::find_or_skip() {
-        let (charts, jobs): (Vec<_>, Vec<Job>) = share(0, charts.iter().zip(jobs.iter().cloned())).into_iter().unzip();
+        let (charts, jobs): (Vec<_>, Vec<Job>) =
+            share(0, charts.iter().zip(&jobs)).into_iter().map(|(chart, job)| (chart, job.clone())).unzip();
         for (((text, _, expected), job), made) in charts.iter().zip(&jobs).zip(rust::run(&tools, &jobs)) {
             let made = made.unwrap_or_else(|fault| panic!("{fault}\n{text}"));
             assert!(made == *expected, "{}\n{text}", job.program.name);

@@ -150,8 +150,11 @@ fn random_charts_agree() {
             continue;
         }
         // What costs seconds is asked of a part.
-        let is_slow = executor.is_external() || executor.name() == "lanes";
-        let count = if is_slow { if is_thorough() { 12 } else { 4 } } else { drawn.len() };
+        let count = match executor.is_external() {
+            false => drawn.len(),
+            true if is_thorough() => 12,
+            true => 4,
+        };
         let tasks: Vec<Task> = drawn
             .iter()
             .zip(&traces)

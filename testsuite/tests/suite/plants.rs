@@ -6,7 +6,7 @@
 use grafc_logic::Encoding;
 use grafc_testsuite::executors::{all, is_here_or_skip};
 use grafc_testsuite::plants::{Compilers, PRODUCTS, Plant, TURNS, Trial, Written, plants, targets};
-use grafc_testsuite::share::share;
+use grafc_testsuite::share::{share, turn_of};
 use grafc_testsuite::xmi::collection_or_skip;
 
 /// Scans of each chart.
@@ -25,7 +25,7 @@ fn charts_of_agrafe_run_alike_everywhere() {
     for executor in executors {
         let small = |plant: &&Plant| executor.is_external() && plant.chart.steps.len() < LARGE;
         let asked: Vec<_> = plants.iter().filter(|plant| !small(plant)).enumerate().collect();
-        let asked = if executor.is_external() { share(executor.name().len(), asked) } else { asked };
+        let asked = if executor.is_external() { share(turn_of(executor.name()), asked) } else { asked };
         for (place, plant) in asked {
             let turn = TURNS[place % TURNS.len()];
             let result = Trial::new(plant, SCANS).run(executor.as_ref(), &[turn]);

@@ -12,7 +12,7 @@ use grafc_testsuite::plcopen_lint::document::{Document, Id};
 use grafc_testsuite::plcopen_lint::lint;
 use grafc_testsuite::plcopen_sheet::{Flow, Sheet};
 use grafc_testsuite::plcopen_tools;
-use grafc_testsuite::share::{is_thorough, share};
+use grafc_testsuite::share::share;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
@@ -56,7 +56,7 @@ fn ladder(name: &str, text: &str, encoding: Encoding, evolution: Evolution) -> S
     made.unwrap_or_else(|| panic!("{name}: {diagnostics:?}")).text
 }
 
-/// All charts as ladders, by name: in both evolutions or in turn, the encodings in turn, some charts in all.
+/// All charts as ladders, by name: in both evolutions, the encodings in turn, some charts in all.
 static LADDERS: LazyLock<Vec<(String, String)>> = LazyLock::new(|| {
     let mut all = Vec::new();
     for (name, text) in [("count", COUNT), ("hostile", HOSTILE)] {
@@ -70,9 +70,6 @@ static LADDERS: LazyLock<Vec<(String, String)>> = LazyLock::new(|| {
     for (turn, case) in charts.iter().enumerate() {
         let encodings: Vec<Encoding> = Encoding::ALL.into_iter().collect();
         for (place, evolution) in [Evolution::Stable, Evolution::Scan].into_iter().enumerate() {
-            if !is_thorough() && place != turn % 2 {
-                continue;
-            }
             let encoding = encodings[(turn + place) % encodings.len()];
             let name = format!("{}, {}", case.name, encoding.name());
             all.push((name, ladder(&case.name, &case.text, encoding, evolution)));

@@ -2,7 +2,7 @@
 //!
 //! Those that the grammar stops at are cured there.
 
-use grafc_syntax::ast::{Action, ActionKind};
+use grafc_syntax::ast::{Action, ActionKind, PulseKind};
 use grafc_syntax::habits::words::{Qualifier, qualified, qualifier};
 
 /// A name that means nothing, and what to write.
@@ -53,7 +53,7 @@ pub fn stray(name: &str, next: &Action, step: &str) -> Option<Stray> {
         let is_operand = matches!(next.kind, ActionKind::Continuous { condition: None, .. });
         return is_operand.then_some(Stray::If);
     }
-    if ["start", "kill", "freeze", "resume"].contains(&name) {
+    if PulseKind::ALL.iter().any(|kind| kind.word() == name) {
         let ActionKind::Continuous { target, condition: None } = &next.kind else { return None };
         let right = format!("{name} {} on activation", target.text);
         let words = format!("a pulse order says when it is given: write `{right}`");

@@ -23,8 +23,7 @@ pub(super) fn find(asked: &mut Questions) -> Vec<Constant> {
     let net = asked.analysis.net();
     let transitions = net.transitions.iter_enumerated().map(|(t, transition)| (transition.condition, Some(t)));
     let assigned = net.continuous.iter().filter_map(|action| Some((action.condition?, None)));
-    let happens = net.stored.iter().map(|action| action.event).chain(net.pulses.iter().map(|pulse| pulse.event));
-    let events = happens.filter_map(|event| match event {
+    let events = net.awaited().filter_map(|event| match event {
         Event::Event(_, event) | Event::EachScan(_, Some(event)) => Some((event, None)),
         Event::EachScan(_, None) | Event::Activation(_) | Event::Deactivation(_) | Event::Clearing(_) => None,
     });
