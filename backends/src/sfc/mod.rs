@@ -97,7 +97,10 @@ fn chart(out: &mut Writer, sequence: &Sequence, texts: &Texts, units: &Units, (n
     let names = [name, &units.parts.block, &units.parts.program].into_iter();
     let mut fresh = Fresh::new(variables.chain(texts.steps.iter().map(EcoString::as_str)).chain(names));
     let mut bodies: [Vec<(String, Vec<&Statement>)>; 3] = Default::default();
-    for (place, step) in sequence.steps.iter_enumerated() {
+    // A network begins with an initial step (IEC 61131-3, 2.6.2).
+    let first = sequence.steps.iter_enumerated().find(|(_, step)| step.initial);
+    let others = sequence.steps.iter_enumerated().filter(|(place, _)| Some(*place) != first.map(|(place, _)| place));
+    for (place, step) in first.into_iter().chain(others) {
         out.blank();
         self::step(out, texts, place, step.initial, &mut fresh, &mut bodies);
     }

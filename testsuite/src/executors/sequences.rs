@@ -35,6 +35,9 @@ pub(crate) fn job(task: &Task) -> Result<(Job, Sequence), Outcome> {
     if miscalculates(task.chart) {
         return Err(Outcome::PassedOver("MATIEC computes products of times wrongly"));
     }
+    if task.chart.variables.is_empty() {
+        return Err(Outcome::PassedOver("MATIEC reads no block without variables"));
+    }
     let sequence = of_task(task).ok_or(Outcome::PassedOver("no sequential function chart (E0503)"))?;
     if loses_a_second(task) {
         return Err(Outcome::PassedOver("MATIEC does not carry whole seconds of a step's time"));
@@ -45,7 +48,8 @@ pub(crate) fn job(task: &Task) -> Result<(Job, Sequence), Outcome> {
 /// The variables of a sequential function chart as a program of a job.
 pub fn variables_of(sequence: &Sequence) -> Program {
     let mut program = sequence.program.clone();
-    let steps = sequence.steps.iter().map(|step| Step {
+    let of_chart = sequence.steps.iter().filter(|step| !step.auxiliary);
+    let steps = of_chart.map(|step| Step {
         label: program.variables[step.active].name.as_str().into(),
         comment: None,
         span: grafc_diagnostics::Span::default(),

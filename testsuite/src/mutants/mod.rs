@@ -104,7 +104,12 @@ impl Part {
             Part::InstructionList => &["backends/src/il"],
             Part::StatementList => &["backends/src/awl"],
             Part::Ladder => &["backends/src/plcopen/ld"],
-            Part::Chart => &["backends/src/plcopen/sfc", "backends/src/sequence", "backends/src/sfc"],
+            Part::Chart => &[
+                "compiler/logic/src/sequence",
+                "backends/src/plcopen/sfc",
+                "backends/src/sequence",
+                "backends/src/sfc",
+            ],
             Part::Restoring => &["compiler/logic/src"],
             Part::Rust => &["backends/src/rust"],
             Part::JavaScript => &["backends/src/js"],

@@ -14,6 +14,7 @@ mod commands;
 mod expression;
 mod ink;
 mod options;
+mod ordered;
 mod plain;
 mod structure;
 mod trace;
@@ -37,6 +38,8 @@ pub enum ChartKind {
     Commanded,
     /// Nothing but steps and conditions of inputs, properly nested.
     Plain,
+    /// The same in several grafcets, of which some are enclosed, run, started, kept and stopped, or forced.
+    Ordered,
     /// Few steps and Boolean inputs, without delays: small enough to try everything.
     Boolean,
 }
@@ -66,6 +69,7 @@ fn text(seed: u64, draw: Draw) -> String {
             boolean::chart(&mut rng, &mut commands, &mut alone, &name)
         }
         ChartKind::Plain => plain::chart(&mut rng, &name),
+        ChartKind::Ordered => ordered::chart(&mut rng, &name),
         ChartKind::Flat | ChartKind::Hierarchical | ChartKind::Commanded => {
             let mut frames = structure::draw(&mut rng, draw.kind, draw.size);
             let mut commands = fastrand::Rng::with_seed(seed ^ COMMANDS);

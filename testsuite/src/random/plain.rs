@@ -11,14 +11,8 @@ pub(super) fn chart(rng: &mut Rng, name: &str) -> String {
     let mut out =
         format!("chart {name}\n\ninput a, b, c, d, e : bool\noutput w0, w1, w2, w3 : bool\noutput n : int\n\n");
     for ring in 0..rng.usize(1..=2) {
-        let mut draw = Draw { steps: Vec::new(), arcs: Vec::new(), next: (ring + 1) * 100 };
-        let first = draw.step();
-        let mut last = first;
-        for _ in 0..rng.usize(1..=3) {
-            last = draw.region(rng, last, 2);
-        }
-        let condition = condition(rng);
-        draw.arcs.push((vec![last], vec![first], condition));
+        let regions = rng.usize(1..=3);
+        let draw = Draw::ring(rng, (ring + 1) * 100, regions, 2);
         let _ = writeln!(out, "grafcet G{ring} {{");
         for (index, step) in draw.steps.iter().enumerate() {
             let initial = if index == 0 { "initial " } else { "" };
@@ -30,16 +24,14 @@ pub(super) fn chart(rng: &mut Rng, name: &str) -> String {
             };
             let _ = writeln!(out, "  {initial}step {step}{action}");
         }
-        for (pre, post, condition) in &draw.arcs {
-            let list = |steps: &[usize]| steps.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-            let _ = writeln!(out, "  transition {} -> {} : {condition}", list(pre), list(post));
-        }
+        draw.write_arcs(&mut out);
         out.push_str("}\n\n");
     }
     out
 }
 
-fn condition(rng: &mut Rng) -> String {
+/// A condition of inputs.
+pub(super) fn condition(rng: &mut Rng) -> String {
     let mut literal = || {
         let input = INPUTS[rng.usize(0..5)];
         match rng.usize(0..6) {
@@ -52,13 +44,40 @@ fn condition(rng: &mut Rng) -> String {
     if first.len() % 2 == 0 { format!("{first} and {}", literal()) } else { first }
 }
 
-struct Draw {
-    steps: Vec<usize>,
+/// A ring of regions.
+pub(super) struct Draw {
+    /// Its steps; the first one begins it.
+    pub(super) steps: Vec<usize>,
+    /// The steps between regions, which each round comes by.
+    pub(super) spine: Vec<usize>,
     arcs: Vec<(Vec<usize>, Vec<usize>, String)>,
     next: usize,
 }
 
 impl Draw {
+    /// So many regions, nested so deep, with steps from a number on.
+    pub(super) fn ring(rng: &mut Rng, number: usize, regions: usize, depth: usize) -> Draw {
+        let mut draw = Draw { steps: Vec::new(), spine: Vec::new(), arcs: Vec::new(), next: number };
+        let first = draw.step();
+        draw.spine.push(first);
+        for _ in 0..regions {
+            let last = draw.spine[draw.spine.len() - 1];
+            let next = draw.region(rng, last, depth);
+            draw.spine.push(next);
+        }
+        let condition = condition(rng);
+        draw.arcs.push((vec![draw.spine[regions]], vec![first], condition));
+        draw
+    }
+
+    /// The transitions, a line each.
+    pub(super) fn write_arcs(&self, out: &mut String) {
+        for (pre, post, condition) in &self.arcs {
+            let list = |steps: &[usize]| steps.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+            let _ = writeln!(out, "  transition {} -> {} : {condition}", list(pre), list(post));
+        }
+    }
+
     fn step(&mut self) -> usize {
         self.steps.push(self.next);
         self.next += 1;

@@ -55,7 +55,7 @@ pub(super) enum RandomStepKind {
 pub(super) fn draw(rng: &mut Rng, kind: ChartKind, size: usize) -> Vec<Frame> {
     let mut frames = Vec::new();
     let count = match kind {
-        ChartKind::Flat | ChartKind::Plain | ChartKind::Boolean => rng.usize(1..=2 + size),
+        ChartKind::Flat | ChartKind::Plain | ChartKind::Ordered | ChartKind::Boolean => rng.usize(1..=2 + size),
         ChartKind::Hierarchical | ChartKind::Commanded => rng.usize(2..=4 + size),
     };
     for index in 0..count {

@@ -21,7 +21,7 @@ const SEQUENCES: &str = "matiec:sfc";
 
 #[test]
 fn vectors_and_charts_agree_under_matiec() {
-    vectors_and_charts_agree(SEQUENCES, 8);
+    vectors_and_charts_agree(SEQUENCES, 20);
 }
 
 #[test]
@@ -40,6 +40,12 @@ fn what_is_found_before_agrees_under_matiec() {
 #[test]
 fn qualifiers_agree_under_matiec() {
     random_charts_agree(SEQUENCES, 900..1200, ChartKind::Plain, qualified, 36);
+}
+
+/// Enclosures, children, pulse orders and forcing orders, as networks of their own.
+#[test]
+fn commanded_grafcets_agree_under_matiec() {
+    random_charts_agree(SEQUENCES, 2000..2400, ChartKind::Ordered, |text| text, 250);
 }
 
 /// A plain chart without edges, in which steps do all that has a qualifier.
@@ -83,13 +89,53 @@ fn qualified(text: String) -> String {
     if text.contains("g := ") { text } else { text.replace("(not c or g)", "not c") }
 }
 
+/// A network begins with an initial step (IEC 61131-3, 2.6.2), wherever the chart has it.
+#[test]
+fn a_network_begins_with_an_initial_step() {
+    let text = written("input a, b : bool\nstep 2\ninitial step 1\ntransition 1 -> 2 : a\ntransition 2 -> 1 : b\n");
+    let text = text.expect("a text");
+    let steps: Vec<&str> = text.lines().map(str::trim).filter(|line| line.contains("STEP X")).collect();
+    assert_eq!(steps, ["INITIAL_STEP X1 : END_STEP", "STEP X2 : END_STEP"], "{text}");
+}
+
+/// The vector s3 of R15, by hand: what orders do is said by transitions of the child.
+#[test]
+fn orders_are_transitions_of_the_child() {
+    let text = "input m, n, q, a : bool\noutput c : int\n\
+        grafcet MAIN {\n initial step 0\n step 1 { start P on activation }\n step 2 { freeze P on activation }\n\
+        step 3 { resume P on activation }\n transition 0 -> 1 : m\n transition 1 -> 2 : n\n transition 2 -> 3 : q\n}\n\
+        child grafcet P of MAIN {\n initial step 10\n step 11 { c := c + 1 on activation }\n transition 10 -> 11 : a\n}\n";
+    let text = made(text).expect("a text");
+    assert!(text.contains("\nfreeze_P := drawn.at_1 AND n;\n"), "{text}");
+    let transitions: Vec<&str> = text.lines().map(str::trim).filter(|line| line.starts_with("TRANSITION")).collect();
+    let expected = [
+        "TRANSITION FROM X0 TO X1 := m; END_TRANSITION",
+        "TRANSITION FROM X1 TO X2 := n; END_TRANSITION",
+        "TRANSITION FROM X2 TO X3 := q; END_TRANSITION",
+        // Nothing clears beside the order, and what would clear is kept behind its transition (R15.5).
+        "TRANSITION FROM X10 TO X11 := a AND NOT freeze_P; END_TRANSITION",
+        "TRANSITION FROM X10 TO kept_11 := a AND freeze_P; END_TRANSITION",
+        "TRANSITION FROM X10 TO kept_10 := freeze_P AND NOT a; END_TRANSITION",
+        "TRANSITION FROM kept_10 TO X10 := X2.X AND q; END_TRANSITION",
+        "TRANSITION FROM X11 TO kept_11 := freeze_P; END_TRANSITION",
+        "TRANSITION FROM kept_11 TO X11 := X2.X AND q; END_TRANSITION",
+        "TRANSITION FROM rest_P TO X10 := X0.X AND m; END_TRANSITION",
+    ];
+    assert_eq!(transitions, expected, "{text}");
+}
+
 /// The chart as text, if it can be a sequential function chart and is one block.
 fn written(text: &str) -> Option<String> {
+    made(text).filter(|text| text.matches("FUNCTION_BLOCK ").count() == 1)
+}
+
+/// The chart as text, if it can be a sequential function chart.
+fn made(text: &str) -> Option<String> {
     let profile = Profile { evolution: Evolution::Scan, ..Profile::default() };
     let product = Product::Code(Target::Sfc(sfc::Options::default()));
     let options = Choices::new(Lowering { profile, encoding: Encoding::default(), simplify: true }, product);
     let (made, _) = grafc::compile(FileId::default(), text, "random", &options);
-    made.map(|made| made.text).filter(|text| text.matches("FUNCTION_BLOCK ").count() == 1)
+    made.map(|made| made.text)
 }
 
 /// A text that was written, read back.

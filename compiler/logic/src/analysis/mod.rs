@@ -20,7 +20,7 @@ mod exclusion_tests;
 mod exclusive;
 pub(crate) mod liveness;
 mod parts;
-mod reachable;
+pub(crate) mod reachable;
 mod rivals;
 pub(crate) mod together;
 pub(crate) mod transients;
@@ -36,6 +36,7 @@ use grafc_net::{Arcs, Net};
 use index_vec::IndexVec;
 use liveness::Liveness;
 use reachable::Reachable;
+use reachable::known::Known;
 use rivals::Rivals;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::sync::{Arc, OnceLock};
@@ -71,12 +72,16 @@ pub struct Analysis {
 impl Analysis {
     /// Of a flat net, that is, after all passes.
     pub fn new(net: impl Into<Arc<Net>>) -> Analysis {
-        let net = net.into();
+        Analysis::of(net.into(), &[])
+    }
+
+    /// The same where all situations of some steps are known.
+    pub(crate) fn of(net: Arc<Net>, situations: &[Known]) -> Analysis {
         let arcs = Arcs::of(&net, |_| true);
         let conditions = Conditions::new(Lowering::new(net.clone(), None, false));
         let facts = EdgeFacts::new(&conditions.lowering.edges);
         let commanded = net.commanded();
-        let found = components::find(&net, &arcs, &facts, &conditions, &commanded);
+        let found = components::find(&net, &arcs, &facts, &conditions, &commanded, situations);
         let FoundComponents { components, cover, reasons, reachable, rivals, one_token } = found;
         let (transients, together, liveness) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Analysis {

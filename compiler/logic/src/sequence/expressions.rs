@@ -6,6 +6,7 @@
 use super::prepared::Prepared;
 use super::{Reasons, SequenceStep, When, is_small};
 use crate::scan::{Role, VarId, Variable};
+use ecow::EcoString;
 use grafc_diagnostics::Span;
 use grafc_formula::{Arithmetic, Comparison, FormulaId, Pool, Type, Value};
 use grafc_model::chart::{DelayTime, ExprId, ExprKind, Mode, StepId, VariableId};
@@ -27,6 +28,9 @@ pub(super) struct Expressions<'n> {
     /// How many variables the chart and its steps have, and those that follow.
     pub variables: usize,
     pub more: Vec<Variable>,
+    /// What commands of grafcets are called, and those that are found before the chart is called (none if they are not).
+    pub names: FxHashMap<ExprId, EcoString>,
+    pub commands: FxHashMap<ExprId, Option<FormulaId>>,
     /// What is known of the expressions for one owner.
     pub known: FxHashMap<ExprId, FormulaId>,
     pub owner: Option<StepId>,
@@ -35,12 +39,32 @@ pub(super) struct Expressions<'n> {
 }
 
 impl<'n> Expressions<'n> {
-    pub fn new(net: &'n Net, steps: &IndexVec<StepId, SequenceStep>, profile: Profile) -> Self {
+    pub fn new(
+        net: &'n Net,
+        steps: &IndexVec<StepId, SequenceStep>,
+        names: FxHashMap<ExprId, EcoString>,
+        profile: Profile,
+    ) -> Self {
         let variables = net.variables.len() + 2 * steps.len();
         let steps = steps.iter().map(|step| (step.active, step.duration)).collect();
         let (pool, markers, known) = (Pool::default(), IndexMap::default(), FxHashMap::default());
         let (prepared, more) = (Prepared::default(), Vec::new());
-        Expressions { net, steps, profile, pool, markers, prepared, variables, more, known, owner: None, done: None }
+        let commands = FxHashMap::default();
+        Expressions {
+            net,
+            steps,
+            profile,
+            pool,
+            markers,
+            prepared,
+            variables,
+            more,
+            names,
+            commands,
+            known,
+            owner: None,
+            done: None,
+        }
     }
 
     /// The variable that was declared in the chart.
@@ -102,10 +126,15 @@ impl<'n> Expressions<'n> {
         let mut seen = FxHashSet::default();
         let mut open = vec![root];
         while let Some(id) = open.pop() {
-            if !self.known.contains_key(&id) && seen.insert(id) {
-                wanted.push(id);
-                open.extend(self.net.exprs[id].kind.operands());
+            if self.known.contains_key(&id) || !seen.insert(id) {
+                continue;
             }
+            if let Some(command) = self.command(id, reasons) {
+                self.known.insert(id, command);
+                continue;
+            }
+            wanted.push(id);
+            open.extend(self.net.exprs[id].kind.operands());
         }
         // Operands have the smaller ids.
         wanted.sort_unstable();

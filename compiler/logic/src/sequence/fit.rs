@@ -6,13 +6,17 @@ use crate::analysis::together::reentry::may_reenter;
 use grafc_model::reaction::Profile;
 use grafc_net::Net;
 
-pub(super) fn check(analysis: &Analysis, profile: Profile, reasons: &mut Reasons) {
-    let net = analysis.net();
+/// What is seen of the chart itself.
+pub(super) fn form(net: &Net, reasons: &mut Reasons) {
     controls(net, reasons);
     assertions(net, reasons);
     momentary(net, reasons);
-    hierarchy(net, reasons);
     transitions(net, reasons);
+}
+
+/// What is proved of it.
+pub(super) fn meaning(analysis: &Analysis, profile: Profile, reasons: &mut Reasons) {
+    let net = analysis.net();
     selections(analysis, reasons);
     for (t, s) in may_reenter(analysis) {
         let label = &net.places[s].label;
@@ -44,22 +48,6 @@ fn assertions(net: &Net, reasons: &mut Reasons) {
 fn momentary(net: &Net, reasons: &mut Reasons) {
     for variable in net.variables.iter().filter(|variable| variable.momentary) {
         reasons.add(variable.span, "an output on arcs, which is of one reaction");
-    }
-}
-
-fn hierarchy(net: &Net, reasons: &mut Reasons) {
-    for grafcet in &net.grafcets {
-        for order in &grafcet.orders {
-            reasons.add(order.span, "a forcing order");
-        }
-        if grafcet.steps.iter().any(|s| !net.places[*s].within.is_empty()) {
-            let what = if grafcet.child {
-                "a child that steps run, for which IEC 61131-3 has no form"
-            } else {
-                "an enclosure"
-            };
-            reasons.add(grafcet.span, what);
-        }
     }
 }
 

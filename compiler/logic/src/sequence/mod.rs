@@ -11,6 +11,7 @@
 mod actions;
 mod expressions;
 mod fit;
+mod networks;
 mod prepare;
 mod prepared;
 mod stored;
@@ -77,6 +78,8 @@ pub struct SequenceStep {
     pub marker: Option<VarId>,
     /// In the initial situation.
     pub initial: bool,
+    /// Whether it is none of the chart: one in which a commanded grafcet rests, or that keeps another while it is frozen.
+    pub auxiliary: bool,
     /// The attached comment.
     pub comment: Option<Note>,
     /// What it sets by continuous actions.
@@ -144,19 +147,25 @@ pub struct SequenceTransition {
 
 /// The chart as a sequential function chart, or all reasons why it is none.
 pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagnostics> {
+    let mut reasons = Reasons::default();
+    fit::form(analysis.net(), &mut reasons);
+    let before = reasons.list.len();
+    let (alone, names) = match networks::find(analysis, &mut reasons) {
+        Some(networks) => (Some(Analysis::of(networks.net.into(), &networks.situations)), networks.names),
+        // What commanded grafcets would do is known only of networks of their own.
+        None if reasons.list.len() > before => return Err(reasons.diagnostics()),
+        None => Default::default(),
+    };
+    let analysis = alone.as_ref().unwrap_or(analysis);
     let net = analysis.net();
     let profile = net.options.over(profile);
-    let mut reasons = Reasons::default();
-    fit::check(analysis, profile, &mut reasons);
-    for span in net.pulses.iter().map(|pulse| pulse.span).chain(net.runs.iter().map(|run| run.span)) {
-        reasons.add(span, "a pulse order, for which IEC 61131-3 has no form");
-    }
+    fit::meaning(analysis, profile, &mut reasons);
 
     let mut variables = declared(net);
     let taken: FxHashSet<String> = variables.iter().map(|variable| variable.name.to_lowercase().to_string()).collect();
     let steps: IndexVec<StepId, SequenceStep> =
         net.places.iter().map(|place| step(place, &taken, &mut variables)).collect();
-    let mut expressions = Expressions::new(net, &steps, profile);
+    let mut expressions = Expressions::new(net, &steps, names, profile);
     let transitions = net.transitions.iter().map(|transition| SequenceTransition {
         before: transition.pre.to_vec(),
         after: transition.post.to_vec(),
@@ -237,6 +246,7 @@ fn step(
         duration: variables.push(duration),
         marker: None,
         initial: place.initial,
+        auxiliary: place.auxiliary,
         comment: place.comment.clone(),
         holds: Vec::new(),
         latches: Vec::new(),
@@ -255,24 +265,29 @@ impl Reasons {
         self.list.push((place, what.into()));
     }
 
+    /// Refuses the chart if there are any.
+    fn refuse(self) -> Result<(), Diagnostics> {
+        if self.list.is_empty() { Ok(()) } else { Err(self.diagnostics()) }
+    }
+
     /// One error with a place for each reason.
-    fn refuse(mut self) -> Result<(), Diagnostics> {
+    fn diagnostics(mut self) -> Diagnostics {
         self.list.sort();
         self.list.dedup();
+        let mut diagnostics = Diagnostics::new();
         let mut reasons = self.list.into_iter();
-        let Some((place, what)) = reasons.next() else { return Ok(()) };
+        let Some((place, what)) = reasons.next() else { return diagnostics };
         let message = "this chart cannot be a sequential function chart that means the same";
         let mut diagnostic = Diagnostic::new(Code::E0503, place, message).here(what);
         for (place, what) in reasons {
             diagnostic = diagnostic.also(place, what);
         }
-        let mut diagnostics = Diagnostics::new();
         diagnostics.push(
             diagnostic
                 .note("a sequential function chart evolves once a scan and clears one transition after a step")
                 .help("take Structured Text, which every chart has: `--target st`, or `--body st` in a project"),
         );
-        Err(diagnostics)
+        diagnostics
     }
 }
 

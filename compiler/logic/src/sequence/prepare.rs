@@ -85,6 +85,22 @@ impl Expressions<'_> {
         self.pool.variable(given, Type::Bool)
     }
 
+    /// A command of a grafcet, if it has a name and can be found before the chart is called: else each condition says it.
+    pub fn command(&mut self, id: ExprId, reasons: &mut Reasons) -> Option<FormulaId> {
+        if let Some(known) = self.commands.get(&id) {
+            return *known;
+        }
+        let name = self.names.remove(&id)?;
+        let value = self.before(id, reasons);
+        let found = self.is_known_outside(value) && !self.pool.is_leaf(value);
+        let given = found.then(|| {
+            let given = self.give(name.to_string(), value);
+            self.pool.variable(given, Type::Bool)
+        });
+        self.commands.insert(id, given);
+        given
+    }
+
     /// The chart shows the markers that a formula reads.
     fn show_markers(&mut self, formula: FormulaId) {
         let markers: FxHashSet<VarId> = self.markers.values().copied().collect();

@@ -52,6 +52,7 @@ pub(crate) use reason::Reason;
 use super::Conditions;
 use super::canonical::Canonical;
 use super::reachable::Reachable;
+use super::reachable::known::Known;
 use super::reachable::parts::{self, Part};
 use super::rivals::Rivals;
 use crate::lower::cover::{Cover, CoverSet};
@@ -131,6 +132,7 @@ pub(crate) fn find(
     facts: &EdgeFacts,
     conditions: &Conditions,
     commanded: &IndexVec<GrafcetId, bool>,
+    situations: &[Known],
 ) -> FoundComponents {
     let canonical = Canonical::new(net, arcs);
     let rivals = Rivals::new(net, arcs, conditions, facts);
@@ -144,7 +146,7 @@ pub(crate) fn find(
     };
     let is_commanded = |part: &Part| part.steps.first().is_some_and(|s| commanded[canonical.net.places[*s].grafcet]);
     let wanted = |part: &Part| !one_token(part, &arranged) && !is_commanded(part);
-    let reachable = Reachable::find(&canonical, &parts, conditions, facts, &rivals, wanted);
+    let reachable = Reachable::find(&canonical, &parts, conditions, facts, &rivals, situations, wanted);
     for _ in 0..ROUNDS {
         let unknown = |t: TransitionId| net.transitions[t].pre.first().is_none_or(|s| reachable.part(*s).is_none());
         let is_open = |(a, b): &(TransitionId, TransitionId)| unknown(*a) && !apart.contains(&(*a, *b));

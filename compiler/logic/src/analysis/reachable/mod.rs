@@ -23,6 +23,7 @@
 //!
 //! The work is counted and bounded by the size of the net, never timed.
 
+pub(crate) mod known;
 mod moves;
 pub(crate) mod parts;
 mod sets;
@@ -35,6 +36,7 @@ use super::rivals::Rivals;
 use grafc_formula::exclusion::EdgeFacts;
 use grafc_model::chart::{StepId, TransitionId};
 use index_vec::IndexVec;
+use known::Known;
 use moves::Question;
 use parts::Part;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -73,18 +75,22 @@ pub(crate) struct Reached {
 }
 
 impl Reachable {
-    /// The situations of the parts that are `wanted`.
+    /// The situations of the parts that are `wanted`, beside those that are known.
     pub(crate) fn find(
         canonical: &Canonical,
         parts: &[Part],
         conditions: &Conditions,
         facts: &EdgeFacts,
         rivals: &Rivals,
+        known: &[Known],
         wanted: impl Fn(&Part) -> bool,
     ) -> Reachable {
+        let is_known: FxHashSet<StepId> = known.iter().flat_map(|known| known.steps.iter().copied()).collect();
+        let unknown = |part: &Part| !part.steps.iter().any(|s| is_known.contains(&canonical.step[*s]));
         let compared = |part: &Part| !part.steps.iter().any(|s| rivals.many(canonical.step[*s]));
         let small = |part: &Part| part.steps.len() <= STEPS && part.arcs <= ARCS;
-        let wanted: Vec<&Part> = parts.iter().filter(|part| small(part) && compared(part) && wanted(part)).collect();
+        let wanted: Vec<&Part> =
+            parts.iter().filter(|part| small(part) && compared(part) && unknown(part) && wanted(part)).collect();
         let mut found = Vec::new();
         let mut part_of: IndexVec<StepId, Option<(u32, u16)>> = canonical.net.places.iter().map(|_| None).collect();
         for part in &wanted {
@@ -92,6 +98,12 @@ impl Reachable {
             let question = Question { canonical, part, conditions, facts, rivals, number: &number };
             let allowed = WORK * part.steps.len() + SHARED / wanted.len();
             let Some(reached) = Reached::find(&question, allowed) else { continue };
+            for (s, step) in reached.steps.iter().zip(0..) {
+                part_of[*s] = Some((found.len() as u32, step));
+            }
+            found.push(reached);
+        }
+        for reached in known.iter().filter_map(|known| known.reached(canonical.net.places.len(), rivals)) {
             for (s, step) in reached.steps.iter().zip(0..) {
                 part_of[*s] = Some((found.len() as u32, step));
             }

@@ -31,7 +31,7 @@ fn reachable(net: &Net) -> Reachable {
     let canonical = Canonical::new(net, &arcs);
     let rivals = Rivals::new(net, &arcs, &conditions, &facts);
     let parts = super::parts::parts(&canonical);
-    Reachable::find(&canonical, &parts, &conditions, &facts, &rivals, |_| true)
+    Reachable::find(&canonical, &parts, &conditions, &facts, &rivals, &[], |_| true)
 }
 
 /// A condition of a net that is drawn: an input, perhaps denied, and perhaps what it reads of a step.

@@ -40,7 +40,8 @@ pub(super) fn find(asked: &mut Questions) -> Vec<Clashes> {
     let mut seen = FxHashSet::default();
     for step in analysis.net.places.indices() {
         let mut pairs: Vec<Clash> = Vec::new();
-        for (number, (first, second)) in rivals(analysis, step).into_iter().enumerate() {
+        let rivals = rivals(analysis, step).into_iter().filter(|(a, b)| !analysis.never_clear_together(*a, *b));
+        for (number, (first, second)) in rivals.enumerate() {
             if pairs.len() >= LISTED {
                 break;
             }
@@ -85,9 +86,6 @@ fn clash(asked: &mut Questions, first: TransitionId, second: TransitionId) -> Op
     let analysis = asked.analysis;
     let [a, b] = [first, second].map(|t| &analysis.net.transitions[t]);
     if sorted(&a.pre) == sorted(&b.pre) && sorted(&a.post) == sorted(&b.post) {
-        return None;
-    }
-    if analysis.never_clear_together(first, second) {
         return None;
     }
     let [before_a, before_b] = [a, b].map(|t| &t.pre[..t.pre.len().min(LOOKED_AT)]);
