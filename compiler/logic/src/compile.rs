@@ -261,10 +261,9 @@ struct Ends {
 
 impl Ends {
     fn new(net: &Net, profile: Profile, proved: Option<&Transients>) -> Ends {
-        // What a pass has added does not count: a place and the transition to it. Of networks of commanded grafcets, which
-        // have more of both, nobody asks for the bound.
-        let auxiliary = net.places.iter().filter(|place| place.auxiliary).count();
-        let (steps, transitions) = (net.places.len() - auxiliary, net.transitions.len().saturating_sub(auxiliary));
+        // What a pass has added does not count.
+        let steps = net.places.iter().filter(|place| !place.auxiliary).count();
+        let transitions = net.transitions.iter().filter(|transition| !transition.auxiliary).count();
         let bound = profile.bound_for(steps, transitions).clamp(1, i32::MAX as u32);
         let ends = proved.is_some_and(|transients| transients.ends_within(bound));
         let longest = proved.and_then(|transients| transients.longest).unwrap_or(bound);

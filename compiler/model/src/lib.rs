@@ -19,6 +19,7 @@ pub mod symbols;
 pub mod trace;
 
 pub use check::{Checked, check, examine, scenarios};
+pub use checks::truth;
 pub use dump::dump;
 
 /// The code points of what misleads in a name, to be shown beside it; none without the feature `names`.

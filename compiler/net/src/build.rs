@@ -57,6 +57,7 @@ pub fn into_net(chart: Chart) -> Net {
             post,
             within: Steps::new(),
             condition: t.condition,
+            auxiliary: false,
             span: t.span,
         });
     }

@@ -10,6 +10,7 @@
 mod arcs;
 mod build;
 mod dump;
+mod labels;
 pub mod net;
 pub mod passes;
 mod verify;
@@ -17,5 +18,6 @@ mod verify;
 pub use arcs::Arcs;
 pub use build::{build, into_net};
 pub use dump::dump;
+pub use labels::Labels;
 pub use net::{Fact, Net};
 pub use verify::verify;

@@ -217,6 +217,22 @@ pub struct Place {
 }
 
 impl Place {
+    /// One that a pass makes: no step of the chart, inactive at the start, within nothing.
+    pub fn auxiliary(label: EcoString, grafcet: GrafcetId, span: Span) -> Place {
+        Place {
+            label,
+            comment: None,
+            grafcet,
+            initial: false,
+            activated: false,
+            within: Steps::new(),
+            started: false,
+            saved: false,
+            auxiliary: true,
+            span,
+        }
+    }
+
     /// The place that is active whenever this one is, because this one is within it alone.
     pub fn encloser(&self) -> Option<StepId> {
         only(&self.within)
@@ -251,11 +267,19 @@ pub struct Transition {
     pub within: Steps,
     /// The transition-condition.
     pub condition: ExprId,
+    /// Made by a pass: no transition of the chart.
+    pub auxiliary: bool,
     /// The item in the chart.
     pub span: Span,
 }
 
 impl Transition {
+    /// One that a pass makes, within nothing.
+    pub fn auxiliary(grafcet: GrafcetId, pre: Steps, post: Steps, condition: ExprId, span: Span) -> Transition {
+        let (designation, comment, within) = (None, None, Steps::new());
+        Transition { designation, comment, grafcet, pre, post, within, condition, auxiliary: true, span }
+    }
+
     /// The place that is active whenever it clears, because it is within that alone.
     pub fn encloser(&self) -> Option<StepId> {
         only(&self.within)
@@ -273,7 +297,7 @@ impl Transition {
 }
 
 /// The steps of a list that are not in the other one.
-fn without(list: &[StepId], other: &[StepId]) -> Vec<StepId> {
+pub fn without(list: &[StepId], other: &[StepId]) -> Vec<StepId> {
     // A table is worth it only for long lists.
     let table: FxHashSet<StepId> =
         if other.len() > SHORT { other.iter().copied().collect() } else { FxHashSet::default() };

@@ -125,8 +125,7 @@ fn command(
                 }
             }
             kinds.push("kill");
-            kinds.truncate(spine.len().max(2));
-            if !kinds.contains(&"kill") || kinds.len() > spine.len() {
+            if kinds.len() > spine.len() {
                 kinds = vec!["start", "kill"];
             }
             let mut left = kinds.len();

@@ -67,9 +67,9 @@ impl<'a> Canonical<'a> {
         let transition = transitions.iter().map(|(.., t)| *t).collect();
         let places = steps.iter().map(|s| bare_place(&net.places[*s], &side)).collect();
         let transitions = transitions.into_iter().map(|(pre, post, t)| {
-            let Transition { grafcet, ref within, condition, span, .. } = net.transitions[t];
+            let Transition { grafcet, ref within, condition, auxiliary, span, .. } = net.transitions[t];
             let within = side(within);
-            Transition { designation: None, comment: None, grafcet, pre, post, within, condition, span }
+            Transition { designation: None, comment: None, grafcet, pre, post, within, condition, auxiliary, span }
         });
         let grafcets: IndexVec<GrafcetId, Grafcet> = net.grafcets.iter().map(|g| bare_grafcet(g, &ranked)).collect();
         let net = Net {

@@ -149,12 +149,14 @@ pub struct SequenceTransition {
 pub fn sequence(analysis: &Analysis, profile: Profile) -> Result<Sequence, Diagnostics> {
     let mut reasons = Reasons::default();
     fit::form(analysis.net(), &mut reasons);
-    let before = reasons.list.len();
-    let (alone, names) = match networks::find(analysis, &mut reasons) {
-        Some(networks) => (Some(Analysis::of(networks.net.into(), &networks.situations)), networks.names),
-        // What commanded grafcets would do is known only of networks of their own.
-        None if reasons.list.len() > before => return Err(reasons.diagnostics()),
-        None => Default::default(),
+    // What commanded grafcets would do is known only of networks of their own.
+    let (alone, names) = match networks::find(analysis) {
+        Ok(Some(networks)) => (Some(Analysis::of(networks.net.into(), &networks.situations)), networks.names),
+        Ok(None) => Default::default(),
+        Err(more) => {
+            reasons.list.extend(more.list);
+            return Err(reasons.diagnostics());
+        }
     };
     let analysis = alone.as_ref().unwrap_or(analysis);
     let net = analysis.net();

@@ -60,7 +60,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
 
 /// The transitions that can be cleared again and again without anything from outside.
 fn counting(chart: &Tables) -> IndexVec<TransitionId, bool> {
-    let truths = truths(chart, Edges::Sometimes);
+    let truths = truths(&chart.exprs, &chart.variables, Edges::Sometimes);
     let mut counting: IndexVec<TransitionId, bool> = chart
         .transitions
         .iter()

@@ -13,7 +13,7 @@ use grafc_diagnostics::{Code, Diagnostic, Diagnostics};
 
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
-    let truths = truths(chart, Edges::Never);
+    let truths = truths(&chart.exprs, &chart.variables, Edges::Never);
     for action in &chart.stored {
         match action.event {
             Event::Event(_, event) if truths[event] != Truth::Never => diagnostics.push(

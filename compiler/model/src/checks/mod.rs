@@ -57,7 +57,7 @@ mod steps_outside_grafcets;
 pub mod testing;
 mod transient_step_with_continuous_action;
 mod transition_without_steps;
-mod truth;
+pub mod truth;
 
 use crate::resolve::Resolved;
 use grafc_diagnostics::Diagnostics;

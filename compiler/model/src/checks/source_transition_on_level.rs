@@ -16,7 +16,7 @@ const SHOWN: usize = 4;
 
 pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     let chart = &resolved.chart;
-    let truths = truths(chart, Edges::Never);
+    let truths = truths(&chart.exprs, &chart.variables, Edges::Never);
     for transition in chart.transitions.iter().filter(|transition| transition.pre.is_empty()) {
         if truths[transition.condition] != Truth::Never {
             let span = chart.exprs[transition.condition].span;

@@ -22,7 +22,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) {
     if chart.options.is_scan() {
         return;
     }
-    let truths = truths(chart, Edges::Sometimes);
+    let truths = truths(&chart.exprs, &chart.variables, Edges::Sometimes);
     let freezable = freezable(chart);
     let mut left_by: IndexVec<StepId, Option<TransitionId>> = index_vec![None; chart.steps.len()];
     for (id, transition) in chart.transitions.iter_enumerated() {

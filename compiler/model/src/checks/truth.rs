@@ -1,6 +1,6 @@
 //! What is known of conditions before the chart runs.
 
-use crate::chart::{Expr, ExprId, ExprKind, Tables, Value, VariableKind};
+use crate::chart::{Expr, ExprId, ExprKind, Value, Variable, VariableId, VariableKind};
 use index_vec::IndexVec;
 
 /// What is known of a condition.
@@ -24,21 +24,30 @@ pub enum Edges {
 }
 
 /// What is known of each expression; of those that are no conditions nothing.
-pub fn truths(chart: &Tables, edges: Edges) -> IndexVec<ExprId, Truth> {
-    let mut truths = IndexVec::with_capacity(chart.exprs.len());
-    for expr in &chart.exprs {
-        truths.push(truth(chart, expr, edges, &truths));
+pub fn truths(
+    exprs: &IndexVec<ExprId, Expr>,
+    variables: &IndexVec<VariableId, Variable>,
+    edges: Edges,
+) -> IndexVec<ExprId, Truth> {
+    let mut truths = IndexVec::with_capacity(exprs.len());
+    for expr in exprs {
+        truths.push(truth(variables, expr, edges, &truths));
     }
     truths
 }
 
-fn truth(chart: &Tables, expr: &Expr, edges: Edges, below: &IndexVec<ExprId, Truth>) -> Truth {
+fn truth(
+    variables: &IndexVec<VariableId, Variable>,
+    expr: &Expr,
+    edges: Edges,
+    below: &IndexVec<ExprId, Truth>,
+) -> Truth {
     use Truth::{Always, Never, Sometimes};
     let certain = |value| if value { Always } else { Never };
     match expr.kind {
         ExprKind::Literal(Value::Bool(value)) => certain(value),
         ExprKind::Literal(Value::Int(_) | Value::Real(_) | Value::Time(_)) => Sometimes,
-        ExprKind::Variable(id) => match (chart.variables[id].kind, chart.variables[id].initial()) {
+        ExprKind::Variable(id) => match (variables[id].kind, variables[id].initial()) {
             (VariableKind::Constant, Value::Bool(value)) => certain(value),
             (VariableKind::Constant, Value::Int(_) | Value::Real(_) | Value::Time(_)) => Sometimes,
             (VariableKind::Input | VariableKind::Output | VariableKind::Internal, _) => Sometimes,

@@ -10,13 +10,12 @@
 //! as well as after, is neither.
 
 use super::Pass;
+use crate::Labels;
 use crate::net::{Fact, Net, Place, Transition};
-use ecow::EcoString;
 use grafc_diagnostics::Diagnostics;
 use grafc_model::chart::{Expr, ExprId, ExprKind, StepId, TransitionId, Type, Value};
 use index_vec::IndexVec;
 use smallvec::smallvec;
-use std::collections::HashSet;
 
 pub const PASS: Pass = Pass {
     name: "break-two-step-rings",
@@ -37,8 +36,7 @@ fn run(net: &mut Net, _diagnostics: &mut Diagnostics) {
     }
     let span = net.transitions[found[0].back[0]].span;
     let always = net.exprs.push(Expr { kind: ExprKind::Literal(Value::Bool(true)), ty: Type::Bool, span });
-    let steps = net.places.iter().map(|place| &place.label);
-    let mut labels: HashSet<EcoString> = steps.chain(net.macro_steps.iter().map(|m| &m.label)).cloned().collect();
+    let mut labels = Labels::of(net);
     let mut made: IndexVec<StepId, Option<StepId>> = net.places.iter().map(|_| None).collect();
     for ring in &found {
         made[ring.first] = Some(insert(net, ring, always, &mut labels));
@@ -97,36 +95,16 @@ fn rings(net: &Net) -> Vec<Ring> {
 }
 
 /// Makes the place between the others and the first, and the transition from it to the first.
-fn insert(net: &mut Net, ring: &Ring, always: ExprId, labels: &mut HashSet<EcoString>) -> StepId {
+fn insert(net: &mut Net, ring: &Ring, always: ExprId, labels: &mut Labels) -> StepId {
     let Place { grafcet, ref within, .. } = net.places[ring.first];
     let within = within.clone();
     let span = net.transitions[ring.back[0]].span;
     let joined = format!("{}_{}", net.places[ring.other].label, net.places[ring.first].label);
-    let label = unused(joined.into(), labels);
-    let place = Place {
-        label,
-        comment: None,
-        grafcet,
-        initial: false,
-        activated: false,
-        within: within.clone(),
-        started: false,
-        saved: false,
-        auxiliary: true,
-        span,
-    };
-    let between = net.places.push(place);
+    let label = labels.unused(joined.into());
+    let between = net.places.push(Place { within: within.clone(), ..Place::auxiliary(label, grafcet, span) });
     net.grafcets[grafcet].steps.push(between);
-    net.transitions.push(Transition {
-        designation: None,
-        comment: None,
-        grafcet,
-        pre: smallvec![between],
-        post: smallvec![ring.first],
-        within,
-        condition: always,
-        span,
-    });
+    let onwards = Transition::auxiliary(grafcet, smallvec![between], smallvec![ring.first], always, span);
+    net.transitions.push(Transition { within, ..onwards });
     between
 }
 
@@ -147,17 +125,6 @@ fn redirect(net: &mut Net, rings: &[Ring], made: &IndexVec<StepId, Option<StepId
             }
         }
     }
-}
-
-/// The label, with a number behind it if there is such a label already.
-fn unused(base: EcoString, labels: &mut HashSet<EcoString>) -> EcoString {
-    let mut label = base.clone();
-    let mut number = 2_u32;
-    while !labels.insert(label.clone()) {
-        label = format!("{base}_{number}").into();
-        number += 1;
-    }
-    label
 }
 
 /// Which transitions hand over from where to where.

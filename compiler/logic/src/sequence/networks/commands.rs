@@ -97,24 +97,18 @@ impl Making {
         self.or([])
     }
 
-    /// That a transition clears.
-    fn clears(&mut self, t: TransitionId) -> ExprId {
+    /// That a transition is enabled and its condition, or what stands for it, holds; of a step before it that may be known.
+    pub(super) fn clears(&mut self, t: TransitionId, known: Option<StepId>, condition: ExprId) -> ExprId {
         let pre = self.net.transitions[t].pre.clone();
-        let condition = self.net.transitions[t].condition;
-        let active: Vec<ExprId> = pre.into_iter().map(|s| self.active(s)).collect();
+        let active: Vec<ExprId> = pre.into_iter().filter(|s| Some(*s) != known).map(|s| self.active(s)).collect();
         self.and(active.into_iter().chain([condition]))
     }
 
     /// That one of the transitions clears which do what is asked for.
     fn one_clears(&mut self, transitions: &[TransitionId], wanted: impl Fn(Does) -> bool) -> ExprId {
-        let mut terms = Vec::new();
-        for t in transitions {
-            let g = self.net.transitions[*t].grafcet;
-            let does = self.of[g].iter().find(|(known, _)| known == t).map_or(Does::Own(*t), |(_, does)| *does);
-            if wanted(does) {
-                terms.push(self.clears(*t));
-            }
-        }
+        let wanted: Vec<TransitionId> = transitions.iter().copied().filter(|t| wanted(self.does[*t])).collect();
+        let terms: Vec<ExprId> =
+            wanted.into_iter().map(|t| self.clears(t, None, self.net.transitions[t].condition)).collect();
         self.or(terms)
     }
 
@@ -133,9 +127,7 @@ impl Making {
         let active = self.active(s);
         let mut stays = vec![active];
         for t in self.leaving.get(&s).cloned().unwrap_or_default() {
-            let others = self.net.transitions[t].pre.clone().into_iter().filter(|other| *other != s);
-            let others: Vec<ExprId> = others.map(|other| self.active(other)).collect();
-            let clears = self.and(others.into_iter().chain([self.net.transitions[t].condition]));
+            let clears = self.clears(t, Some(s), self.net.transitions[t].condition);
             stays.push(self.not(clears));
         }
         let stays = self.and(stays);
@@ -192,11 +184,10 @@ impl Making {
                     self.and([active, expr].into_iter().chain(goes_on))
                 }
                 Event::Clearing(t) => {
-                    let pre = self.net.transitions[t].pre.clone();
-                    let active: Vec<ExprId> = pre.into_iter().map(|s| self.active(s)).collect();
                     let bare = self.bare.get(&t).copied().unwrap_or(self.net.transitions[t].condition);
+                    let clears = self.clears(t, None, bare);
                     let goes_on = self.grafcet_goes_on(commander);
-                    self.and(active.into_iter().chain([bare]).chain(goes_on))
+                    self.and([clears].into_iter().chain(goes_on))
                 }
                 Event::Deactivation(s) => self.deactivated(s, goes_on),
                 Event::Activation(s) => self.activated(s, |_| true),
@@ -242,7 +233,7 @@ impl Making {
 
     /// The same of what is around it.
     fn around_goes_on(&mut self, g: GrafcetId) -> Option<ExprId> {
-        let around = self.around(g);
+        let around: Vec<GrafcetId> = self.around(g).collect();
         let terms: Vec<ExprId> = around.into_iter().filter_map(|g| self.grafcet_goes_on(g)).collect();
         (!terms.is_empty()).then(|| self.and(terms))
     }

@@ -5,6 +5,7 @@ use super::{Does, Making, Refused};
 use grafc_diagnostics::Span;
 use grafc_model::chart::{Event, GrafcetId, PulseKind, StepId, TransitionId};
 use grafc_net::Net;
+use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -91,26 +92,16 @@ impl Explored {
 /// The transitions of a network.
 pub(super) struct Moves<'n> {
     pub(super) net: &'n Net,
-    pub(super) of: &'n [(TransitionId, Does)],
+    pub(super) of: &'n [TransitionId],
+    pub(super) does: &'n IndexVec<TransitionId, Does>,
     pub(super) from: &'n FxHashMap<TransitionId, Vec<StepId>>,
 }
 
 /// What happens to a network in a micro-step.
-#[derive(Clone)]
 struct Happens {
-    class: Class,
+    does: Does,
     cleared: Vec<TransitionId>,
     next: Vec<StepId>,
-}
-
-/// What kind of thing it is.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Class {
-    /// Clearings of the chart, or nothing.
-    Own,
-    All(Case),
-    Keeps,
-    Resumes,
 }
 
 type Situation = Vec<StepId>;
@@ -125,33 +116,29 @@ impl Moves<'_> {
     /// All that may happen in a situation, if it is not too much.
     fn options(&self, situation: &Situation, most: usize) -> Option<Vec<Happens>> {
         let mut found = Vec::new();
-        let enabled = |wanted: &dyn Fn(Does) -> bool| -> Vec<TransitionId> {
+        let enabled = |wanted: Does| -> Vec<TransitionId> {
             let able = |t: &TransitionId| self.net.transitions[*t].pre.iter().all(|s| situation.contains(s));
-            self.of.iter().filter(|(_, does)| wanted(*does)).map(|(t, _)| *t).filter(able).collect()
+            self.of.iter().copied().filter(|t| self.does[*t] == wanted).filter(able).collect()
         };
-        let own = enabled(&|does| matches!(does, Does::Own(_)));
+        let own = enabled(Does::Own);
         for cleared in self.independent(&own, most)? {
-            found.push(self.happens(situation, Class::Own, cleared));
+            found.push(self.happens(situation, Does::Own, cleared));
         }
-        for (t, does) in self.of {
-            if let Does::All(case) = does
-                && self.from.get(t) == Some(situation)
-            {
-                found.push(self.happens(situation, Class::All(*case), vec![*t]));
-            }
+        for t in self.of.iter().filter(|t| self.from.get(*t) == Some(situation)) {
+            found.push(self.happens(situation, self.does[*t], vec![*t]));
         }
-        let keeping = enabled(&|does| does == Does::Keeps);
+        let keeping = enabled(Does::Keeps);
         if !keeping.is_empty() {
             for cleared in self.independent(&keeping, most)? {
                 let taken: usize = cleared.iter().map(|t| self.net.transitions[*t].pre.len()).sum();
                 if taken == situation.len() {
-                    found.push(self.happens(situation, Class::Keeps, cleared));
+                    found.push(self.happens(situation, Does::Keeps, cleared));
                 }
             }
         }
-        let resuming = enabled(&|does| does == Does::Resumes);
+        let resuming = enabled(Does::Resumes);
         if !resuming.is_empty() {
-            found.push(self.happens(situation, Class::Resumes, resuming));
+            found.push(self.happens(situation, Does::Resumes, resuming));
         }
         (found.len() <= most).then_some(found)
     }
@@ -175,62 +162,62 @@ impl Moves<'_> {
         Some(sets)
     }
 
-    fn happens(&self, situation: &Situation, class: Class, cleared: Vec<TransitionId>) -> Happens {
+    fn happens(&self, situation: &Situation, does: Does, cleared: Vec<TransitionId>) -> Happens {
         let of = |t: &TransitionId| &self.net.transitions[*t];
         let left: Vec<StepId> = cleared.iter().flat_map(|t| of(t).pre.iter().copied()).collect();
         let mut next: Situation = situation.iter().copied().filter(|s| !left.contains(s)).collect();
         next.extend(cleared.iter().flat_map(|t| of(t).post.iter().copied()));
-        Happens { class, cleared, next: sorted(next) }
+        Happens { does, cleared, next: sorted(next) }
     }
 }
 
 /// A commander in a micro-step.
 struct Seen<'s> {
     old: &'s Situation,
-    happens: Happens,
+    happens: &'s Happens,
     /// Whether it has an active step before.
     is_active: bool,
 }
 
 /// Whether something is given, as far as is known.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Known {
+enum Whether {
     No,
     Maybe,
     Yes,
 }
 
-impl From<bool> for Known {
-    fn from(yes: bool) -> Known {
-        if yes { Known::Yes } else { Known::No }
+impl From<bool> for Whether {
+    fn from(yes: bool) -> Whether {
+        if yes { Whether::Yes } else { Whether::No }
     }
 }
 
-impl Known {
-    fn or(self, other: Known) -> Known {
+impl Whether {
+    fn or(self, other: Whether) -> Whether {
         match (self, other) {
-            (Known::Yes, _) | (_, Known::Yes) => Known::Yes,
-            (Known::No, Known::No) => Known::No,
-            _ => Known::Maybe,
+            (Whether::Yes, _) | (_, Whether::Yes) => Whether::Yes,
+            (Whether::No, Whether::No) => Whether::No,
+            _ => Whether::Maybe,
         }
     }
 
-    fn unless_no(self) -> Known {
-        if self == Known::No { Known::No } else { Known::Maybe }
+    fn unless_no(self) -> Whether {
+        if self == Whether::No { Whether::No } else { Whether::Maybe }
     }
 
     fn values(self) -> &'static [bool] {
         match self {
-            Known::No => &[false],
-            Known::Maybe => &[false, true],
-            Known::Yes => &[true],
+            Whether::No => &[false],
+            Whether::Maybe => &[false, true],
+            Whether::Yes => &[true],
         }
     }
 }
 
 /// Goes through the situations of a grafcet and its commanders.
-pub(super) fn find(making: &Making, g: GrafcetId) -> Result<Explored, Refused> {
-    Explorer::new(making, g).run()
+pub(super) fn find(making: &Making, g: GrafcetId, rest: StepId) -> Result<Explored, Refused> {
+    Explorer::new(making, g, rest).run()
 }
 
 struct Explorer<'m> {
@@ -245,7 +232,7 @@ struct Explorer<'m> {
 }
 
 impl<'m> Explorer<'m> {
-    fn new(making: &'m Making, g: GrafcetId) -> Explorer<'m> {
+    fn new(making: &'m Making, g: GrafcetId, rest: StepId) -> Explorer<'m> {
         let (net, given) = (&making.net, &making.given[g]);
         let of = |s: &StepId| net.places[*s].grafcet;
         let mut commanders: Vec<GrafcetId> = given.within.iter().chain(&given.runs).map(of).collect();
@@ -262,7 +249,7 @@ impl<'m> Explorer<'m> {
             making,
             g,
             span: net.grafcets[g].span,
-            rest: making.rest[g].unwrap_or(StepId::new(0)),
+            rest,
             commanders,
             started: sorted(which(&|s| net.places[s].started)),
             linked: sorted(which(&|s| net.places[s].activated)),
@@ -297,15 +284,16 @@ impl<'m> Explorer<'m> {
             if work > WORK {
                 return Err(too_many(", with its commanders"));
             }
+            let is_active: Vec<bool> =
+                self.commanders.iter().zip(commanders).map(|(c, situation)| self.is_active(*c, situation)).collect();
             let mut turn = vec![0_usize; options.len()];
             loop {
-                let chosen: Vec<Seen> = (0..options.len())
-                    .map(|place| Seen {
-                        old: &commanders[place],
-                        happens: options[place][turn[place]].clone(),
-                        is_active: self.is_active(self.commanders[place], &commanders[place]),
-                    })
-                    .collect();
+                let seen_of = |place: usize| Seen {
+                    old: &commanders[place],
+                    happens: &options[place][turn[place]],
+                    is_active: is_active[place],
+                };
+                let chosen: Vec<Seen> = (0..options.len()).map(seen_of).collect();
                 for next in self.answers(own, &chosen)? {
                     let mut joint: Vec<Situation> = chosen.iter().map(|seen| seen.happens.next.clone()).collect();
                     joint.push(next);
@@ -349,35 +337,35 @@ impl<'m> Explorer<'m> {
         let around = self.making.around(c);
         std::iter::once(c).chain(around).any(|c| {
             self.seen(chosen, c)
-                .is_some_and(|seen| matches!(seen.happens.class, Class::Keeps | Class::All(Case::Kill | Case::Restart)))
+                .is_some_and(|seen| matches!(seen.happens.does, Does::Keeps | Does::All(Case::Kill | Case::Restart)))
         })
     }
 
     /// Pulses that commanders give, by kind, and what is passed on of a kill and of a freezing.
-    fn given(&self, chosen: &[Seen]) -> ([Known; 4], [Known; 2]) {
+    fn given(&self, chosen: &[Seen]) -> ([Whether; 4], [Whether; 2]) {
         let (net, given) = (&self.making.net, &self.making.given[self.g]);
-        let mut kinds = [Known::No; 4];
-        let mut give = |kind: PulseKind, known: Known| kinds[kind as usize] = kinds[kind as usize].or(known);
+        let mut kinds = [Whether::No; 4];
+        let mut give = |kind: PulseKind, known: Whether| kinds[kind as usize] = kinds[kind as usize].or(known);
         for pulse in given.pulses.iter().map(|place| &net.pulses[*place]) {
             let goes_on = !self.stopped(chosen, net.commander(pulse.event));
             let known = match pulse.event {
-                Event::Event(s, _) => Known::from(goes_on && self.was(chosen, s)).unless_no(),
+                Event::Event(s, _) => Whether::from(goes_on && self.was(chosen, s)).unless_no(),
                 Event::Deactivation(s) => (goes_on && self.was(chosen, s) && !self.is(chosen, s)).into(),
                 Event::Activation(s) => (self.is(chosen, s) && !self.was(chosen, s)).into(),
                 Event::Clearing(t) => {
                     let seen = self.seen(chosen, net.transitions[t].grafcet);
                     let clears = |seen: &Seen| seen.happens.cleared.contains(&t);
                     // A forced grafcet, or one that is left, may clear it all the same.
-                    let hidden = |seen: &Seen| matches!(seen.happens.class, Class::All(_));
+                    let hidden = |seen: &Seen| matches!(seen.happens.does, Does::All(_));
                     let enabled = net.transitions[t].pre.iter().all(|s| self.was(chosen, *s));
                     match seen {
                         Some(seen) if clears(seen) => goes_on.into(),
-                        Some(seen) if enabled && hidden(seen) => Known::from(goes_on).unless_no(),
-                        Some(_) => Known::No,
-                        None => Known::Maybe,
+                        Some(seen) if enabled && hidden(seen) => Whether::from(goes_on).unless_no(),
+                        Some(_) => Whether::No,
+                        None => Whether::Maybe,
                     }
                 }
-                Event::EachScan(..) => Known::No,
+                Event::EachScan(..) => Whether::No,
             };
             give(pulse.kind, known);
         }
@@ -386,31 +374,29 @@ impl<'m> Explorer<'m> {
         if is && !was {
             let resumed = runs.iter().any(|s| {
                 self.is(chosen, *s)
-                    && self
-                        .seen(chosen, net.places[*s].grafcet)
-                        .is_some_and(|seen| seen.happens.class == Class::Resumes)
+                    && self.seen(chosen, net.places[*s].grafcet).is_some_and(|seen| seen.happens.does == Does::Resumes)
             });
-            give(if resumed { PulseKind::Resume } else { PulseKind::Start }, Known::Yes);
+            give(if resumed { PulseKind::Resume } else { PulseKind::Start }, Whether::Yes);
         }
         let goes_on = |s: &&StepId| self.was(chosen, **s) && !self.stopped(chosen, net.places[**s].grafcet);
         if was && !is && runs.iter().any(|s| goes_on(&s)) {
-            give(PulseKind::Kill, Known::Yes);
+            give(PulseKind::Kill, Whether::Yes);
         }
-        let mut passed = [Known::No; 2];
+        let mut passed = [Whether::No; 2];
         for above in &given.above {
             let Some(seen) = self.seen(chosen, *above) else { continue };
-            let own = seen.happens.class == Class::Own && seen.is_active;
-            let kill = match seen.happens.class {
-                _ if self.making.kills[*above].is_none() || own => Known::No,
-                Class::All(Case::Kill | Case::Restart) => Known::Yes,
-                Class::Keeps | Class::Resumes => Known::No,
-                Class::Own | Class::All(_) => Known::Maybe,
+            let own = seen.happens.does == Does::Own && seen.is_active;
+            let kill = match seen.happens.does {
+                _ if self.making.kills[*above].is_none() || own => Whether::No,
+                Does::All(Case::Kill | Case::Restart) => Whether::Yes,
+                Does::Keeps | Does::Resumes => Whether::No,
+                Does::Own | Does::All(_) => Whether::Maybe,
             };
-            let freeze = match seen.happens.class {
-                _ if self.making.freezes[*above].is_none() || own => Known::No,
-                Class::Keeps | Class::All(Case::StartKept) => Known::Yes,
-                Class::Resumes => Known::No,
-                Class::Own | Class::All(_) => Known::Maybe,
+            let freeze = match seen.happens.does {
+                _ if self.making.freezes[*above].is_none() || own => Whether::No,
+                Does::Keeps | Does::All(Case::StartKept) => Whether::Yes,
+                Does::Resumes => Whether::No,
+                Does::Own | Does::All(_) => Whether::Maybe,
             };
             passed = [passed[0].or(kill), passed[1].or(freeze)];
         }
@@ -429,13 +415,15 @@ impl<'m> Explorer<'m> {
         self.found.meets.begins_forced |= !was && is && forced.is_some();
         if !is {
             let next = vec![self.rest];
-            self.note(own, was.then_some(Case::Ends), &next)?;
+            if was {
+                self.note(own, Case::Ends, &next)?;
+            }
             return Ok(vec![next]);
         }
         let kept = given.keepers.iter().any(|s| self.was(chosen, *s));
         let (kinds, passed) = self.given(chosen);
         let mut found = Vec::new();
-        let [kill, resume, start, freeze] = kinds.map(Known::values);
+        let [kill, resume, start, freeze] = kinds.map(Whether::values);
         for direct in combinations([kill, resume, start, freeze]) {
             let [kill, resume, start, freeze] = direct;
             let kinds = direct.into_iter().filter(|given| *given).count();
@@ -444,7 +432,7 @@ impl<'m> Explorer<'m> {
                 let why = "may be given different pulse orders at once, which no flag would tell";
                 return Err((self.span, why.to_owned()));
             }
-            for [above_kills, above_freezes] in combinations(passed.map(Known::values)) {
+            for [above_kills, above_freezes] in combinations(passed.map(Whether::values)) {
                 let (kill, freeze) = (kill || above_kills, freeze || above_freezes);
                 let meets = &mut self.found.meets;
                 meets.forced_pulse |= forced.is_some() && (kill || resume || start || freeze);
@@ -455,11 +443,11 @@ impl<'m> Explorer<'m> {
                 meets.resume_freeze |= resume && freeze;
                 if let Some((order, set)) = &forced {
                     let next = if set.is_empty() { vec![self.rest] } else { sorted(set.clone()) };
-                    self.note(own, Some(Case::Forced(*order)), &next)?;
+                    self.note(own, Case::Forced(*order), &next)?;
                     found.push(next);
                 } else if !was {
                     let next = if self.linked.is_empty() { vec![self.rest] } else { self.linked.clone() };
-                    self.note(own, Some(Case::Begins), &next)?;
+                    self.note(own, Case::Begins, &next)?;
                     found.push(next);
                 } else {
                     found.extend(self.pulsed(own, [kill, resume, start, freeze], kept)?);
@@ -493,15 +481,14 @@ impl<'m> Explorer<'m> {
         } else if is_active && start {
             return Err((self.span, "may be started while it is active, which adds its initial steps".to_owned()));
         } else if is_frozen && resume && !freeze {
-            let twin_of =
-                |twin: &StepId| self.making.twins.iter().find(|(_, known)| *known == twin).map_or(*twin, |(s, _)| *s);
+            let kept = |s: &StepId| self.making.twins.get(s).is_some_and(|twin| own.contains(twin));
             self.found.resumed_at.extend(own.iter().copied());
-            (Case::Resume, sorted(own.iter().map(twin_of).collect()))
+            let steps = &self.making.net.grafcets[self.g].steps;
+            (Case::Resume, sorted(steps.iter().copied().filter(kept).collect()))
         } else {
             let mut after = vec![own.clone()];
             if !kept && is_active {
-                let chart = Moves { net: &self.making.net, of: &self.making.of[self.g], from: &self.making.from };
-                let options = chart.options(own, WORK);
+                let options = self.making.moves(self.g).options(own, WORK);
                 let options =
                     options.ok_or_else(|| (self.span, "is commanded and has too many situations".to_owned()))?;
                 after = options.into_iter().map(|happens| happens.next).collect();
@@ -513,13 +500,12 @@ impl<'m> Explorer<'m> {
             }
             return Ok(after);
         };
-        self.note(own, Some(case), &next)?;
+        self.note(own, case, &next)?;
         Ok(vec![next])
     }
 
     /// Notes what is done to a situation as a whole.
-    fn note(&mut self, own: &Situation, case: Option<Case>, next: &Situation) -> Result<(), Refused> {
-        let Some(case) = case else { return Ok(()) };
+    fn note(&mut self, own: &Situation, case: Case, next: &Situation) -> Result<(), Refused> {
         if own == next {
             self.found.still.insert((own.clone(), case));
             return Ok(());

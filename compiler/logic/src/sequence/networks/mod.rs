@@ -31,10 +31,12 @@ use commands::Commands;
 use ecow::{EcoString, eco_format};
 use explore::{Case, Explored, Moves};
 use grafc_model::chart::{Event, ExprId, ExprKind, GrafcetId, MacroId, Note, PulseKind, StepId, TransitionId};
-use grafc_net::Net;
-use grafc_net::net::{Forced, MacroStep, Place, Steps, Transition};
+use grafc_model::truth::{Edges, Truth, truths};
+use grafc_net::net::{Forced, MacroStep, Place, Steps, Transition, without};
+use grafc_net::{Labels, Net};
 use index_vec::IndexVec;
 use rustc_hash::{FxHashMap, FxHashSet};
+use smallvec::smallvec;
 use std::collections::BTreeSet;
 use terms::Terms;
 
@@ -47,26 +49,25 @@ pub(super) struct Networks {
     pub(super) names: FxHashMap<ExprId, EcoString>,
 }
 
-/// The net, if grafcets are commanded; none, and the reasons, if that cannot be said by transitions.
-pub(super) fn find(analysis: &Analysis, reasons: &mut Reasons) -> Option<Networks> {
+/// The net, if grafcets are commanded; all reasons why, where that cannot be said by transitions.
+pub(super) fn find(analysis: &Analysis) -> Result<Option<Networks>, Reasons> {
     let net = analysis.net();
     let given = given(net);
     if given.iter().all(Given::is_none) {
-        return None;
+        return Ok(None);
     }
-    let before = reasons.list.len();
-    refuse(analysis, &given, reasons);
-    if reasons.list.len() > before {
-        return None;
+    let mut reasons = refusals(analysis, &given);
+    if !reasons.list.is_empty() {
+        return Err(reasons);
     }
     let mut making = Making::new(net, given);
-    for g in net.hierarchy.clone() {
-        if let Err((span, why)) = making.grafcet(g) {
+    for g in &net.hierarchy {
+        if let Err((span, why)) = making.grafcet(*g) {
             reasons.add(span, why);
-            return None;
+            return Err(reasons);
         }
     }
-    Some(making.finish())
+    Ok(Some(making.finish()))
 }
 
 /// What is given to a grafcet.
@@ -126,8 +127,9 @@ fn given(net: &Net) -> IndexVec<GrafcetId, Given> {
 }
 
 /// What has no form, whatever the situations are.
-fn refuse(analysis: &Analysis, given: &IndexVec<GrafcetId, Given>, reasons: &mut Reasons) {
+fn refusals(analysis: &Analysis, given: &IndexVec<GrafcetId, Given>) -> Reasons {
     let net = analysis.net();
+    let mut reasons = Reasons::default();
     for meeting in &analysis.together().orders {
         let order = &net.grafcets[meeting.grafcet].orders[meeting.loser];
         reasons.add(order.span, "may be in force together with another order on the grafcet, which no flag would tell");
@@ -149,9 +151,11 @@ fn refuse(analysis: &Analysis, given: &IndexVec<GrafcetId, Given>, reasons: &mut
             reasons.add(grafcet.span, "is forced into situations and commanded by pulse orders as well");
         }
     }
+    // An expression that holds without an edge is an event for another reason (R7).
+    let levels = truths(&net.exprs, &net.variables, Edges::Never);
     for pulse in &net.pulses {
         if let Event::Event(_, expr) = pulse.event
-            && !needs_edge(net, expr)
+            && levels[expr] != Truth::Never
         {
             reasons.add(pulse.span, "a pulse order on an event that need not be an edge");
         }
@@ -162,16 +166,7 @@ fn refuse(analysis: &Analysis, given: &IndexVec<GrafcetId, Given>, reasons: &mut
             reasons.add(transition.span, "a source or sink transition of a grafcet that is commanded");
         }
     }
-}
-
-/// Whether an expression is false where no operand of it has an edge: then it is an event for no other reason (R7).
-fn needs_edge(net: &Net, root: ExprId) -> bool {
-    match net.exprs[root].kind {
-        ExprKind::Rise(_) | ExprKind::Fall(_) => true,
-        ExprKind::And(a, b) => needs_edge(net, a) || needs_edge(net, b),
-        ExprKind::Or(a, b) => needs_edge(net, a) && needs_edge(net, b),
-        _ => false,
-    }
+    reasons
 }
 
 /// Why a grafcet cannot be a network, and where.
@@ -181,7 +176,7 @@ type Refused = (grafc_diagnostics::Span, String);
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Does {
     /// It is a transition of the chart.
-    Own(TransitionId),
+    Own,
     /// An order, or the activity of what is around, acts on the grafcet as a whole.
     All(Case),
     /// It keeps a token, or what a transition makes of tokens.
@@ -195,12 +190,13 @@ struct Making {
     net: Net,
     terms: Terms,
     given: IndexVec<GrafcetId, Given>,
-    /// The transitions of each grafcet so far, and what they do.
-    of: IndexVec<GrafcetId, Vec<(TransitionId, Does)>>,
+    /// The transitions of each grafcet so far.
+    of: IndexVec<GrafcetId, Vec<TransitionId>>,
+    /// What each transition does.
+    does: IndexVec<TransitionId, Does>,
     /// For those that act on a grafcet as a whole, its situation before.
     from: FxHashMap<TransitionId, Vec<StepId>>,
-    /// The step in which a grafcet rests, and the twins of its steps.
-    rest: IndexVec<GrafcetId, Option<StepId>>,
+    /// The twins of steps.
     twins: FxHashMap<StepId, StepId>,
     /// Transitions that lead to a step, and that leave it.
     entering: FxHashMap<StepId, Vec<TransitionId>>,
@@ -214,33 +210,33 @@ struct Making {
     around: IndexVec<GrafcetId, Option<GrafcetId>>,
     situations: Vec<Known>,
     names: FxHashMap<ExprId, EcoString>,
-    labels: FxHashSet<EcoString>,
+    labels: Labels,
 }
 
 impl Making {
     fn new(net: &Net, given: IndexVec<GrafcetId, Given>) -> Making {
         let mut net = net.clone();
-        let labels = net.places.iter().map(|place| &place.label).chain(net.macro_steps.iter().map(|m| &m.label));
-        let labels = labels.cloned().collect();
-        let rest = net.grafcets.iter().map(|_| None).collect();
+        let labels = Labels::of(&net);
         let around = net.grafcets.indices().map(|g| net.around(g)).collect();
         let nothing: IndexVec<GrafcetId, Option<ExprId>> = net.grafcets.iter().map(|_| None).collect();
-        let of = net.grafcets.iter().map(|_| Vec::new()).collect();
+        let mut of: IndexVec<GrafcetId, Vec<TransitionId>> = net.grafcets.iter().map(|_| Vec::new()).collect();
+        let does = net.transitions.iter().map(|_| Does::Own).collect();
         let (mut entering, mut leaving): (FxHashMap<_, Vec<_>>, FxHashMap<_, Vec<_>>) = Default::default();
         for (t, transition) in net.transitions.iter_enumerated() {
+            of[transition.grafcet].push(t);
             transition.entered().into_iter().for_each(|s| entering.entry(s).or_default().push(t));
             transition.left().into_iter().for_each(|s| leaving.entry(s).or_default().push(t));
         }
         for grafcet in &mut net.grafcets {
             (grafcet.orders, grafcet.frozen_with) = (Vec::new(), None);
         }
-        let mut making = Making {
+        Making {
             net,
             terms: Terms::default(),
             given,
             of,
+            does,
             from: FxHashMap::default(),
-            rest,
             twins: FxHashMap::default(),
             entering,
             leaving,
@@ -251,12 +247,7 @@ impl Making {
             situations: Vec::new(),
             names: FxHashMap::default(),
             labels,
-        };
-        for t in making.net.transitions.indices() {
-            let g = making.net.transitions[t].grafcet;
-            making.of[g].push((t, Does::Own(t)));
         }
-        making
     }
 
     /// Turns one grafcet into a network; those above it are.
@@ -264,8 +255,8 @@ impl Making {
         if self.given[g].is_none() {
             return Ok(());
         }
-        self.add_places(g);
-        let explored = explore::find(self, g)?;
+        let rest = self.add_places(g);
+        let explored = explore::find(self, g, rest)?;
         let commands = Commands::of(self, g, &explored);
         (self.kills[g], self.freezes[g]) = (commands.kill, commands.freeze);
         self.add_transitions(g, &explored, &commands);
@@ -280,52 +271,41 @@ impl Making {
         Ok(())
     }
 
-    /// The step in which a grafcet rests, and, where it can be frozen, the twins of its steps.
-    fn add_places(&mut self, g: GrafcetId) {
+    /// Adds the step in which a grafcet rests, and, where it can be frozen, the twins of its steps.
+    fn add_places(&mut self, g: GrafcetId) -> StepId {
         let grafcet = self.net.grafcets[g].clone();
-        let freezes = |making: &Making, g: GrafcetId| {
-            making.given[g].pulses.iter().any(|place| making.net.pulses[*place].kind == PulseKind::Freeze)
-                || making.given[g].above.iter().any(|above| making.freezes[*above].is_some())
-        };
-        if freezes(self, g) {
+        if self.can_freeze(g) {
             for s in &grafcet.steps {
                 let place = self.net.places[*s].clone();
                 let comment = match &place.comment {
                     Some(comment) => eco_format!("kept: {comment}"),
                     None => eco_format!("keeps step {}", place.label),
                 };
-                let twin = self.add_place(g, &format!("kept_{}", place.label), &comment, place.saved);
+                let twin = self.add_place(g, eco_format!("kept_{}", place.label), comment, place.saved);
                 self.twins.insert(*s, twin);
             }
         }
         let active = |s: &StepId| self.net.places[*s].initial || self.net.places[*s].saved;
         let is_at_rest = !grafcet.steps.iter().any(active);
         let comment = eco_format!("{} has no active step", grafcet.name);
-        self.rest[g] = Some(self.add_place(g, &format!("rest_{}", grafcet.name), &comment, is_at_rest));
+        self.add_place(g, eco_format!("rest_{}", grafcet.name), comment, is_at_rest)
     }
 
-    fn add_place(&mut self, g: GrafcetId, label: &str, comment: &str, initial: bool) -> StepId {
-        let mut name = EcoString::from(label);
-        while !self.labels.insert(name.clone()) {
-            name.push('_');
-        }
-        self.net.places.push(Place {
-            label: name,
-            comment: Some(Note::from(comment)),
-            grafcet: g,
-            initial,
-            activated: false,
-            within: Steps::new(),
-            started: false,
-            saved: false,
-            auxiliary: true,
-            span: self.net.grafcets[g].span,
-        })
+    /// Whether it, or what passes that on to it, is frozen by some order.
+    fn can_freeze(&self, g: GrafcetId) -> bool {
+        let Given { pulses, above, .. } = &self.given[g];
+        pulses.iter().any(|place| self.net.pulses[*place].kind == PulseKind::Freeze)
+            || above.iter().any(|above| self.freezes[*above].is_some())
+    }
+
+    fn add_place(&mut self, g: GrafcetId, label: EcoString, comment: EcoString, initial: bool) -> StepId {
+        let place = Place::auxiliary(self.labels.unused(label), g, self.net.grafcets[g].span);
+        self.net.places.push(Place { comment: Some(Note::from(comment)), initial, ..place })
     }
 
     /// Keeps the transitions of the chart from clearing where orders act, and adds those that orders are.
     fn add_transitions(&mut self, g: GrafcetId, explored: &Explored, commands: &Commands) {
-        let own: Vec<TransitionId> = self.of[g].iter().map(|(t, _)| *t).collect();
+        let own = self.of[g].clone();
         let keepers = self.given[g].keepers.clone();
         // That nothing keeps a transition from clearing.
         let mut free = Vec::new();
@@ -367,21 +347,17 @@ impl Making {
             if explored.freezes_at(s) {
                 let mut alone = vec![commands.when[&Case::Freeze]];
                 for t in &own {
-                    let pre = self.net.transitions[*t].pre.clone();
-                    if !pre.contains(&s) {
-                        continue;
+                    if self.net.transitions[*t].pre.contains(&s) {
+                        let clears = self.clears(*t, Some(s), self.bare[t]);
+                        alone.push(self.not(clears));
                     }
-                    let others: Vec<StepId> = pre.into_iter().filter(|other| *other != s).collect();
-                    let others: Vec<ExprId> = others.into_iter().map(|other| self.active(other)).collect();
-                    let clears = self.and(others.into_iter().chain([self.bare[t]]));
-                    alone.push(self.not(clears));
                 }
                 let condition = self.and(alone);
-                made.push((one(s), one(self.twins[&s]), condition, Does::Keeps, None, span));
+                made.push((smallvec![s], smallvec![self.twins[&s]], condition, Does::Keeps, None, span));
             }
             if explored.resumes_at(s, &self.twins) {
                 let condition = commands.when[&Case::Resume];
-                made.push((one(self.twins[&s]), one(s), condition, Does::Resumes, None, span));
+                made.push((smallvec![self.twins[&s]], smallvec![s], condition, Does::Resumes, None, span));
             }
         }
         for ((from, case), to) in &explored.moves {
@@ -390,17 +366,17 @@ impl Making {
             }
             let exactly = self.exactly(from, to, &explored.situations);
             let condition = self.and([exactly, commands.when[case]]);
-            let (pre, post) = (without(from, to), without(to, from));
+            let (pre, post) = (without(from, to).into(), without(to, from).into());
             made.push((pre, post, condition, Does::All(*case), Some(from.clone()), span));
         }
         for (pre, post, condition, does, from, span) in made {
-            let (designation, comment, within) = (None, None, Steps::new());
-            let transition = Transition { designation, comment, grafcet: g, pre, post, within, condition, span };
+            let transition = Transition::auxiliary(g, pre, post, condition, span);
             let (left, entered) = (transition.left(), transition.entered());
             let t = self.net.transitions.push(transition);
             left.into_iter().for_each(|s| self.leaving.entry(s).or_default().push(t));
             entered.into_iter().for_each(|s| self.entering.entry(s).or_default().push(t));
-            self.of[g].push((t, does));
+            self.of[g].push(t);
+            self.does.push(does);
             if let Some(from) = from {
                 self.from.insert(t, from);
             }
@@ -427,8 +403,7 @@ impl Making {
     fn known(&self, g: GrafcetId, situations: Vec<Vec<StepId>>) -> Known {
         let transition = |t: &TransitionId| &self.net.transitions[*t];
         let enabled = |t: &TransitionId, situation: &[StepId]| transition(t).pre.iter().all(|s| situation.contains(s));
-        let own = self.of[g].iter().filter(|(_, does)| matches!(does, Does::Own(_))).map(|(t, _)| *t);
-        let own: Vec<TransitionId> = own.collect();
+        let own: Vec<TransitionId> = self.of[g].iter().copied().filter(|t| self.does[*t] == Does::Own).collect();
         let (mut entering_active, mut enabled_at_once) = (Vec::new(), Vec::new());
         for situation in &situations {
             let able: Vec<TransitionId> = own.iter().copied().filter(|t| enabled(t, situation)).collect();
@@ -507,23 +482,14 @@ impl Making {
     }
 }
 
-fn one(s: StepId) -> Steps {
-    [s].into_iter().collect()
-}
-
-/// The steps of a list that are not in another.
-fn without(list: &[StepId], other: &[StepId]) -> Steps {
-    list.iter().copied().filter(|s| !other.contains(s)).collect()
-}
-
 /// What is looked up of a network by who explores it.
 impl Making {
     /// What is around a grafcet, from the inside out.
-    fn around(&self, g: GrafcetId) -> Vec<GrafcetId> {
-        std::iter::successors(self.around[g], |g| self.around[*g]).collect()
+    fn around(&self, g: GrafcetId) -> impl Iterator<Item = GrafcetId> + '_ {
+        std::iter::successors(self.around[g], |g| self.around[*g])
     }
 
     fn moves(&self, g: GrafcetId) -> Moves<'_> {
-        Moves { net: &self.net, of: &self.of[g], from: &self.from }
+        Moves { net: &self.net, of: &self.of[g], does: &self.does, from: &self.from }
     }
 }

@@ -43,37 +43,40 @@ impl Terms {
         }
     }
 
+    /// A conjunction, each term once.
     pub(super) fn and(&mut self, exprs: &mut Exprs, terms: impl IntoIterator<Item = ExprId>) -> ExprId {
-        let (mut all, mut seen) = (None, Vec::new());
-        for term in terms {
-            match exprs[term].kind {
-                ExprKind::Literal(Value::Bool(true)) => continue,
-                ExprKind::Literal(_) => return term,
-                _ if seen.contains(&term) => continue,
-                _ => seen.push(term),
-            }
-            all = Some(match all {
-                None => term,
-                Some(all) => self.make(exprs, Key::And(all, term), ExprKind::And(all, term)),
-            });
-        }
-        all.unwrap_or_else(|| self.truth(exprs, true))
+        self.join(exprs, terms, true, |a, b| (Key::And(a, b), ExprKind::And(a, b)))
     }
 
+    /// A disjunction, each term once.
     pub(super) fn or(&mut self, exprs: &mut Exprs, terms: impl IntoIterator<Item = ExprId>) -> ExprId {
-        let (mut any, mut seen) = (None, Vec::new());
+        self.join(exprs, terms, false, |a, b| (Key::Or(a, b), ExprKind::Or(a, b)))
+    }
+
+    /// Terms put together, where `neutral` is the value that changes nothing and the other one decides.
+    fn join(
+        &mut self,
+        exprs: &mut Exprs,
+        terms: impl IntoIterator<Item = ExprId>,
+        neutral: bool,
+        with: impl Fn(ExprId, ExprId) -> (Key, ExprKind),
+    ) -> ExprId {
+        let (mut joined, mut seen) = (None, Vec::new());
         for term in terms {
             match exprs[term].kind {
-                ExprKind::Literal(Value::Bool(false)) => continue,
+                ExprKind::Literal(Value::Bool(value)) if value == neutral => continue,
                 ExprKind::Literal(_) => return term,
                 _ if seen.contains(&term) => continue,
                 _ => seen.push(term),
             }
-            any = Some(match any {
+            joined = Some(match joined {
                 None => term,
-                Some(any) => self.make(exprs, Key::Or(any, term), ExprKind::Or(any, term)),
+                Some(joined) => {
+                    let (key, kind) = with(joined, term);
+                    self.make(exprs, key, kind)
+                }
             });
         }
-        any.unwrap_or_else(|| self.truth(exprs, false))
+        joined.unwrap_or_else(|| self.truth(exprs, neutral))
     }
 }
